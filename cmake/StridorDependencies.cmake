@@ -1,0 +1,21 @@
+# Third-party packages. They are imported targets, whose headers the compiler treats as system headers.
+# A package that a module links must also stand in stridorConfig.cmake.in: a static library passes it on.
+
+find_package(PkgConfig REQUIRED)
+find_package(Eigen3 3.4 REQUIRED)         # small matrices: Eigen3::Eigen
+find_package(fmt REQUIRED)                # text: fmt::fmt
+find_package(TBB REQUIRED)                # threads: TBB::tbb
+find_package(SQLite3 REQUIRED)            # stores and library: SQLite::SQLite3
+find_package(nlohmann_json 3.11 REQUIRED) # JSON: nlohmann_json::nlohmann_json
+find_package(CLI11 REQUIRED)              # command line: CLI11::CLI11
+pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)                   # exports: PkgConfig::netcdf
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus>=3.3)  # cases: PkgConfig::tomlplusplus
+
+if(STRIDOR_TESTS)
+    find_package(GTest REQUIRED)
+    find_package(rapidcheck REQUIRED)
+    include(GoogleTest)
+endif()
+if(STRIDOR_BENCHMARKS)
+    find_package(benchmark REQUIRED)
+endif()

@@ -1,0 +1,46 @@
+# Libraries, headers, program and data under an install prefix; find_package(stridor) works from there.
+include(CMakePackageConfigHelpers)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/stridor")
+
+get_property(modules GLOBAL PROPERTY STRIDOR_MODULE_TARGETS)
+foreach(target IN LISTS modules)
+    install(TARGETS ${target} EXPORT stridorTargets
+        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+        FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+endforeach()
+install(TARGETS stridor_all EXPORT stridorTargets)
+install(EXPORT stridorTargets NAMESPACE stridor:: DESTINATION "${package_dir}")
+
+configure_package_config_file(
+    "${PROJECT_SOURCE_DIR}/cmake/stridorConfig.cmake.in" "${PROJECT_BINARY_DIR}/generated/stridorConfig.cmake"
+    INSTALL_DESTINATION "${package_dir}"
+    NO_SET_AND_CHECK_MACRO)
+# before 1.0 a minor version may break its users
+write_basic_package_version_file(
+    "${PROJECT_BINARY_DIR}/generated/stridorConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES
+    "${PROJECT_BINARY_DIR}/generated/stridorConfig.cmake"
+    "${PROJECT_BINARY_DIR}/generated/stridorConfigVersion.cmake"
+    DESTINATION "${package_dir}")
+
+get_property(programs GLOBAL PROPERTY STRIDOR_PROGRAM_TARGETS)
+if(programs)
+    install(TARGETS ${programs} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()
+
+# Data that a fresh tree may not have yet.
+function(stridor_install_file path folder name)
+    if(EXISTS "${PROJECT_SOURCE_DIR}/${path}")
+        install(FILES "${PROJECT_SOURCE_DIR}/${path}" DESTINATION "${folder}" RENAME "${name}")
+    endif()
+endfunction()
+
+stridor_install_file(LICENSE "${CMAKE_INSTALL_DOCDIR}" LICENSE)
+stridor_install_file(man/stridor.1 "${CMAKE_INSTALL_MANDIR}/man1" stridor.1)
+stridor_install_file(completions/stridor.bash "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" stridor)
+stridor_install_file(completions/stridor.zsh "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" _stridor)
+stridor_install_file(completions/stridor.fish "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" stridor.fish)
+if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/cases")
+    install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases/" DESTINATION "${CMAKE_INSTALL_DATADIR}/stridor/cases")
+endif()

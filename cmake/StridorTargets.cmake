@@ -1,0 +1,164 @@
+# One helper per kind of target. DEPENDS takes names of Stridor modules (`base`, not `stridor::base`);
+# LIBRARIES and PUBLIC_LIBRARIES take third-party targets from StridorDependencies.cmake.
+#
+#   stridor_module(NAME [SOURCES a.cpp ...] [HEADERS only_header.hpp ...] [DEPENDS modules ...]
+#                  [LIBRARIES targets ...] [PUBLIC_LIBRARIES targets ...])
+#   stridor_program(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...])
+#   stridor_test(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [LABEL label] [TIMEOUT seconds] [PROGRAM])
+#   stridor_example(NAME SOURCE main.cpp [DEPENDS modules ...] [ARGUMENTS ...])
+#   stridor_benchmark(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...])
+
+# Every option that a translation unit of ours is compiled with.
+#
+# -ffp-contract=off and STRIDOR_CHECKS are part of the interface (scope PUBLIC), not only of the build: a program that
+# includes our headers compiles their inline functions itself, and the linker keeps one copy of each for everyone. Were
+# that copy compiled with fused multiply-adds, or with other checks, the library's own bits would change with its user.
+function(stridor_compile_options target scope)
+    target_compile_features(${target} ${scope} cxx_std_20)
+    target_compile_options(${target} ${scope} -ffp-contract=off)
+    target_compile_definitions(${target} ${scope} STRIDOR_CHECKS=$<BOOL:${STRIDOR_CHECKS}>)
+    if(scope STREQUAL "INTERFACE")
+        return()
+    endif()
+
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+    target_compile_options(${target} PRIVATE
+        -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Wold-style-cast
+        $<$<BOOL:${STRIDOR_WARNINGS_AS_ERRORS}>:-Werror>
+        # no path of the building machine in messages, and the same bits from every folder
+        -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
+    # GCC 12 warns wrongly about `"text" + std::string` when it inlines it (GCC bug 105651).
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+        target_compile_options(${target} PRIVATE -Wno-restrict)
+    endif()
+endfunction()
+
+function(stridor_link_modules target scope)
+    foreach(module IN LISTS ARGN)
+        if(NOT TARGET stridor_${module})
+            message(FATAL_ERROR
+                "${target} depends on module '${module}', which is not there (a module may depend only on modules "
+                "above it in STRIDOR_MODULES). Is src/stridor/${module}/CMakeLists.txt missing or later in the list?")
+        endif()
+        target_link_libraries(${target} ${scope} stridor::${module})
+    endforeach()
+endfunction()
+
+function(stridor_check_arguments helper name)
+    if(ARG_UNPARSED_ARGUMENTS)
+        message(FATAL_ERROR "${helper}(${name}): unknown arguments '${ARG_UNPARSED_ARGUMENTS}'")
+    endif()
+endfunction()
+
+# A static library stridor_NAME, known as stridor::NAME. Its public headers are the .hpp beside each source and the
+# HEADERS; both are installed, and each must compile on its own. Without SOURCES the module is header-only.
+function(stridor_module name)
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;HEADERS;DEPENDS;LIBRARIES;PUBLIC_LIBRARIES")
+    stridor_check_arguments(stridor_module ${name})
+
+    set(headers ${ARG_HEADERS})
+    foreach(source IN LISTS ARG_SOURCES)
+        string(REGEX REPLACE "\\.cpp$" ".hpp" header "${source}")
+        if(NOT header STREQUAL source AND EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${header}")
+            list(APPEND headers "${header}")
+        endif()
+    endforeach()
+    list(REMOVE_DUPLICATES headers)
+
+    set(target stridor_${name})
+    if(ARG_SOURCES)
+        set(scope PUBLIC)
+        add_library(${target} STATIC ${ARG_SOURCES})
+        # ready to be linked into a Python extension
+        set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    else()
+        set(scope INTERFACE)
+        add_library(${target} INTERFACE)
+    endif()
+    add_library(stridor::${name} ALIAS ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+    target_sources(${target} ${scope}
+        FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/src" FILES ${headers})
+
+    stridor_compile_options(${target} ${scope})
+    stridor_link_modules(${target} ${scope} ${ARG_DEPENDS})
+    target_link_libraries(${target} ${scope} ${ARG_PUBLIC_LIBRARIES})
+    if(ARG_LIBRARIES)
+        target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES})
+    endif()
+    set_property(GLOBAL APPEND PROPERTY STRIDOR_MODULE_TARGETS ${target})
+endfunction()
+
+# An executable that users run: built as ${CMAKE_BINARY_DIR}/NAME and installed.
+function(stridor_program name)
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;DEPENDS;LIBRARIES")
+    stridor_check_arguments(stridor_program ${name})
+    add_executable(${name} ${ARG_SOURCES})
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")
+    target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+    stridor_compile_options(${name} PRIVATE)
+    stridor_link_modules(${name} PRIVATE ${ARG_DEPENDS})
+    target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES})
+    set_property(GLOBAL APPEND PROPERTY STRIDOR_PROGRAM_TARGETS ${name})
+endfunction()
+
+# A GoogleTest executable NAME_test whose cases appear in CTest under their own names, with one LABEL (default: fast).
+# Sources may include "support/..." from tests/, find the checkout at STRIDOR_SOURCE_DIR, and, with PROGRAM, the built
+# program at STRIDOR_PROGRAM (both are string literals).
+function(stridor_test name)
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "PROGRAM" "LABEL;TIMEOUT" "SOURCES;DEPENDS;LIBRARIES")
+    stridor_check_arguments(stridor_test ${name})
+    if(NOT ARG_LABEL)
+        set(ARG_LABEL fast)
+    endif()
+    if(NOT ARG_TIMEOUT)
+        set(ARG_TIMEOUT 600)
+    endif()
+
+    set(target ${name}_test)
+    add_executable(${target} ${ARG_SOURCES})
+    target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+    target_compile_definitions(${target} PRIVATE STRIDOR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    stridor_compile_options(${target} PRIVATE)
+    stridor_link_modules(${target} PRIVATE ${ARG_DEPENDS})
+    target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main rapidcheck)
+    if(ARG_PROGRAM)
+        add_dependencies(${target} stridor)
+        target_compile_definitions(${target} PRIVATE STRIDOR_PROGRAM="$<TARGET_FILE:stridor>")
+    endif()
+    gtest_discover_tests(${target}
+        DISCOVERY_MODE PRE_TEST
+        DISCOVERY_TIMEOUT 60
+        PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+endfunction()
+
+# A small program that teaches; CTest runs it as example.NAME in its own folder. Without DEPENDS it gets every module.
+function(stridor_example name)
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "SOURCE" "DEPENDS;ARGUMENTS")
+    stridor_check_arguments(stridor_example ${name})
+    set(target example_${name})
+    add_executable(${target} ${ARG_SOURCE})
+    stridor_compile_options(${target} PRIVATE)
+    if(ARG_DEPENDS)
+        stridor_link_modules(${target} PRIVATE ${ARG_DEPENDS})
+    else()
+        target_link_libraries(${target} PRIVATE stridor::stridor)
+    endif()
+    set(folder "${CMAKE_CURRENT_BINARY_DIR}/${name}")
+    file(MAKE_DIRECTORY "${folder}")
+    add_test(NAME example.${name} COMMAND ${target} ${ARG_ARGUMENTS} WORKING_DIRECTORY "${folder}")
+    set_tests_properties(example.${name} PROPERTIES LABELS example TIMEOUT 300)
+endfunction()
+
+# A Google Benchmark executable NAME_benchmark in ${CMAKE_BINARY_DIR}/benchmarks, where `./dev bench` finds it.
+function(stridor_benchmark name)
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;DEPENDS;LIBRARIES")
+    stridor_check_arguments(stridor_benchmark ${name})
+    set(target ${name}_benchmark)
+    add_executable(${target} ${ARG_SOURCES})
+    set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/benchmarks")
+    stridor_compile_options(${target} PRIVATE)
+    target_compile_definitions(${target} PRIVATE STRIDOR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    stridor_link_modules(${target} PRIVATE ${ARG_DEPENDS})
+    target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} benchmark::benchmark_main)
+endfunction()
