@@ -1,0 +1,92 @@
+#!/bin/sh
+# Holds the source tree against the order of the modules.
+#
+#     check_includes.sh SRC MODULE...      SRC holds stridor/<module>/; the modules in the order in which data flows
+#
+# Rules:
+#   1. a file includes only headers of its own module or of modules earlier in the order;
+#   2. files do not include each other in a circle;
+#   3. a module up to and including `classification` knows no files, threads or terminals;
+#   4. our headers are named from the include root ("stridor/<module>/..."), so that rules 1 and 2 see them.
+#
+# `io` reads and writes, and so stands late, at the edge, beside the things it stores: it may include `chart` (a picture
+# becomes a file), but `chart` may not include `io` (drawing a scene does not need to know where it came from). Rule 1
+# says this already; the order alone keeps it true.
+set -eu
+
+src=$1
+shift
+find "$src/stridor" -type f \( -name '*.hpp' -o -name '*.cpp' \) | LC_ALL=C sort |
+    LC_ALL=C awk -v root="$src/" -v modules="$*" -v last_core=classification '
+function complain(place, text) {
+    printf "%s [%s]\n", text, place
+    problems++
+}
+
+# Depth first: a file met again while it is still open closes a circle. chain is the way from the start to here.
+function visit(file, chain,    i, next_file) {
+    mark[file] = "open"
+    for (i = 1; i <= edges[file]; i++) {
+        next_file = edge[file, i]
+        if (!(next_file in mark))
+            visit(next_file, chain " -> " next_file)
+        else if (mark[next_file] == "open")
+            complain(file, "Files include each other in a circle: " chain " -> " next_file)
+    }
+    mark[file] = "done"
+}
+
+function check_ours(place, file, module, header,    parts, count) {
+    count = split(header, parts, "/")
+    if (parts[1] != "stridor" || count < 3) {
+        complain(place, "\"" header "\" is not named from the include root. Write \"stridor/<module>/...\"?")
+        return
+    }
+    if (!(parts[2] in rank))
+        complain(place, "\"" header "\" is in no known module. Is it missing in STRIDOR_MODULES?")
+    else if (rank[parts[2]] > rank[module])
+        complain(place, module " includes \"" header "\", but " parts[2] " comes after it (data flows one way).")
+    edge[file, ++edges[file]] = header
+}
+
+function check_line(place, file, module, line,    header) {
+    if (line !~ /^[ \t]*#[ \t]*include[ \t]*["<]/) return
+    header = line
+    sub(/^[^"<]*["<]/, "", header)
+    sub(/[">].*$/, "", header)
+    if (line ~ /include[ \t]*"/)
+        check_ours(place, file, module, header)
+    else if (rank[module] <= rank[last_core] && (header in edge_of_the_world))
+        complain(place, module " includes <" header ">, which belongs at the edges (sweep, io, report, explorer, apps).")
+}
+
+BEGIN {
+    count = split(modules, order, " ")
+    for (i = 1; i <= count; i++) rank[order[i]] = i
+    if (!(last_core in rank)) complain("check_includes.sh", "The list of modules lacks " last_core ".")
+    split("iostream fstream thread cstdio stdio.h filesystem", names, " ")
+    for (i in names) edge_of_the_world[names[i]] = 1
+}
+
+{
+    path = $0
+    file = substr(path, length(root) + 1)
+    files[++file_count] = file
+    split(file, parts, "/")
+    module = parts[2]
+    if (!(module in rank)) {
+        complain(file, "The file is in no known module. Is the module missing in STRIDOR_MODULES?")
+        next
+    }
+    number = 0
+    while ((getline line < path) > 0) check_line(file ":" ++number, file, module, line)
+    close(path)
+}
+
+END {
+    for (i = 1; i <= file_count; i++)
+        if (!(files[i] in mark)) visit(files[i], files[i])
+    if (file_count == 0) complain(root "stridor", "There are no source files to check.")
+    if (problems) printf "%d problem(s) in %d files.\n", problems, file_count
+    exit problems > 0
+}'
