@@ -1,0 +1,109 @@
+// Elementary functions with fixed bits.
+//
+// sine, cosine: with turns = q/4 + r, |r| <= 1/8, and x = 2 pi r, |x| <= pi/4, Taylor series to x^17 and x^18 have a
+// truncation error below (pi/4)^19/19! = 8e-20 and (pi/4)^20/20! = 3e-21; q selects and signs the pair.
+// logarithm: x = m 2^e with m in [1/sqrt 2, sqrt 2), s = (m-1)/(m+1), ln m = 2 (s + s^3/3 + s^5/5 + ...), |s| < 0.1716,
+// truncated after s^21/21: relative error s^22/23 < 1e-18. power: 2^f = exp(f ln 2), |f| <= 1/2, Taylor to degree 17.
+
+#include "stridor/base/elementary.hpp"
+
+#include <cmath>
+
+#include "stridor/base/check.hpp"
+
+namespace stridor::base {
+
+namespace {
+
+constexpr double two_pi = 6.283185307179586476925;
+constexpr double ln_2 = 0.693147180559945309417;
+constexpr double decibels_per_octave = 6.020599913279623904275;  // 20 log10(2)
+
+double sine_series(double x) {
+    const double z = x * x;
+    double sum = 1.0 / 355687428096000.0;  // 1/17!
+    sum = sum * z - 1.0 / 1307674368000.0;
+    sum = sum * z + 1.0 / 6227020800.0;
+    sum = sum * z - 1.0 / 39916800.0;
+    sum = sum * z + 1.0 / 362880.0;
+    sum = sum * z - 1.0 / 5040.0;
+    sum = sum * z + 1.0 / 120.0;
+    sum = sum * z - 1.0 / 6.0;
+    return x + x * (z * sum);
+}
+
+double cosine_series(double x) {
+    const double z = x * x;
+    double sum = -1.0 / 6402373705728000.0;  // 1/18!
+    sum = sum * z + 1.0 / 20922789888000.0;
+    sum = sum * z - 1.0 / 87178291200.0;
+    sum = sum * z + 1.0 / 479001600.0;
+    sum = sum * z - 1.0 / 3628800.0;
+    sum = sum * z + 1.0 / 40320.0;
+    sum = sum * z - 1.0 / 720.0;
+    sum = sum * z + 1.0 / 24.0;
+    return 1.0 - 0.5 * z + z * z * sum;
+}
+
+// a remainder in [-1/2, 1/2] quarter turns beside the whole quarters, both exact
+SineCosine from_quarters(double quarters) {
+    const double whole = std::nearbyint(quarters);
+    const double x = (quarters - whole) * (two_pi / 4.0);
+    const double s = sine_series(x);
+    const double c = cosine_series(x);
+    const int quadrant = static_cast<int>(static_cast<long long>(whole) & 3);
+    switch (quadrant) {
+        case 0: return {s, c};
+        case 1: return {c, -s};
+        case 2: return {-s, -c};
+        default: return {-c, s};
+    }
+}
+
+}  // namespace
+
+SineCosine sine_cosine_of_turns(double turns) {
+    STRIDOR_EXPECT(std::abs(turns) < 0x1p51);
+    return from_quarters(4.0 * turns);
+}
+
+SineCosine sine_cosine_of_degrees(double degrees) {
+    STRIDOR_EXPECT(std::abs(degrees) < 0x1p51);
+    const double whole = std::nearbyint(degrees / 90.0);
+    const double rest = degrees - 90.0 * whole;  // exact: 90 * whole is a small integer, the difference cancels
+    const SineCosine small = from_quarters(rest / 90.0);
+    switch (static_cast<int>(static_cast<long long>(whole) & 3)) {
+        case 0: return small;
+        case 1: return {small.cosine, -small.sine};
+        case 2: return {-small.sine, -small.cosine};
+        default: return {-small.cosine, small.sine};
+    }
+}
+
+double logarithm_2(double x) {
+    STRIDOR_EXPECT(x > 0.0);
+    int exponent = 0;
+    double mantissa = std::frexp(x, &exponent);  // [1/2, 1)
+    if (mantissa < 0.70710678118654752440) {
+        mantissa *= 2.0;
+        exponent -= 1;
+    }
+    const double s = (mantissa - 1.0) / (mantissa + 1.0);
+    const double z = s * s;
+    double sum = 0.0;
+    for (int k = 21; k >= 3; k -= 2) sum = (sum + 1.0 / k) * z;
+    return exponent + (2.0 / ln_2) * (s + s * sum);
+}
+
+double power_of_2(double x) {
+    STRIDOR_EXPECT(std::abs(x) < 1000.0);
+    const double whole = std::nearbyint(x);
+    const double f = (x - whole) * ln_2;
+    double sum = 1.0;
+    for (int k = 17; k >= 1; --k) sum = 1.0 + sum * f / k;
+    return std::ldexp(sum, static_cast<int>(whole));
+}
+
+double decibels(double ratio) { return decibels_per_octave * logarithm_2(ratio); }
+
+}  // namespace stridor::base

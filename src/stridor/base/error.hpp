@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace stridor::base {
+
+/// What kind of thing went wrong; the program's exit code follows from it.
+enum class ErrorKind {
+    input,        // exit 2: the user's file, option or combination of values
+    numerical,    // exit 3: a computation that has no valid answer
+    interrupted,  // exit 4: stopped on request; running the same command again goes on
+    io,           // exit 5: a file, disk, pipe or other program failed
+};
+
+/// Where in a user's text a problem stands. Line and column count from 1; zero means unknown.
+struct Place {
+    std::string file;         // file name as the user gave it, or "--set" for an override
+    int line = 0;             // [1]
+    int column = 0;           // [1]
+    std::string source_line;  // the line itself, shown with a caret; may be empty
+};
+
+/// A problem in the three parts a user can act on: what is wrong, why it is wrong, what to do.
+struct Problem {
+    std::string what;        // "mu_d = 0.9 exceeds mu_s = 0.8"
+    std::string why;         // "kinetic friction may not be larger than static"; may be empty
+    std::string suggestion;  // "Swap them?"; may be empty
+};
+
+/// An error a user, a file or the machine caused, thrown at the edges and never inside stepping.
+///
+/// `what()` reads *problem (why). suggestion? [file:line:column]*.
+class Error : public std::runtime_error {
+public:
+    Error(ErrorKind kind, Problem problem, std::optional<Place> place = std::nullopt);
+
+    ErrorKind kind() const { return kind_; }
+    const Problem& problem() const { return problem_; }
+    const std::optional<Place>& place() const { return place_; }
+
+private:
+    ErrorKind kind_;
+    Problem problem_;
+    std::optional<Place> place_;
+};
+
+/// The program's exit code for an error of this kind: 2, 3, 4 or 5.
+int exit_code(ErrorKind kind);
+
+/// "file:line:column" as far as it is known.
+std::string describe(const Place& place);
+
+}  // namespace stridor::base
+
+namespace stridor {
+using base::Error;
+using base::ErrorKind;
+}  // namespace stridor

@@ -1,0 +1,181 @@
+#include "stridor/base/quantity.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
+
+namespace stridor::base {
+
+namespace {
+
+struct Symbol {
+    std::string_view name;
+    Unit unit;
+    bool takes_prefix = false;
+};
+
+constexpr double degrees_per_radian = 57.295779513082320876798;
+
+constexpr std::array symbols{
+    Symbol{"1", {{}, 1.0}, false},
+    Symbol{"%", {{}, 0.01}, false},
+    Symbol{"m", {{0, 1, 0, 0}, 1.0}, true},
+    Symbol{"g", {{1, 0, 0, 0}, 1e-3}, true},
+    Symbol{"s", {{0, 0, 1, 0}, 1.0}, true},
+    Symbol{"min", {{0, 0, 1, 0}, 60.0}, false},
+    Symbol{"N", {{1, 1, -2, 0}, 1.0}, true},
+    Symbol{"Pa", {{1, -1, -2, 0}, 1.0}, true},
+    Symbol{"J", {{1, 2, -2, 0}, 1.0}, true},
+    Symbol{"Hz", {{0, 0, -1, 0}, 1.0}, true},
+    Symbol{"deg", {{0, 0, 0, 1}, 1.0}, false},
+    Symbol{"°", {{0, 0, 0, 1}, 1.0}, false},
+    Symbol{"rad", {{0, 0, 0, 1}, degrees_per_radian}, true},
+};
+
+constexpr std::array prefixes{
+    std::pair{std::string_view{"G"}, 1e9},  std::pair{std::string_view{"M"}, 1e6},  std::pair{std::string_view{"k"}, 1e3},
+    std::pair{std::string_view{"c"}, 1e-2}, std::pair{std::string_view{"m"}, 1e-3}, std::pair{std::string_view{"u"}, 1e-6},
+    std::pair{std::string_view{"µ"}, 1e-6}, std::pair{std::string_view{"n"}, 1e-9},
+};
+
+struct Name {
+    Dimension dimension;
+    std::string_view text;
+};
+
+constexpr std::array names{
+    Name{{}, "a plain number"},
+    Name{{1, 0, 0, 0}, "a mass (kg)"},
+    Name{{0, 1, 0, 0}, "a length (m)"},
+    Name{{0, 0, 1, 0}, "a time (s)"},
+    Name{{0, 0, 0, 1}, "an angle (deg)"},
+    Name{{1, 1, -2, 0}, "a force (N)"},
+    Name{{1, 0, -2, 0}, "a stiffness (N/m)"},
+    Name{{1, 0, -1, 0}, "a damping (N*s/m)"},
+    Name{{0, 1, -1, 0}, "a velocity (m/s)"},
+    Name{{0, 1, -2, 0}, "an acceleration (m/s^2)"},
+    Name{{0, 0, -1, 0}, "a frequency (Hz)"},
+    Name{{1, -1, -2, 0}, "a pressure (Pa)"},
+    Name{{1, 2, -2, 0}, "an energy (J)"},
+};
+
+Error bad_unit(std::string_view symbol) {
+    std::vector<std::string_view> known;
+    for (const Symbol& entry : symbols) known.push_back(entry.name);
+    const std::string_view near = nearest_name(symbol, known);
+    std::string help = near.empty() ? std::string("Known: m, kg, s, min, N, Pa, J, Hz, deg, rad, %, with G M k c m u n.")
+                                    : "Did you mean \"" + std::string(near) + "\"?";
+    return {ErrorKind::input, {"unknown unit \"" + std::string(symbol) + "\"", "", std::move(help)}};
+}
+
+Unit parse_symbol(std::string_view text) {
+    for (const Symbol& symbol : symbols)
+        if (symbol.name == text) return symbol.unit;
+    for (const auto& [prefix, factor] : prefixes) {
+        if (!text.starts_with(prefix)) continue;
+        for (const Symbol& symbol : symbols) {
+            const bool matches = symbol.takes_prefix && symbol.name == text.substr(prefix.size());
+            // kg is exactly 1, not 1000 * 0.001 by luck of rounding
+            if (matches) return {symbol.unit.dimension, text == "kg" ? 1.0 : factor * symbol.unit.factor};
+        }
+    }
+    throw bad_unit(text);
+}
+
+// one symbol with an optional power: "mm", "s^2", "s²", "s^-1"
+Unit parse_factor(std::string_view text) {
+    int power = 1;
+    const std::size_t caret = text.find('^');
+    if (caret != std::string_view::npos) {
+        const std::string_view digits = text.substr(caret + 1);
+        const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), power);
+        const bool is_whole = result.ec == std::errc{} && result.ptr == digits.data() + digits.size();
+        if (!is_whole || std::abs(power) > 9) throw bad_unit(text);
+        text = text.substr(0, caret);
+    } else if (text.ends_with("²")) {
+        power = 2;
+        text.remove_suffix(std::string_view("²").size());
+    }
+    const Unit base = parse_symbol(text);
+    Unit unit{{base.dimension.mass * power, base.dimension.length * power, base.dimension.time * power,
+               base.dimension.angle * power},
+              1.0};
+    for (int k = 0; k < std::abs(power); ++k) unit.factor *= base.factor;
+    if (power < 0) unit.factor = 1.0 / unit.factor;
+    return unit;
+}
+
+Unit product(const Unit& a, const Unit& b, int sign) {
+    return {{a.dimension.mass + sign * b.dimension.mass, a.dimension.length + sign * b.dimension.length,
+             a.dimension.time + sign * b.dimension.time, a.dimension.angle + sign * b.dimension.angle},
+            sign > 0 ? a.factor * b.factor : a.factor / b.factor};
+}
+
+}  // namespace
+
+std::string describe(Dimension dimension) {
+    for (const Name& name : names)
+        if (name.dimension == dimension) return std::string(name.text);
+    std::string text = "a quantity in";
+    const std::array parts{std::pair{"kg", dimension.mass}, std::pair{"m", dimension.length},
+                           std::pair{"s", dimension.time}, std::pair{"deg", dimension.angle}};
+    for (const auto& [symbol, power] : parts)
+        if (power != 0) text += std::string(" ") + symbol + (power == 1 ? "" : "^" + std::to_string(power));
+    return text;
+}
+
+Unit parse_unit(std::string_view text) {
+    text = trimmed(text);
+    if (text.empty()) throw bad_unit(text);
+    Unit unit;
+    int sign = 1;
+    while (true) {
+        std::size_t end = text.find_first_of(" */");
+        const std::size_t dot = text.find("·");
+        if (dot < end) end = dot;
+        unit = product(unit, parse_factor(text.substr(0, end)), sign);
+        if (end == std::string_view::npos) return unit;
+        // one separator, blanks around it allowed; a blank alone is a product
+        std::string_view rest = trimmed(text.substr(end));
+        sign = rest.starts_with('/') ? -1 : 1;
+        if (rest.starts_with('/') || rest.starts_with('*')) rest.remove_prefix(1);
+        if (rest.starts_with("·")) rest.remove_prefix(std::string_view("·").size());
+        text = trimmed(rest);
+        if (text.empty()) throw bad_unit(rest);
+    }
+}
+
+double parse_quantity(std::string_view text, std::string_view unit) {
+    const std::string_view given = trimmed(text);
+    double number = 0.0;
+    // from_chars refuses a leading plus, which people write
+    const std::string_view digits = given.starts_with('+') ? given.substr(1) : given;
+    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const std::string quoted = "\"" + std::string(given) + "\"";
+    const bool is_word = result.ec == std::errc::invalid_argument || digits.starts_with("inf") || digits.starts_with("nan");
+    if (is_word)
+        throw Error(ErrorKind::input, {quoted + " is not a number", "", "Write a number, with or without a unit: \"4 mm\"."});
+    const std::string_view rest = trimmed(digits.substr(static_cast<std::size_t>(result.ptr - digits.data())));
+    if (rest.starts_with(','))
+        throw Error(ErrorKind::input, {quoted + " has a decimal comma", "numbers are written with a point", "Write 0.5, not 0,5."});
+    const Unit wanted = parse_unit(unit);
+    const Unit found = rest.empty() ? wanted : parse_unit(rest);
+    if (!(found.dimension == wanted.dimension))
+        throw Error(ErrorKind::input, {quoted + " is " + describe(found.dimension),
+                                       "expected " + describe(wanted.dimension), "Give it in " + std::string(unit) + "."});
+    // a small unit divides by its whole inverse: 0.1 us is then 1e-07 to the last bit, as the user would write it
+    const double ratio = found.factor / wanted.factor;
+    const double value = ratio < 1.0 ? number / (1.0 / ratio) : number * ratio;
+    if (result.ec == std::errc::result_out_of_range || !std::isfinite(value))
+        throw Error(ErrorKind::input, {quoted + " is not a finite number", "it lies outside double precision", ""});
+    return value;
+}
+
+}  // namespace stridor::base

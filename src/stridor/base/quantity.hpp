@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace stridor::base {
+
+/// Exponents of the base quantities a unit is made of. Angles are a dimension of their own, so that "70 deg" can
+/// never be taken for a plain number.
+struct Dimension {
+    int mass = 0;
+    int length = 0;
+    int time = 0;
+    int angle = 0;
+    bool operator==(const Dimension&) const = default;
+};
+
+/// A unit: its dimension and what one of it is in SI (angles: degrees).
+struct Unit {
+    Dimension dimension;
+    double factor = 1.0;
+};
+
+/// "a force (N)", "a length (m)", "a plain number", or the exponents where the field has no word for it.
+std::string describe(Dimension dimension);
+
+/// Reads a unit such as "N", "kN/mm", "N*s/m", "N s/m", "m/s^2", "deg", "%" or "1".
+///
+/// Throws `Error` (input) naming the symbol it does not know, with the nearest known one.
+Unit parse_unit(std::string_view text);
+
+/// Reads a number, with or without a unit, into the SI value of a quantity that is measured in `unit`.
+///
+/// "20" and "20 N" both read as 20 for unit "N"; "4 mm" as 0.004 for unit "m". Throws `Error` (input) that names both
+/// dimensions when they differ, and for anything that is not one finite number with at most one unit.
+double parse_quantity(std::string_view text, std::string_view unit);
+
+}  // namespace stridor::base

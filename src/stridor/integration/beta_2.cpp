@@ -1,0 +1,315 @@
+// The beta_2 scheme (explicit Newmark, beta = 0, gamma = beta_2) with the damping solved, not lagged:
+//
+//     pₙ = vₙ₋₁ + h (1 - β) aₙ₋₁
+//     (M + β h C) aₙ = f - K uₙ - C pₙ + n N + t T
+//     vₙ = pₙ + β h aₙ
+//     uₙ₊₁ = uₙ + h pₙ + (β + 1/2) h² aₙ
+//
+// Eliminating v gives pₙ₊₁ = pₙ + h aₙ: the state is (u, p). With A = M + β h C and s = (β + 1/2) h² the contact forces
+// move the end of the step by s A⁻¹ (n N + t T). Free predictor u*: gap n.u* > 0 is separation. Else the stick trial:
+// n.uₙ₊₁ = 0 and t.(uₙ₊₁ - uₙ) = x2ₙ₊₁ - x2ₙ; if |T| <= mu_s N it sticks, else T = sign(T) mu_d N and N closes the gap.
+//
+// Energy: ½ p.M p + ½ uₙ.K (uₙ - h pₙ) changes over a step by exactly h vₙ.(f0 + n N + t T - C vₙ) when β = 1/2.
+
+#include "stridor/integration/beta_2.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "stridor/model/frequencies.hpp"
+
+namespace stridor::integration {
+
+namespace {
+
+using model::ContactState;
+using model::Structure;
+
+// so often a run looks for a stop request and for numbers that left double precision: a few milliseconds
+constexpr long steps_between_checks = 65536;
+
+// what a step needs and never changes
+template <int dofs>
+struct Coefficients {
+    using Vector = typename Structure<dofs>::Vector;
+    using Matrix = typename Structure<dofs>::Matrix;
+
+    double h;               // [s]
+    double end_of_step;     // [s^2] s
+    double half_velocity;   // [s] beta h: v = p + beta h a
+    Matrix from_u;          // -A⁻¹ K
+    Matrix from_p;          // -A⁻¹ C
+    Vector from_load;       // A⁻¹ f0
+    Vector from_normal;     // A⁻¹ n
+    Vector from_tangent;    // A⁻¹ t
+    Vector normal;          // n
+    Vector tangent;         // t
+    // inverse of the 2 by 2 compliance s [n t]ᵀ A⁻¹ [n t]
+    double stick_nn, stick_nt, stick_tt;  // [N/m]
+    double slip_pushed, slip_pulled;      // [N/m] gap stiffness while slipping with T = +mu_d N, -mu_d N
+    double mu_s, mu_d;                    // [1]
+    Matrix damping;                       // C
+    Vector load;                          // f0
+};
+
+template <int dofs>
+Coefficients<dofs> prepare(const Structure<dofs>& structure, const Beta2& settings) {
+    Coefficients<dofs> c;
+    const double h = settings.step;
+    c.h = h;
+    c.end_of_step = (settings.beta_2 + 0.5) * h * h;
+    c.half_velocity = settings.beta_2 * h;
+    const typename Structure<dofs>::Matrix effective_mass = structure.mass + settings.beta_2 * h * structure.damping;
+    const typename Structure<dofs>::Matrix inverse = effective_mass.inverse();
+    c.from_u = -(inverse * structure.stiffness);
+    c.from_p = -(inverse * structure.damping);
+    c.from_load = inverse * structure.load;
+    c.from_normal = inverse * structure.normal;
+    c.from_tangent = inverse * structure.tangent;
+    c.normal = structure.normal;
+    c.tangent = structure.tangent;
+    c.mu_s = structure.friction.static_coefficient;
+    c.mu_d = structure.friction.kinetic_coefficient;
+    c.damping = structure.damping;
+    c.load = structure.load;
+
+    const double nn = structure.normal.dot(c.from_normal);
+    const double nt = structure.normal.dot(c.from_tangent);
+    const double tt = structure.tangent.dot(c.from_tangent);
+    model::require_no_painleve(nn, nt, c.mu_d);
+    const double determinant = c.end_of_step * (nn * tt - nt * nt);
+    c.stick_nn = tt / determinant;
+    c.stick_nt = -nt / determinant;
+    c.stick_tt = nn / determinant;
+    c.slip_pushed = 1.0 / (c.end_of_step * (nn + c.mu_d * nt));
+    c.slip_pulled = 1.0 / (c.end_of_step * (nn - c.mu_d * nt));
+    return c;
+}
+
+// the moving part of a run
+template <int dofs>
+struct State {
+    typename Structure<dofs>::Vector u;  // [m]
+    typename Structure<dofs>::Vector p;  // [m/s]
+    double last_increment = 0.0;         // [m] of the plate, the step before
+    ContactState contact = ContactState::slip;
+    bool has_contact = false;  // false until the first step
+};
+
+// what one step computed at its beginning, time n h
+template <int dofs>
+struct Step {
+    typename Structure<dofs>::Vector velocity;      // [m/s] vₙ
+    typename Structure<dofs>::Vector acceleration;  // [m/s^2] aₙ
+    double normal_force = 0.0;                      // [N]
+    double friction_force = 0.0;                    // [N]
+    ContactState contact = ContactState::separation;
+};
+
+template <int dofs>
+inline Step<dofs> step(const Coefficients<dofs>& c, State<dofs>& state, double increment) {
+    using Vector = typename Structure<dofs>::Vector;
+    Step<dofs> now;
+    const Vector free_acceleration = c.from_load + c.from_u * state.u + c.from_p * state.p;
+    const Vector moved = state.u + c.h * state.p;
+    const Vector predicted = moved + c.end_of_step * free_acceleration;
+    const double gap = c.normal.dot(predicted);
+    now.acceleration = free_acceleration;
+    if (gap <= 0.0) {
+        const double sliding = increment - c.tangent.dot(predicted - state.u);
+        const double stick_normal = c.stick_nt * sliding - c.stick_nn * gap;
+        const double stick_friction = c.stick_tt * sliding - c.stick_nt * gap;
+        if (std::abs(stick_friction) <= c.mu_s * stick_normal) {
+            now.contact = ContactState::stick;
+            now.normal_force = stick_normal;
+            now.friction_force = stick_friction;
+        } else {
+            now.contact = ContactState::slip;
+            const bool is_pushed = stick_friction > 0.0;
+            now.normal_force = -gap * (is_pushed ? c.slip_pushed : c.slip_pulled);
+            now.friction_force = (is_pushed ? c.mu_d : -c.mu_d) * now.normal_force;
+        }
+        now.acceleration += c.from_normal * now.normal_force + c.from_tangent * now.friction_force;
+    }
+    now.velocity = state.p + c.half_velocity * now.acceleration;
+    state.u = moved + c.end_of_step * now.acceleration;
+    state.p += c.h * now.acceleration;
+    return now;
+}
+
+// sums over steps, in the order of time
+template <int dofs>
+struct Work {
+    double preload = 0.0, drive = 0.0, dashpot = 0.0, friction = 0.0, impact = 0.0;  // [J/s], times h at the end
+};
+
+template <int dofs>
+double half_step_energy(const Structure<dofs>& structure, const State<dofs>& state, double h) {
+    return 0.5 * state.p.dot(structure.mass * state.p) + 0.5 * state.u.dot(structure.stiffness * (state.u - h * state.p));
+}
+
+template <int dofs>
+void store_sample(record::Trace& trace, const Step<dofs>& now, const typename Structure<dofs>::Vector& displacement,
+                  double time, double surface_velocity, double gap) {
+    trace.time.push_back(time);
+    for (int dof = 0; dof < dofs; ++dof) {
+        const auto place = static_cast<std::size_t>(dof);
+        trace.displacement[place].push_back(displacement(dof));
+        trace.velocity[place].push_back(now.velocity(dof));
+        trace.acceleration[place].push_back(now.acceleration(dof));
+    }
+    trace.surface_velocity.push_back(surface_velocity);
+    trace.normal_force.push_back(now.normal_force);
+    trace.friction_force.push_back(now.friction_force);
+    trace.gap.push_back(gap);
+    trace.state.push_back(now.contact);
+}
+
+// one run: the loop over blocks of steps between which something outside the motion happens
+template <int dofs>
+class Runner {
+public:
+    Runner(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start, const Beta2& settings,
+           record::Recorder& recorder)
+        : structure_(structure), coefficients_(prepare(structure, settings)), drive_(drive, settings.step), recorder_(recorder) {
+        const model::SurfaceMotion surface = drive_.at(0.0);
+        const InitialState<dofs> initial = initial_state(structure, start, surface.velocity);
+        const model::Instant<dofs> first = model::instant(structure, initial.displacement, initial.velocity, surface);
+        state_.u = initial.displacement;
+        // v₀ = p₀ + β h a₀ must be the given velocity
+        state_.p = initial.velocity - coefficients_.half_velocity * first.acceleration;
+        state_.last_increment = surface.velocity * settings.step;
+        initial_energy_ = half_step_energy(structure_, state_, settings.step);
+    }
+
+    Outcome run(std::stop_token stop);
+    EnergyBalance energy() const;
+
+private:
+    long step_at(double time) const { return static_cast<long>(std::ceil(time / coefficients_.h - 1e-6)); }
+    void advance(long end);
+    void sample();
+    void note(const Step<dofs>& now, double increment);
+
+    const Structure<dofs>& structure_;
+    Coefficients<dofs> coefficients_;
+    ImposedMotion drive_;
+    record::Recorder& recorder_;
+    State<dofs> state_;
+    Work<dofs> work_;
+    std::array<record::Vibration, static_cast<std::size_t>(dofs)> vibration_{};
+    double initial_energy_ = 0.0;  // [J]
+    long n_ = 0;                   // number of the next step
+};
+
+template <int dofs>
+void Runner<dofs>::note(const Step<dofs>& now, double increment) {
+    const double h = coefficients_.h;
+    const double surface_velocity = 0.5 * (increment + state_.last_increment) / h;
+    recorder_.enter({now.contact, static_cast<double>(n_) * h, 0.0, coefficients_.tangent.dot(now.velocity) - surface_velocity,
+                     coefficients_.normal.dot(now.velocity)});
+    state_.contact = now.contact;
+    state_.has_contact = true;
+}
+
+template <int dofs>
+void Runner<dofs>::advance(long end) {
+    const Coefficients<dofs>& c = coefficients_;
+    const double per_step = 0.5 / c.h;
+    for (; n_ < end; ++n_) {
+        const double increment = drive_.increment(n_);
+        const Step<dofs> now = step(c, state_, increment);
+        if (now.contact != state_.contact || !state_.has_contact) note(now, increment);
+        const double surface_velocity = per_step * (increment + state_.last_increment);
+        const double along = c.tangent.dot(now.velocity);
+        work_.preload += c.load.dot(now.velocity);
+        work_.drive += now.friction_force * surface_velocity;
+        work_.friction += now.friction_force * (surface_velocity - along);
+        work_.impact -= now.normal_force * c.normal.dot(now.velocity);
+        work_.dashpot += now.velocity.dot(c.damping * now.velocity);
+        for (int dof = 0; dof < dofs; ++dof) {
+            record::Vibration& sum = vibration_[static_cast<std::size_t>(dof)];
+            const double square = now.velocity(dof) * now.velocity(dof);
+            sum.square_time += square;
+            sum.peak_square = std::max(sum.peak_square, square);
+        }
+        state_.last_increment = increment;
+    }
+}
+
+// the state at this instant as a step from a copy sees it; the run itself is not touched
+template <int dofs>
+void Runner<dofs>::sample() {
+    State<dofs> copy = state_;
+    const double time = static_cast<double>(n_) * coefficients_.h;
+    const Step<dofs> now = step(coefficients_, copy, drive_.increment(n_));
+    store_sample(recorder_.trace(), now, state_.u, time, drive_.at(time).velocity, coefficients_.normal.dot(state_.u));
+}
+
+template <int dofs>
+Outcome Runner<dofs>::run(std::stop_token stop) {
+    const double h = coefficients_.h;
+    const std::vector<record::Span>& spans = recorder_.schedule().spans;
+    const record::TraceRequest& trace = recorder_.request().trace;
+    const long every = trace.interval > 0.0 ? std::max(1L, std::lround(trace.interval / h)) : 0;
+    long next_sample = every > 0 ? step_at(trace.from) : -1;
+    const long last_sample = every > 0 ? step_at(trace.to) : -1;
+    for (std::size_t k = 0; k < spans.size(); ++k) {
+        const long span_begin = n_;
+        const long span_end = step_at(spans[k].to);
+        vibration_ = {};
+        while (n_ < span_end) {
+            long end = std::min(span_end, n_ + steps_between_checks);
+            if (next_sample >= n_ && next_sample <= last_sample) {
+                if (next_sample == n_) {
+                    sample();
+                    next_sample += every;
+                }
+                end = std::min(end, next_sample);
+            }
+            advance(end);
+            const double time = static_cast<double>(n_) * h;
+            if (!state_.u.allFinite() || !state_.p.allFinite()) return {Reason::diverged, time};
+            if (stop.stop_requested()) return {Reason::cancelled, time};
+        }
+        for (record::Vibration& sum : vibration_) sum.square_time *= h;
+        recorder_.vibrate(k, static_cast<double>(n_ - span_begin) * h, vibration_);
+    }
+    return {Reason::completed, static_cast<double>(n_) * h};
+}
+
+template <int dofs>
+EnergyBalance Runner<dofs>::energy() const {
+    const double h = coefficients_.h;
+    EnergyBalance balance;
+    balance.stored = half_step_energy(structure_, state_, h) - initial_energy_;
+    balance.preload_work = h * work_.preload;
+    balance.drive_work = h * work_.drive;
+    balance.dashpot_loss = h * work_.dashpot;
+    balance.friction_loss = h * work_.friction;
+    balance.impact_loss = h * work_.impact;
+    balance.residual = balance.stored - balance.preload_work - balance.drive_work + balance.dashpot_loss +
+                       balance.friction_loss + balance.impact_loss;
+    return balance;
+}
+
+}  // namespace
+
+double stable_step(double beta_2, double angular_frequency) { return std::sqrt(2.0 / beta_2) / angular_frequency; }
+
+template <int dofs>
+Motion integrate_beta_2(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
+                        const Beta2& settings, record::Recorder recorder, std::stop_token stop) {
+    const double fastest = model::natural_frequencies(structure, ContactState::separation).back();
+    if (settings.step > stable_step(settings.beta_2, fastest)) return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
+    Runner<dofs> runner(structure, drive, start, settings, recorder);
+    const Outcome outcome = runner.run(std::move(stop));
+    return {outcome, runner.energy(), recorder.finish(outcome.time)};
+}
+
+template Motion integrate_beta_2<2>(const Structure<2>&, const parameters::Drive&, const Start&, const Beta2&, record::Recorder, std::stop_token);
+template Motion integrate_beta_2<3>(const Structure<3>&, const parameters::Drive&, const Start&, const Beta2&, record::Recorder, std::stop_token);
+
+}  // namespace stridor::integration

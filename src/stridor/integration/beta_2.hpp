@@ -1,0 +1,48 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "stridor/integration/energy_balance.hpp"
+#include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/initial_state.hpp"
+#include "stridor/integration/outcome.hpp"
+#include "stridor/model/structure.hpp"
+#include "stridor/record/recorder.hpp"
+
+namespace stridor::integration {
+
+/// Settings of the beta_2 scheme.
+struct Beta2 {
+    double step = 1e-6;   // [s] h
+    double beta_2 = 0.5;  // [1] in [0.5, 1]
+};
+
+/// Largest stable time step [s] of the scheme for an angular frequency [rad/s]: h = sqrt(2 / beta_2) / omega.
+double stable_step(double beta_2, double angular_frequency);
+
+/// A run: how it ended, its energy balance and what was kept of it.
+struct Motion {
+    Outcome outcome;
+    EnergyBalance energy;
+    record::Record record;
+};
+
+/// Integrates a structure with a contact by the explicit beta_2 scheme with kinematic contact.
+///
+/// Time advances by fixed steps; a contact state holds from one step to the next, so changes of state are known to one
+/// step h only, and a stick trial captures any slip velocity below about mu_s N h / m: the weakness of the
+/// method, see docs/methods/motion.md. Returns `step_limit` without running where the step is unstable, `diverged` with
+/// the time where a number left double precision, `cancelled` within milliseconds of a stop request.
+/// Throws `Error` (numerical) for a Painleve configuration and what `initial_state` throws.
+/// Source: Elmaian et al. 2012, references [9, 10]; explicit Newmark scheme with beta = 0, gamma = beta_2.
+template <int dofs>
+Motion integrate_beta_2(const model::Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
+                        const Beta2& settings, record::Recorder recorder, std::stop_token stop = {});
+
+extern template Motion integrate_beta_2<2>(const model::Structure<2>&, const parameters::Drive&, const Start&, const Beta2&,
+                                           record::Recorder, std::stop_token);
+extern template Motion integrate_beta_2<3>(const model::Structure<3>&, const parameters::Drive&, const Start&, const Beta2&,
+                                           record::Recorder, std::stop_token);
+
+}  // namespace stridor::integration

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace stridor::integration {
+
+/// How a run ended. Only a completed or settled run has a verdict.
+enum class Reason {
+    completed,   // ran to its end
+    settled,     // ended early with a proof that nothing changes any more
+    diverged,    // a number left double precision
+    step_limit,  // the time step lies beyond the scheme's stability limit: not run
+    cancelled,   // stopped on request
+};
+
+inline constexpr std::array<std::string_view, 5> reason_names{"completed", "settled", "diverged", "step_limit", "cancelled"};
+
+struct Outcome {
+    Reason reason = Reason::completed;
+    double time = 0.0;  // [s] up to which the motion is known
+};
+
+constexpr bool has_result(const Outcome& outcome) {
+    return outcome.reason == Reason::completed || outcome.reason == Reason::settled;
+}
+
+}  // namespace stridor::integration

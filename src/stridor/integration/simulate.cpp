@@ -1,0 +1,27 @@
+#include "stridor/integration/simulate.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "stridor/model/frequencies.hpp"
+#include "stridor/model/rubbing_system.hpp"
+#include "stridor/record/schedule.hpp"
+
+namespace stridor::integration {
+
+Cost cost(const parameters::Case& c) {
+    const double fastest = model::natural_frequencies(model::rubbing_system(c), model::ContactState::separation).back();
+    return {std::ceil(c.run.duration / c.run.step), stable_step(c.run.beta_2, fastest)};
+}
+
+Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop) {
+    record::Recorder recorder(record::schedule(c), request, model::rubbing_system_dofs);
+    switch (c.run.engine) {
+        case parameters::Engine::beta_2:
+            return integrate_beta_2(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
+                                    {c.run.step, c.run.beta_2}, std::move(recorder), std::move(stop));
+    }
+    return {};
+}
+
+}  // namespace stridor::integration

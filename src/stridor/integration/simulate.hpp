@@ -1,0 +1,24 @@
+#pragma once
+
+#include <stop_token>
+
+#include "stridor/integration/beta_2.hpp"
+#include "stridor/parameters/case.hpp"
+#include "stridor/record/recorder.hpp"
+
+namespace stridor::integration {
+
+/// What a run costs and the limits it must keep, known before it starts.
+struct Cost {
+    double steps = 0.0;       // [1] number of time steps
+    double step_limit = 0.0;  // [s] largest stable time step
+};
+
+Cost cost(const parameters::Case& c);
+
+/// Runs a case with the engine it names; the one door to all engines.
+///
+/// The case must have no `parameters::findings`. Returns and throws what the engine does.
+Motion simulate(const parameters::Case& c, const record::Request& request = {}, std::stop_token stop = {});
+
+}  // namespace stridor::integration

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// What a user chooses: one rubbing system, how it is driven, how long it is watched and how it is judged.
+///
+/// Names are the field's; the symbols of Elmaian, Gautier, Pezerat, Duffal (2012), "Automotive friction-induced
+/// noises", Table 1, stand in the comments. The defaults are that table's squeal case.
+namespace stridor::parameters {
+
+/// Mass 1, the rubbed joint: a point mass on two springs and dashpots along and across its own axis.
+struct Joint {
+    double mass = 0.1;                // [kg] m1
+    double axial_stiffness = 1e7;     // [N/m] k1i, traction-compression, along i = (cos a, sin a)
+    double flexural_stiffness = 1e6;  // [N/m] k1j, bending, along j = (-sin a, cos a)
+    double axial_damping = 1.0;       // [N*s/m] c1i
+    double flexural_damping = 1.0;    // [N*s/m] c1j
+    double incidence_angle = 70.0;    // [deg] a, from the plate's x axis to i, counter-clockwise
+};
+
+/// Mass 2, the plate: it bends across the contact (y) and is moved along it (x) by the drive.
+struct Plate {
+    double mass = 0.4;       // [kg] m2
+    double stiffness = 1e6;  // [N/m] k2y
+    double damping = 1.0;    // [N*s/m] c2y
+};
+
+/// What happens when a separation ends.
+enum class ImpactLaw {
+    plastic,  // no rebound; the tangential impulse obeys the same friction cone as the forces
+};
+
+/// The contact between joint and plate: Coulomb friction with two coefficients (Figure 3).
+struct Contact {
+    double preload = 20.0;          // [N] F, pressing force at rest
+    double static_friction = 0.8;   // [1] mu_s
+    double kinetic_friction = 0.6;  // [1] mu_d, independent of the slip velocity, at most mu_s
+    ImpactLaw impact = ImpactLaw::plastic;
+};
+
+enum class DriveKind { sinusoidal, constant, sampled };
+
+/// The imposed tangential motion of the plate, x2(t), with V = dx2/dt > 0 called *going* and V < 0 *coming*.
+struct Drive {
+    DriveKind kind = DriveKind::sinusoidal;
+    double amplitude = 4e-3;       // [m] A_exc, sinusoidal: x2 = A sin(2 pi f t)
+    double frequency = 5.0;        // [Hz] f_exc, sinusoidal
+    double velocity = 0.1;         // [m/s] constant: V
+    std::string file;              // sampled: a CSV with the columns time and velocity
+    std::vector<double> times;     // [s] sampled: instants, strictly increasing from 0, shape [sample]
+    std::vector<double> velocities;  // [m/s] sampled: V at them, linear in between, shape [sample]
+};
+
+enum class Initial {
+    rest,     // the preloaded rest position, mass 1 not moving; the plate moves under it
+    stuck,    // the preloaded rest position, mass 1 moving with the plate
+    sliding,  // the steady-sliding equilibrium, with mass 1 pushed by `perturbation`
+};
+
+enum class Engine { beta_2 };
+
+/// How long the system is watched and how its motion is computed.
+struct Run {
+    double duration = 1.0;       // [s] simulated time
+    double window = 1.0;         // [s] the last part of it, from which figures are taken
+    Initial initial = Initial::rest;
+    double perturbation = 1e-3;  // [m/s] initial = sliding: tangential velocity added to mass 1
+    Engine engine = Engine::beta_2;
+    double step = 1e-6;          // [s] h, time step of the beta_2 engine
+    double beta_2 = 0.5;         // [1] 0.5 central difference, second order; above it damps, first order
+};
+
+/// Where one category ends and the next begins. The paper chose its values by judgement and does not print them;
+/// these are Stridor's, documented with their reasons in docs/methods/verdict.md.
+struct Thresholds {
+    double settling = 0.45;        // [1] share of a going or coming phase cut at its start: the reversal's ringing
+    double reversal = 0.15;        // [1] share cut at its end, where the drive slows down and every contact sticks
+    double quiet_slip = 0.98;      // [1] slip share from which a motion is `none`
+    double creak_stick = 0.7;      // [1] stick share from which a noisy motion is `creak`
+    double squeal_regularity = 0.9;  // [1] regularity from which a noisy motion is `squeal`, below it `squeak`
+    double least_intervals = 6.0;  // [1] fewest repeats that can be judged; fewer are `undecided`
+};
+
+/// One complete case.
+struct Case {
+    std::string title;
+    Joint joint;
+    Plate plate;
+    Contact contact;
+    Drive drive;
+    Run run;
+    Thresholds verdict;
+};
+
+}  // namespace stridor::parameters

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stridor/base/error.hpp"
+#include "stridor/parameters/case.hpp"
+
+namespace stridor::parameters {
+
+/// One thing that is wrong with a case, and the field a user would change to mend it.
+struct Finding {
+    std::string key;  // "contact.kinetic_friction"
+    base::Problem problem;
+};
+
+/// Everything that is wrong with a case beyond the range of each single value: values that contradict each other.
+///
+/// Empty for a case that can be simulated. A step beyond the stability limit is not looked for here: that needs the
+/// system's frequencies (`integration::step_limit`).
+std::vector<Finding> findings(const Case& c);
+
+}  // namespace stridor::parameters

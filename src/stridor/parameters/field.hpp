@@ -1,0 +1,84 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "stridor/parameters/case.hpp"
+
+/// The field table: each thing a user can set stands here once. TOML keys, `--set`, chart axes, help, files and
+/// the canonical text of a case are all generated from it.
+namespace stridor::parameters {
+
+/// Which values of a quantity make sense; both ends belong to it unless they are open.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    enum class Low { closed, open } low_end = Low::closed;
+};
+
+/// A number with a unit.
+struct Quantity {
+    std::string_view unit;  // SI, angles in deg, "1" when dimensionless
+    Range range;
+    double (*get)(const Case&);
+    void (*set)(Case&, double value);
+};
+
+/// One name out of a list.
+struct Choice {
+    std::span<const std::string_view> names;
+    int (*get)(const Case&);
+    void (*set)(Case&, int index);
+};
+
+/// Free text.
+struct Text {
+    std::string (*get)(const Case&);
+    void (*set)(Case&, std::string_view text);
+};
+
+/// One settable thing.
+struct Field {
+    std::string_view section;   // "contact"; empty for the title
+    std::string_view name;      // "kinetic_friction"
+    std::string_view symbol;    // "mu_d", as in the paper; may be empty
+    std::string_view sentence;  // what it is, one line
+    std::variant<Quantity, Choice, Text> kind;
+    bool (*belongs)(const Case&);  // does it mean anything for this case? (drive.velocity only with a constant drive)
+};
+
+/// All fields, sections together, in the order files list them.
+std::span<const Field> fields();
+
+/// The field with key "section.name" (or "title"); nothing if there is none.
+const Field* find_field(std::string_view key);
+
+/// "section.name", or the name alone for a field without a section.
+std::string key_of(const Field& field);
+
+/// Keys of the fields that are quantities, i.e. can be an axis.
+std::vector<std::string> quantity_keys();
+
+/// The key most like a misspelt one; empty if none is near.
+std::string nearest_key(std::string_view key);
+
+double get_quantity(const Case& c, const Field& field);
+void set_quantity(Case& c, const Field& field, double value);
+
+/// Sets a field from what a user wrote ("20 N", "0.6", "sinusoidal"); throws `Error` (input) without a place.
+void set_from_text(Case& c, const Field& field, std::string_view text);
+
+/// The value as a user would write it, with its unit: "20 N", "sinusoidal".
+std::string value_text(const Case& c, const Field& field);
+
+/// Every field that belongs to this case as "section.key = value unit", a line each, shortest round-trip numbers.
+/// Two cases that would run alike have the same text, whatever files they came from; a sampled drive is named by
+/// the hash of its samples.
+std::string canonical_text(const Case& c);
+
+}  // namespace stridor::parameters

@@ -1,0 +1,103 @@
+#include "stridor/record/recorder.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "stridor/base/check.hpp"
+
+namespace stridor::record {
+
+namespace {
+
+constexpr double parting = std::numeric_limits<double>::quiet_NaN();
+
+void append(Instants& instants, double time) {
+    const std::size_t most = 2 * Instants::kept;
+    if (instants.times.size() >= most)
+        instants.times.erase(instants.times.begin(), instants.times.begin() + static_cast<std::ptrdiff_t>(Instants::kept));
+    instants.times.push_back(time);
+}
+
+}  // namespace
+
+Recorder::Recorder(Schedule schedule, Request request, int dofs) : schedule_(std::move(schedule)), request_(request) {
+    const auto size = static_cast<std::size_t>(dofs);
+    for (const Phase phase : schedule_.phases) {
+        Tally tally;
+        tally.phase = phase;
+        tally.vibration.resize(size);
+        record_.phases.push_back(std::move(tally));
+    }
+    record_.trace.displacement.resize(size);
+    record_.trace.velocity.resize(size);
+    record_.trace.acceleration.resize(size);
+}
+
+Tally* Recorder::tally_of(Phase phase) {
+    const auto found = std::find_if(record_.phases.begin(), record_.phases.end(), [&](const Tally& tally) { return tally.phase == phase; });
+    return found == record_.phases.end() ? nullptr : &*found;
+}
+
+// shares out the time from counted_to_ to `to` among the spans it crosses
+void Recorder::count(double to) {
+    const std::size_t state = model::index_of(current_.state);
+    while (span_ < schedule_.spans.size() && counted_to_ < to) {
+        const Span& span = schedule_.spans[span_];
+        const double end = std::min(span.to, to);
+        const double length = std::max(0.0, end - std::max(span.from, counted_to_));
+        Tally* tally = span.use == Use::unused ? nullptr : tally_of(span.phase);
+        if (tally != nullptr) tally->time[state] += length;
+        if (tally != nullptr && span.use == Use::judged) tally->judged_time[state] += length;
+        counted_to_ = std::max(counted_to_, end);
+        if (end < span.to) break;
+        // the next judged span of this phase is another stretch of time: no interval reaches across
+        if (tally != nullptr && span.use == Use::judged)
+            for (Instants& instants : tally->changes)
+                if (!instants.times.empty()) append(instants, parting);
+        ++span_;
+    }
+}
+
+void Recorder::note_change(model::ContactState from, model::ContactState to, double time) {
+    if (span_ >= schedule_.spans.size()) return;
+    const Span& span = schedule_.spans[span_];
+    if (span.use != Use::judged || time < span.from) return;
+    Instants& instants = tally_of(span.phase)->changes[change_kind(from, to)];
+    append(instants, time);
+    ++instants.count;
+}
+
+void Recorder::enter(const ContactInterval& interval) {
+    STRIDOR_EXPECT(!has_state_ || interval.from >= current_.from);
+    if (has_state_) {
+        count(interval.from);
+        note_change(current_.state, interval.state, interval.from);
+        current_.to = interval.from;
+        if (request_.history == KeepHistory::yes) record_.history.push_back(current_);
+    }
+    current_ = interval;
+    has_state_ = true;
+}
+
+void Recorder::vibrate(std::size_t span, double duration, std::span<const Vibration> vibration) {
+    if (span >= schedule_.spans.size() || schedule_.spans[span].use != Use::judged) return;
+    Tally& tally = *tally_of(schedule_.spans[span].phase);
+    tally.vibration_time += duration;
+    for (std::size_t dof = 0; dof < vibration.size(); ++dof) {
+        tally.vibration[dof].square_time += vibration[dof].square_time;
+        tally.vibration[dof].peak_square = std::max(tally.vibration[dof].peak_square, vibration[dof].peak_square);
+    }
+}
+
+Record Recorder::finish(double time) {
+    if (has_state_) {
+        count(time);
+        current_.to = time;
+        if (request_.history == KeepHistory::yes) record_.history.push_back(current_);
+    }
+    has_state_ = false;
+    return std::move(record_);
+}
+
+}  // namespace stridor::record

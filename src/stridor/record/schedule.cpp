@@ -1,0 +1,92 @@
+#include "stridor/record/schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stridor::record {
+
+namespace {
+
+using parameters::Case;
+using parameters::DriveKind;
+
+// a whole going or coming phase of the drive, wherever the run starts and ends
+struct HalfPeriod {
+    double from = 0.0;  // [s]
+    double to = 0.0;    // [s]
+    Phase phase = Phase::going;
+};
+
+// x2 = A sin(2 pi f t): V > 0 for f t in (k - 1/4, k + 1/4)
+std::vector<HalfPeriod> sinusoidal_phases(const Case& c) {
+    std::vector<HalfPeriod> halves;
+    const double half_period = 0.5 / c.drive.frequency;
+    const auto count = static_cast<long>(std::ceil(c.run.duration / half_period)) + 2;
+    for (long k = 0; k < count; ++k) {
+        const auto number = static_cast<double>(k);
+        halves.push_back({(number - 0.5) * half_period, (number + 0.5) * half_period, k % 2 == 0 ? Phase::going : Phase::coming});
+    }
+    return halves;
+}
+
+// V linear between samples; a phase ends where V changes sign, standing still belongs to the phase before it
+std::vector<HalfPeriod> sampled_phases(const Case& c) {
+    const std::vector<double>& t = c.drive.times;
+    const std::vector<double>& v = c.drive.velocities;
+    std::vector<HalfPeriod> halves;
+    double from = 0.0;
+    double sign = 0.0;
+    for (std::size_t k = 0; k < t.size(); ++k) {
+        const bool turns = v[k] != 0.0 && sign != 0.0 && (v[k] > 0.0) != (sign > 0.0);
+        if (turns) {
+            const double crossing = t[k - 1] + (t[k] - t[k - 1]) * (v[k - 1] / (v[k - 1] - v[k]));
+            halves.push_back({from, crossing, sign > 0.0 ? Phase::going : Phase::coming});
+            from = crossing;
+        }
+        if (v[k] != 0.0) sign = v[k];
+    }
+    if (sign != 0.0) halves.push_back({from, t.back(), sign > 0.0 ? Phase::going : Phase::coming});
+    return halves;
+}
+
+void add_span(std::vector<Span>& spans, const Span& span) {
+    if (span.to > span.from) spans.push_back(span);
+}
+
+void add_phase(std::vector<Span>& spans, const Case& c, const HalfPeriod& half) {
+    const double window_from = c.run.duration - c.run.window;
+    const double from = std::max(half.from, window_from);
+    const double to = std::min(half.to, c.run.duration);
+    // half a rounding error of the drive's period must not make a whole phase look cut short
+    const double slack = 1e-9 * (half.to - half.from);
+    const bool is_complete = half.from >= window_from - slack && half.to <= c.run.duration + slack;
+    const double length = half.to - half.from;
+    const double settled = is_complete ? half.from + c.verdict.settling * length : to;
+    const double slowing = is_complete ? half.to - c.verdict.reversal * length : to;
+    add_span(spans, {std::max(half.from, 0.0), std::min(to, window_from), half.phase, Use::unused});
+    add_span(spans, {from, std::min(settled, to), half.phase, Use::counted});
+    add_span(spans, {settled, std::min(slowing, to), half.phase, Use::judged});
+    add_span(spans, {std::max(slowing, from), to, half.phase, Use::counted});
+}
+
+}  // namespace
+
+Schedule schedule(const Case& c) {
+    Schedule plan;
+    if (c.drive.kind == DriveKind::constant) {
+        const double from = c.run.duration - c.run.window;
+        add_span(plan.spans, {0.0, from, Phase::all, Use::unused});
+        add_span(plan.spans, {from, c.run.duration, Phase::all, Use::judged});
+        plan.phases = {Phase::all};
+        return plan;
+    }
+    const std::vector<HalfPeriod> halves = c.drive.kind == DriveKind::sinusoidal ? sinusoidal_phases(c) : sampled_phases(c);
+    for (const HalfPeriod& half : halves) add_phase(plan.spans, c, half);
+    for (const Phase phase : {Phase::going, Phase::coming}) {
+        const bool occurs = std::any_of(plan.spans.begin(), plan.spans.end(), [&](const Span& span) { return span.phase == phase && span.use != Use::unused; });
+        if (occurs) plan.phases.push_back(phase);
+    }
+    return plan;
+}
+
+}  // namespace stridor::record

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "stridor/parameters/case.hpp"
+
+namespace stridor::record {
+
+/// Which way the plate moves: `all` for a constant drive (its direction is in the velocity's sign).
+enum class Phase { all, going, coming };
+
+inline constexpr std::array<std::string_view, 3> phase_names{"all", "going", "coming"};
+
+/// What a stretch of time is good for.
+enum class Use {
+    unused,   // before the window: counted nowhere
+    counted,  // in the window, but near a reversal: counts for the whole phase's rates only
+    judged,   // the steady part the verdict is made from
+};
+
+/// A stretch of time with one use.
+struct Span {
+    double from = 0.0;  // [s]
+    double to = 0.0;    // [s]
+    Phase phase = Phase::all;
+    Use use = Use::unused;
+};
+
+/// Time cut into spans, from 0 to the end of the run, without gaps, in order.
+///
+/// Constant drive: the window is judged as a whole. Otherwise each complete going or coming phase loses the share
+/// `settling` at its start and `reversal` at its end; phases cut short by the window are counted but not judged.
+struct Schedule {
+    std::vector<Span> spans;
+    std::vector<Phase> phases;  // those that occur, going before coming
+};
+
+Schedule schedule(const parameters::Case& c);
+
+}  // namespace stridor::record

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "stridor/model/contact_state.hpp"
+#include "stridor/record/schedule.hpp"
+
+namespace stridor::record {
+
+/// A kind of change of state, (from, to), as one number in [0, contact_states^2).
+inline constexpr std::size_t change_kinds = static_cast<std::size_t>(model::contact_states) * model::contact_states;
+constexpr std::size_t change_kind(model::ContactState from, model::ContactState to) {
+    return model::index_of(from) * model::contact_states + model::index_of(to);
+}
+
+/// Most recent instants of one kind of change. A NaN parts instants that lie in different judged spans.
+///
+/// Bounded, so that a tally's size does not grow with the simulated time; `count` counts all of them.
+struct Instants {
+    static constexpr std::size_t kept = 4096;  // at least this many are kept, at most twice as many
+    std::vector<double> times;                 // [s]
+    long count = 0;                            // [1]
+};
+
+/// Vibration of one degree of freedom over the judged time.
+struct Vibration {
+    double square_time = 0.0;  // [m^2/s] integral of v^2
+    double peak_square = 0.0;  // [m^2/s^2] largest v^2
+};
+
+/// What one phase of a run leaves behind: of fixed size, whatever the simulated time.
+struct Tally {
+    Phase phase = Phase::all;
+    std::array<double, model::contact_states> time{};         // [s] in each state, whole phase
+    std::array<double, model::contact_states> judged_time{};  // [s] in each state, judged part
+    std::array<Instants, change_kinds> changes;               // judged part, by kind
+    std::vector<Vibration> vibration;                         // judged part, shape [dof]
+    double vibration_time = 0.0;                              // [s] time the vibration was integrated over
+};
+
+}  // namespace stridor::record
