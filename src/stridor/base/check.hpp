@@ -6,10 +6,10 @@
 /// What a user can cause is never checked here: that throws `stridor::Error`.
 
 #if defined(STRIDOR_CHECKS) && STRIDOR_CHECKS
-#include <cstdlib>
-#define STRIDOR_EXPECT(condition) ((condition) ? static_cast<void>(0) : std::abort())
-#define STRIDOR_ENSURE(condition) ((condition) ? static_cast<void>(0) : std::abort())
+#    include <cstdlib>
+#    define STRIDOR_EXPECT(condition) ((condition) ? static_cast<void>(0) : std::abort())
+#    define STRIDOR_ENSURE(condition) ((condition) ? static_cast<void>(0) : std::abort())
 #else
-#define STRIDOR_EXPECT(condition) static_cast<void>(sizeof(condition))
-#define STRIDOR_ENSURE(condition) static_cast<void>(sizeof(condition))
+#    define STRIDOR_EXPECT(condition) static_cast<void>(sizeof(condition))
+#    define STRIDOR_ENSURE(condition) static_cast<void>(sizeof(condition))
 #endif

@@ -7,9 +7,9 @@
 
 #include "stridor/base/elementary.hpp"
 
-#include <cmath>
-
 #include "stridor/base/check.hpp"
+
+#include <cmath>
 
 namespace stridor::base {
 
@@ -53,10 +53,14 @@ SineCosine from_quarters(double quarters) {
     const double c = cosine_series(x);
     const int quadrant = static_cast<int>(static_cast<long long>(whole) & 3);
     switch (quadrant) {
-        case 0: return {s, c};
-        case 1: return {c, -s};
-        case 2: return {-s, -c};
-        default: return {-c, s};
+        case 0:
+            return {s, c};
+        case 1:
+            return {c, -s};
+        case 2:
+            return {-s, -c};
+        default:
+            return {-c, s};
     }
 }
 
@@ -73,10 +77,14 @@ SineCosine sine_cosine_of_degrees(double degrees) {
     const double rest = degrees - 90.0 * whole;  // exact: 90 * whole is a small integer, the difference cancels
     const SineCosine small = from_quarters(rest / 90.0);
     switch (static_cast<int>(static_cast<long long>(whole) & 3)) {
-        case 0: return small;
-        case 1: return {small.cosine, -small.sine};
-        case 2: return {-small.sine, -small.cosine};
-        default: return {-small.cosine, small.sine};
+        case 0:
+            return small;
+        case 1:
+            return {small.cosine, -small.sine};
+        case 2:
+            return {-small.sine, -small.cosine};
+        default:
+            return {-small.cosine, small.sine};
     }
 }
 
@@ -91,7 +99,8 @@ double logarithm_2(double x) {
     const double s = (mantissa - 1.0) / (mantissa + 1.0);
     const double z = s * s;
     double sum = 0.0;
-    for (int k = 21; k >= 3; k -= 2) sum = (sum + 1.0 / k) * z;
+    for (int k = 21; k >= 3; k -= 2)
+        sum = (sum + 1.0 / k) * z;
     return exponent + (2.0 / ln_2) * (s + s * sum);
 }
 
@@ -100,10 +109,13 @@ double power_of_2(double x) {
     const double whole = std::nearbyint(x);
     const double f = (x - whole) * ln_2;
     double sum = 1.0;
-    for (int k = 17; k >= 1; --k) sum = 1.0 + sum * f / k;
+    for (int k = 17; k >= 1; --k)
+        sum = 1.0 + sum * f / k;
     return std::ldexp(sum, static_cast<int>(whole));
 }
 
-double decibels(double ratio) { return decibels_per_octave * logarithm_2(ratio); }
+double decibels(double ratio) {
+    return decibels_per_octave * logarithm_2(ratio);
+}
 
 }  // namespace stridor::base

@@ -24,10 +24,14 @@ Error::Error(ErrorKind kind, Problem problem, std::optional<Place> place)
 
 int exit_code(ErrorKind kind) {
     switch (kind) {
-        case ErrorKind::input: return 2;
-        case ErrorKind::numerical: return 3;
-        case ErrorKind::interrupted: return 4;
-        case ErrorKind::io: return 5;
+        case ErrorKind::input:
+            return 2;
+        case ErrorKind::numerical:
+            return 3;
+        case ErrorKind::interrupted:
+            return 4;
+        case ErrorKind::io:
+            return 5;
     }
     return 5;
 }

@@ -15,7 +15,8 @@ std::string hash_text(std::string_view bytes) {
     constexpr std::string_view digits = "0123456789abcdef";
     std::uint64_t hash = fnv1a(bytes);
     std::string text(16, '0');
-    for (auto digit = text.rbegin(); digit != text.rend(); ++digit, hash >>= 4U) *digit = digits[hash & 15U];
+    for (auto digit = text.rbegin(); digit != text.rend(); ++digit, hash >>= 4U)
+        *digit = digits[hash & 15U];
     return text;
 }
 

@@ -1,5 +1,8 @@
 #include "stridor/base/quantity.hpp"
 
+#include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -7,9 +10,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "stridor/base/error.hpp"
-#include "stridor/base/text.hpp"
 
 namespace stridor::base {
 
@@ -40,8 +40,9 @@ constexpr std::array symbols{
 };
 
 constexpr std::array prefixes{
-    std::pair{std::string_view{"G"}, 1e9},  std::pair{std::string_view{"M"}, 1e6},  std::pair{std::string_view{"k"}, 1e3},
-    std::pair{std::string_view{"c"}, 1e-2}, std::pair{std::string_view{"m"}, 1e-3}, std::pair{std::string_view{"u"}, 1e-6},
+    std::pair{std::string_view{"G"}, 1e9},  std::pair{std::string_view{"M"}, 1e6},
+    std::pair{std::string_view{"k"}, 1e3},  std::pair{std::string_view{"c"}, 1e-2},
+    std::pair{std::string_view{"m"}, 1e-3}, std::pair{std::string_view{"u"}, 1e-6},
     std::pair{std::string_view{"µ"}, 1e-6}, std::pair{std::string_view{"n"}, 1e-9},
 };
 
@@ -68,10 +69,12 @@ constexpr std::array names{
 
 Error bad_unit(std::string_view symbol) {
     std::vector<std::string_view> known;
-    for (const Symbol& entry : symbols) known.push_back(entry.name);
+    for (const Symbol& entry : symbols)
+        known.push_back(entry.name);
     const std::string_view near = nearest_name(symbol, known);
-    std::string help = near.empty() ? std::string("Known: m, kg, s, min, N, Pa, J, Hz, deg, rad, %, with G M k c m u n.")
-                                    : "Did you mean \"" + std::string(near) + "\"?";
+    std::string help = near.empty()
+                           ? std::string("Known: m, kg, s, min, N, Pa, J, Hz, deg, rad, %, with G M k c m u n.")
+                           : "Did you mean \"" + std::string(near) + "\"?";
     return {ErrorKind::input, {"unknown unit \"" + std::string(symbol) + "\"", "", std::move(help)}};
 }
 
@@ -107,7 +110,8 @@ Unit parse_factor(std::string_view text) {
     Unit unit{{base.dimension.mass * power, base.dimension.length * power, base.dimension.time * power,
                base.dimension.angle * power},
               1.0};
-    for (int k = 0; k < std::abs(power); ++k) unit.factor *= base.factor;
+    for (int k = 0; k < std::abs(power); ++k)
+        unit.factor *= base.factor;
     if (power < 0) unit.factor = 1.0 / unit.factor;
     return unit;
 }
@@ -159,17 +163,21 @@ double parse_quantity(std::string_view text, std::string_view unit) {
     const std::string_view digits = given.starts_with('+') ? given.substr(1) : given;
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     const std::string quoted = "\"" + std::string(given) + "\"";
-    const bool is_word = result.ec == std::errc::invalid_argument || digits.starts_with("inf") || digits.starts_with("nan");
+    const bool is_word =
+        result.ec == std::errc::invalid_argument || digits.starts_with("inf") || digits.starts_with("nan");
     if (is_word)
-        throw Error(ErrorKind::input, {quoted + " is not a number", "", "Write a number, with or without a unit: \"4 mm\"."});
+        throw Error(ErrorKind::input,
+                    {quoted + " is not a number", "", "Write a number, with or without a unit: \"4 mm\"."});
     const std::string_view rest = trimmed(digits.substr(static_cast<std::size_t>(result.ptr - digits.data())));
     if (rest.starts_with(','))
-        throw Error(ErrorKind::input, {quoted + " has a decimal comma", "numbers are written with a point", "Write 0.5, not 0,5."});
+        throw Error(ErrorKind::input,
+                    {quoted + " has a decimal comma", "numbers are written with a point", "Write 0.5, not 0,5."});
     const Unit wanted = parse_unit(unit);
     const Unit found = rest.empty() ? wanted : parse_unit(rest);
     if (!(found.dimension == wanted.dimension))
-        throw Error(ErrorKind::input, {quoted + " is " + describe(found.dimension),
-                                       "expected " + describe(wanted.dimension), "Give it in " + std::string(unit) + "."});
+        throw Error(ErrorKind::input,
+                    {quoted + " is " + describe(found.dimension), "expected " + describe(wanted.dimension),
+                     "Give it in " + std::string(unit) + "."});
     // a small unit divides by its whole inverse: 0.1 us is then 1e-07 to the last bit, as the user would write it
     const double ratio = found.factor / wanted.factor;
     const double value = ratio < 1.0 ? number / (1.0 / ratio) : number * ratio;

@@ -13,12 +13,13 @@
 
 #include "stridor/integration/beta_2.hpp"
 
+#include "stridor/model/frequencies.hpp"
+
 #include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "stridor/model/frequencies.hpp"
 
 namespace stridor::integration {
 
@@ -36,16 +37,16 @@ struct Coefficients {
     using Vector = typename Structure<dofs>::Vector;
     using Matrix = typename Structure<dofs>::Matrix;
 
-    double h;               // [s]
-    double end_of_step;     // [s^2] s
-    double half_velocity;   // [s] beta h: v = p + beta h a
-    Matrix from_u;          // -A⁻¹ K
-    Matrix from_p;          // -A⁻¹ C
-    Vector from_load;       // A⁻¹ f0
-    Vector from_normal;     // A⁻¹ n
-    Vector from_tangent;    // A⁻¹ t
-    Vector normal;          // n
-    Vector tangent;         // t
+    double h;              // [s]
+    double end_of_step;    // [s^2] s
+    double half_velocity;  // [s] beta h: v = p + beta h a
+    Matrix from_u;         // -A⁻¹ K
+    Matrix from_p;         // -A⁻¹ C
+    Vector from_load;      // A⁻¹ f0
+    Vector from_normal;    // A⁻¹ n
+    Vector from_tangent;   // A⁻¹ t
+    Vector normal;         // n
+    Vector tangent;        // t
     // inverse of the 2 by 2 compliance s [n t]ᵀ A⁻¹ [n t]
     double stick_nn, stick_nt, stick_tt;  // [N/m]
     double slip_pushed, slip_pulled;      // [N/m] gap stiffness while slipping with T = +mu_d N, -mu_d N
@@ -147,7 +148,8 @@ struct Work {
 
 template <int dofs>
 double half_step_energy(const Structure<dofs>& structure, const State<dofs>& state, double h) {
-    return 0.5 * state.p.dot(structure.mass * state.p) + 0.5 * state.u.dot(structure.stiffness * (state.u - h * state.p));
+    return 0.5 * state.p.dot(structure.mass * state.p) +
+           0.5 * state.u.dot(structure.stiffness * (state.u - h * state.p));
 }
 
 template <int dofs>
@@ -173,7 +175,10 @@ class Runner {
 public:
     Runner(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start, const Beta2& settings,
            record::Recorder& recorder)
-        : structure_(structure), coefficients_(prepare(structure, settings)), drive_(drive, settings.step), recorder_(recorder) {
+        : structure_(structure),
+          coefficients_(prepare(structure, settings)),
+          drive_(drive, settings.step),
+          recorder_(recorder) {
         const model::SurfaceMotion surface = drive_.at(0.0);
         const InitialState<dofs> initial = initial_state(structure, start, surface.velocity);
         const model::Instant<dofs> first = model::instant(structure, initial.displacement, initial.velocity, surface);
@@ -208,7 +213,8 @@ template <int dofs>
 void Runner<dofs>::note(const Step<dofs>& now, double increment) {
     const double h = coefficients_.h;
     const double surface_velocity = 0.5 * (increment + state_.last_increment) / h;
-    recorder_.enter({now.contact, static_cast<double>(n_) * h, 0.0, coefficients_.tangent.dot(now.velocity) - surface_velocity,
+    recorder_.enter({now.contact, static_cast<double>(n_) * h, 0.0,
+                     coefficients_.tangent.dot(now.velocity) - surface_velocity,
                      coefficients_.normal.dot(now.velocity)});
     state_.contact = now.contact;
     state_.has_contact = true;
@@ -274,7 +280,8 @@ Outcome Runner<dofs>::run(std::stop_token stop) {
             if (!state_.u.allFinite() || !state_.p.allFinite()) return {Reason::diverged, time};
             if (stop.stop_requested()) return {Reason::cancelled, time};
         }
-        for (record::Vibration& sum : vibration_) sum.square_time *= h;
+        for (record::Vibration& sum : vibration_)
+            sum.square_time *= h;
         recorder_.vibrate(k, static_cast<double>(n_ - span_begin) * h, vibration_);
     }
     return {Reason::completed, static_cast<double>(n_) * h};
@@ -297,19 +304,24 @@ EnergyBalance Runner<dofs>::energy() const {
 
 }  // namespace
 
-double stable_step(double beta_2, double angular_frequency) { return std::sqrt(2.0 / beta_2) / angular_frequency; }
+double stable_step(double beta_2, double angular_frequency) {
+    return std::sqrt(2.0 / beta_2) / angular_frequency;
+}
 
 template <int dofs>
 Motion integrate_beta_2(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
                         const Beta2& settings, record::Recorder recorder, std::stop_token stop) {
     const double fastest = model::natural_frequencies(structure, ContactState::separation).back();
-    if (settings.step > stable_step(settings.beta_2, fastest)) return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
+    if (settings.step > stable_step(settings.beta_2, fastest))
+        return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     Runner<dofs> runner(structure, drive, start, settings, recorder);
     const Outcome outcome = runner.run(std::move(stop));
     return {outcome, runner.energy(), recorder.finish(outcome.time)};
 }
 
-template Motion integrate_beta_2<2>(const Structure<2>&, const parameters::Drive&, const Start&, const Beta2&, record::Recorder, std::stop_token);
-template Motion integrate_beta_2<3>(const Structure<3>&, const parameters::Drive&, const Start&, const Beta2&, record::Recorder, std::stop_token);
+template Motion integrate_beta_2<2>(const Structure<2>&, const parameters::Drive&, const Start&, const Beta2&,
+                                    record::Recorder, std::stop_token);
+template Motion integrate_beta_2<3>(const Structure<3>&, const parameters::Drive&, const Start&, const Beta2&,
+                                    record::Recorder, std::stop_token);
 
 }  // namespace stridor::integration

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <stop_token>
-#include <vector>
-
 #include "stridor/integration/energy_balance.hpp"
 #include "stridor/integration/imposed_motion.hpp"
 #include "stridor/integration/initial_state.hpp"
 #include "stridor/integration/outcome.hpp"
 #include "stridor/model/structure.hpp"
 #include "stridor/record/recorder.hpp"
+
+#include <stop_token>
+#include <vector>
 
 namespace stridor::integration {
 
@@ -40,9 +40,9 @@ template <int dofs>
 Motion integrate_beta_2(const model::Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
                         const Beta2& settings, record::Recorder recorder, std::stop_token stop = {});
 
-extern template Motion integrate_beta_2<2>(const model::Structure<2>&, const parameters::Drive&, const Start&, const Beta2&,
-                                           record::Recorder, std::stop_token);
-extern template Motion integrate_beta_2<3>(const model::Structure<3>&, const parameters::Drive&, const Start&, const Beta2&,
-                                           record::Recorder, std::stop_token);
+extern template Motion integrate_beta_2<2>(const model::Structure<2>&, const parameters::Drive&, const Start&,
+                                           const Beta2&, record::Recorder, std::stop_token);
+extern template Motion integrate_beta_2<3>(const model::Structure<3>&, const parameters::Drive&, const Start&,
+                                           const Beta2&, record::Recorder, std::stop_token);
 
 }  // namespace stridor::integration

@@ -3,9 +3,9 @@
 
 #include "stridor/integration/imposed_motion.hpp"
 
-#include <algorithm>
-
 #include "stridor/base/elementary.hpp"
+
+#include <algorithm>
 
 namespace stridor::integration {
 
@@ -18,7 +18,11 @@ constexpr double two_pi = 6.283185307179586476925;
 }  // namespace
 
 ImposedMotion::ImposedMotion(const parameters::Drive& drive, double step)
-    : kind_(drive.kind), step_(step), velocity_(drive.velocity), frequency_(drive.frequency), chord_(drive.velocity * step) {
+    : kind_(drive.kind),
+      step_(step),
+      velocity_(drive.velocity),
+      frequency_(drive.frequency),
+      chord_(drive.velocity * step) {
     if (kind_ == DriveKind::sinusoidal) {
         velocity_ = drive.amplitude * two_pi * drive.frequency;
         chord_ = 2.0 * drive.amplitude * base::sine_cosine_of_turns(0.5 * drive.frequency * step).sine;
@@ -58,10 +62,12 @@ model::SurfaceMotion ImposedMotion::at(double time) const {
 double ImposedMotion::increment(long k) const {
     const auto number = static_cast<double>(k);
     switch (kind_) {
-        case DriveKind::constant: return chord_;
+        case DriveKind::constant:
+            return chord_;
         case DriveKind::sinusoidal:
             return chord_ * base::sine_cosine_of_turns(frequency_ * step_ * (number + 0.5)).cosine;
-        case DriveKind::sampled: return sampled_position((number + 1.0) * step_) - sampled_position(number * step_);
+        case DriveKind::sampled:
+            return sampled_position((number + 1.0) * step_) - sampled_position(number * step_);
     }
     return 0.0;
 }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "stridor/model/contact_forces.hpp"
 #include "stridor/parameters/case.hpp"
+
+#include <cstddef>
+#include <vector>
 
 namespace stridor::integration {
 
@@ -27,10 +27,10 @@ private:
     std::size_t sample_before(double time) const;
 
     parameters::DriveKind kind_;
-    double step_;           // [s]
-    double velocity_;       // [m/s] constant: V; sinusoidal: peak of V
-    double frequency_;      // [Hz]
-    double chord_;          // [m] constant: V h; sinusoidal: 2 A sin(pi f h)
+    double step_;                     // [s]
+    double velocity_;                 // [m/s] constant: V; sinusoidal: peak of V
+    double frequency_;                // [Hz]
+    double chord_;                    // [m] constant: V h; sinusoidal: 2 A sin(pi f h)
     std::vector<double> times_;       // [s]
     std::vector<double> velocities_;  // [m/s]
     std::vector<double> positions_;   // [m] x2 at the samples

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cmath>
-
 #include "stridor/base/error.hpp"
 #include "stridor/model/equilibrium.hpp"
 #include "stridor/model/structure.hpp"
 #include "stridor/parameters/case.hpp"
+
+#include <cmath>
 
 namespace stridor::integration {
 
@@ -30,14 +30,19 @@ InitialState<dofs> initial_state(const model::Structure<dofs>& structure, const 
     using parameters::Initial;
     using Vector = typename model::Structure<dofs>::Vector;
     if (start.kind == Initial::sliding && surface_velocity == 0.0)
-        throw Error(ErrorKind::input, {"initial = \"sliding\" has no direction", "the drive stands still at the start", "Start with initial = \"rest\"."});
-    const double signed_friction = start.kind == Initial::sliding ? std::copysign(structure.friction.kinetic_coefficient, surface_velocity) : 0.0;
+        throw Error(ErrorKind::input, {"initial = \"sliding\" has no direction", "the drive stands still at the start",
+                                       "Start with initial = \"rest\"."});
+    const double signed_friction =
+        start.kind == Initial::sliding ? std::copysign(structure.friction.kinetic_coefficient, surface_velocity) : 0.0;
     const model::Equilibrium<dofs> balance = model::equilibrium(structure, signed_friction);
     if (!(balance.normal_force > 0.0))
-        throw Error(ErrorKind::numerical, {"steady sliding has no equilibrium in this direction", "its normal force would be negative: the contact digs in (sprag-slip)",
+        throw Error(ErrorKind::numerical, {"steady sliding has no equilibrium in this direction",
+                                           "its normal force would be negative: the contact digs in (sprag-slip)",
                                            "Start with initial = \"rest\"."});
     const Vector along = structure.tangent / structure.tangent.squaredNorm();
-    const double speed = start.kind == Initial::rest ? 0.0 : start.kind == Initial::stuck ? surface_velocity : start.perturbation;
+    const double speed = start.kind == Initial::rest    ? 0.0
+                         : start.kind == Initial::stuck ? surface_velocity
+                                                        : start.perturbation;
     return {balance.displacement, along * speed};
 }
 

@@ -14,7 +14,8 @@ enum class Reason {
     cancelled,   // stopped on request
 };
 
-inline constexpr std::array<std::string_view, 5> reason_names{"completed", "settled", "diverged", "step_limit", "cancelled"};
+inline constexpr std::array<std::string_view, 5> reason_names{"completed", "settled", "diverged", "step_limit",
+                                                              "cancelled"};
 
 struct Outcome {
     Reason reason = Reason::completed;

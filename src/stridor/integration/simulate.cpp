@@ -1,11 +1,11 @@
 #include "stridor/integration/simulate.hpp"
 
-#include <cmath>
-#include <utility>
-
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/record/schedule.hpp"
+
+#include <cmath>
+#include <utility>
 
 namespace stridor::integration {
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <stop_token>
-
 #include "stridor/integration/beta_2.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"
+
+#include <stop_token>
 
 namespace stridor::integration {
 

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <Eigen/LU>
-#include <cmath>
-
 #include "stridor/base/error.hpp"
 #include "stridor/model/contact_state.hpp"
 #include "stridor/model/structure.hpp"
+
+#include <Eigen/LU>
+
+#include <cmath>
 
 /// Forces and accelerations at one instant, from displacements and velocities alone.
 ///
@@ -22,8 +23,8 @@ namespace stridor::model {
 template <int dofs>
 struct Instant {
     ContactState state = ContactState::separation;
-    double normal_force = 0.0;    // [N] N on the rubbed mass
-    double friction_force = 0.0;  // [N] T on the rubbed mass
+    double normal_force = 0.0;                                                        // [N] N on the rubbed mass
+    double friction_force = 0.0;                                                      // [N] T on the rubbed mass
     typename Structure<dofs>::Vector acceleration = Structure<dofs>::Vector::Zero();  // [m/s^2] u''
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/LU>
-
 #include "stridor/model/structure.hpp"
+
+#include <Eigen/LU>
 
 namespace stridor::model {
 

@@ -1,13 +1,14 @@
 #pragma once
 
+#include "stridor/model/contact_state.hpp"
+#include "stridor/model/structure.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+
 #include <cmath>
 #include <vector>
-
-#include "stridor/model/contact_state.hpp"
-#include "stridor/model/structure.hpp"
 
 namespace stridor::model {
 
@@ -23,13 +24,15 @@ std::vector<double> natural_frequencies(const Structure<dofs>& structure, Contac
     Eigen::Matrix<double, dofs, 2> blocked;
     blocked << structure.normal, structure.tangent;
     const Dynamic all = Dynamic(blocked.leftCols(constraints == 0 ? 1 : constraints).householderQr().householderQ());
-    const Dynamic free = constraints == 0 ? Dynamic(Dynamic::Identity(dofs, dofs)) : Dynamic(all.rightCols(dofs - constraints));
+    const Dynamic free =
+        constraints == 0 ? Dynamic(Dynamic::Identity(dofs, dofs)) : Dynamic(all.rightCols(dofs - constraints));
     const Dynamic mass = free.transpose() * structure.mass * free;
     const Dynamic stiffness = free.transpose() * structure.stiffness * free;
     if (mass.rows() == 0) return {};
     const Eigen::GeneralizedSelfAdjointEigenSolver<Dynamic> solver(stiffness, mass, Eigen::EigenvaluesOnly);
     std::vector<double> frequencies;
-    for (const double squared : solver.eigenvalues()) frequencies.push_back(std::sqrt(squared > 0.0 ? squared : 0.0));
+    for (const double squared : solver.eigenvalues())
+        frequencies.push_back(std::sqrt(squared > 0.0 ? squared : 0.0));
     return frequencies;
 }
 

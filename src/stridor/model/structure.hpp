@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
-
 #include "stridor/model/coulomb.hpp"
+
+#include <Eigen/Core>
 
 namespace stridor::model {
 

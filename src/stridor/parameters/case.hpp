@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// What a user chooses: one rubbing system, how it is driven, how long it is watched and how it is judged.
@@ -41,14 +43,19 @@ struct Contact {
 
 enum class DriveKind { sinusoidal, constant, sampled };
 
+/// Which way the plate moves under the joint: going is V > 0, coming V < 0.
+enum class Direction { going, coming };
+
+inline constexpr std::array<std::string_view, 2> direction_names{"going", "coming"};
+
 /// The imposed tangential motion of the plate, x2(t), with V = dx2/dt > 0 called *going* and V < 0 *coming*.
 struct Drive {
     DriveKind kind = DriveKind::sinusoidal;
-    double amplitude = 4e-3;       // [m] A_exc, sinusoidal: x2 = A sin(2 pi f t)
-    double frequency = 5.0;        // [Hz] f_exc, sinusoidal
-    double velocity = 0.1;         // [m/s] constant: V
-    std::string file;              // sampled: a CSV with the columns time and velocity
-    std::vector<double> times;     // [s] sampled: instants, strictly increasing from 0, shape [sample]
+    double amplitude = 4e-3;         // [m] A_exc, sinusoidal: x2 = A sin(2 pi f t)
+    double frequency = 5.0;          // [Hz] f_exc, sinusoidal
+    double velocity = 0.1;           // [m/s] constant: V
+    std::string file;                // sampled: a CSV with the columns time and velocity
+    std::vector<double> times;       // [s] sampled: instants, strictly increasing from 0, shape [sample]
     std::vector<double> velocities;  // [m/s] sampled: V at them, linear in between, shape [sample]
 };
 
@@ -62,24 +69,24 @@ enum class Engine { beta_2 };
 
 /// How long the system is watched and how its motion is computed.
 struct Run {
-    double duration = 1.0;       // [s] simulated time
-    double window = 1.0;         // [s] the last part of it, from which figures are taken
+    double duration = 1.0;  // [s] simulated time
+    double window = 1.0;    // [s] the last part of it, from which figures are taken
     Initial initial = Initial::rest;
     double perturbation = 1e-3;  // [m/s] initial = sliding: tangential velocity added to mass 1
     Engine engine = Engine::beta_2;
-    double step = 1e-6;          // [s] h, time step of the beta_2 engine
-    double beta_2 = 0.5;         // [1] 0.5 central difference, second order; above it damps, first order
+    double step = 1e-6;   // [s] h, time step of the beta_2 engine
+    double beta_2 = 0.5;  // [1] 0.5 central difference, second order; above it damps, first order
 };
 
 /// Where one category ends and the next begins. The paper chose its values by judgement and does not print them;
 /// these are Stridor's, documented with their reasons in docs/methods/verdict.md.
 struct Thresholds {
-    double settling = 0.45;        // [1] share of a going or coming phase cut at its start: the reversal's ringing
-    double reversal = 0.15;        // [1] share cut at its end, where the drive slows down and every contact sticks
-    double quiet_slip = 0.98;      // [1] slip share from which a motion is `none`
-    double creak_stick = 0.7;      // [1] stick share from which a noisy motion is `creak`
+    double settling = 0.45;          // [1] share of a going or coming phase cut at its start: the reversal's ringing
+    double reversal = 0.15;          // [1] share cut at its end, where the drive slows down and every contact sticks
+    double quiet_slip = 0.98;        // [1] slip share from which a motion is `none`
+    double creak_stick = 0.7;        // [1] stick share from which a noisy motion is `creak`
     double squeal_regularity = 0.9;  // [1] regularity from which a noisy motion is `squeal`, below it `squeak`
-    double least_intervals = 6.0;  // [1] fewest repeats that can be judged; fewer are `undecided`
+    double least_intervals = 6.0;    // [1] fewest repeats that can be judged; fewer are `undecided`
 };
 
 /// One complete case.

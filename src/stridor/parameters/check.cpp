@@ -1,8 +1,8 @@
 #include "stridor/parameters/check.hpp"
 
-#include <string>
-
 #include "stridor/base/text.hpp"
+
+#include <string>
 
 namespace stridor::parameters {
 
@@ -12,55 +12,75 @@ using base::shortest;
 
 void check_contact(const Case& c, std::vector<Finding>& found) {
     if (c.contact.kinetic_friction <= c.contact.static_friction) return;
-    found.push_back({"contact.kinetic_friction",
-                     {"mu_d = " + shortest(c.contact.kinetic_friction) + " exceeds mu_s = " + shortest(c.contact.static_friction),
-                      "kinetic friction may not be larger than static", "Swap them?"}});
+    found.push_back(
+        {"contact.kinetic_friction",
+         {"mu_d = " + shortest(c.contact.kinetic_friction) + " exceeds mu_s = " + shortest(c.contact.static_friction),
+          "kinetic friction may not be larger than static", "Swap them?"}});
 }
 
 void check_samples(const Case& c, std::vector<Finding>& found) {
     const std::vector<double>& times = c.drive.times;
     if (times.size() < 2 || c.drive.velocities.size() != times.size()) {
-        found.push_back({"drive.file", {"the sampled drive has " + std::to_string(times.size()) + " samples",
-                                        "a velocity over time needs two at least", "Check the CSV file."}});
+        found.push_back({"drive.file",
+                         {"the sampled drive has " + std::to_string(times.size()) + " samples",
+                          "a velocity over time needs two at least", "Check the CSV file."}});
         return;
     }
     for (std::size_t k = 1; k < times.size(); ++k)
         if (!(times[k] > times[k - 1])) {
-            found.push_back({"drive.file", {"the sampled times do not increase at sample " + std::to_string(k + 1),
-                                            shortest(times[k]) + " s follows " + shortest(times[k - 1]) + " s", "Sort the CSV file by time."}});
+            found.push_back(
+                {"drive.file",
+                 {"the sampled times do not increase at sample " + std::to_string(k + 1),
+                  shortest(times[k]) + " s follows " + shortest(times[k - 1]) + " s", "Sort the CSV file by time."}});
             return;
         }
     if (times.front() > 0.0)
-        found.push_back({"drive.file", {"the sampled drive starts at " + shortest(times.front()) + " s", "the simulation starts at 0 s", ""}});
+        found.push_back(
+            {"drive.file",
+             {"the sampled drive starts at " + shortest(times.front()) + " s", "the simulation starts at 0 s", ""}});
     if (times.back() < c.run.duration)
-        found.push_back({"run.duration", {"run.duration = " + shortest(c.run.duration) + " s runs past the sampled drive",
-                                          "it ends at " + shortest(times.back()) + " s", "Shorten run.duration."}});
+        found.push_back({"run.duration",
+                         {"run.duration = " + shortest(c.run.duration) + " s runs past the sampled drive",
+                          "it ends at " + shortest(times.back()) + " s", "Shorten run.duration."}});
 }
 
 void check_drive(const Case& c, std::vector<Finding>& found) {
     if (c.drive.kind == DriveKind::sampled) check_samples(c, found);
     const bool stands_still = c.drive.kind == DriveKind::constant && c.drive.velocity == 0.0;
     if (stands_still)
-        found.push_back({"drive.velocity", {"drive.velocity = 0 moves nothing", "a contact at rest has nothing to judge", "Give it a sign: going is positive."}});
+        found.push_back({"drive.velocity",
+                         {"drive.velocity = 0 moves nothing", "a contact at rest has nothing to judge",
+                          "Give it a sign: going is positive."}});
     if (c.drive.kind == DriveKind::sinusoidal && c.run.duration < 0.5 / c.drive.frequency)
-        found.push_back({"run.duration", {"run.duration = " + shortest(c.run.duration) + " s is shorter than half a period of the drive",
-                                          "no going or coming phase is complete", "Simulate at least " + shortest(1.0 / c.drive.frequency) + " s."}});
+        found.push_back(
+            {"run.duration",
+             {"run.duration = " + shortest(c.run.duration) + " s is shorter than half a period of the drive",
+              "no going or coming phase is complete",
+              "Simulate at least " + shortest(1.0 / c.drive.frequency) + " s."}});
 }
 
 void check_run(const Case& c, std::vector<Finding>& found) {
     if (c.run.window > c.run.duration)
-        found.push_back({"run.window", {"run.window = " + shortest(c.run.window) + " s is longer than run.duration = " + shortest(c.run.duration) + " s",
-                                        "the window is the last part of the simulated time", "Make it at most the duration."}});
+        found.push_back({"run.window",
+                         {"run.window = " + shortest(c.run.window) +
+                              " s is longer than run.duration = " + shortest(c.run.duration) + " s",
+                          "the window is the last part of the simulated time", "Make it at most the duration."}});
     if (c.run.step > c.run.duration)
-        found.push_back({"run.step", {"run.step = " + shortest(c.run.step) + " s is longer than run.duration", "", "Use about 1 us."}});
+        found.push_back(
+            {"run.step",
+             {"run.step = " + shortest(c.run.step) + " s is longer than run.duration", "", "Use about 1 us."}});
     if (c.run.duration / c.run.step > 1e12)
-        found.push_back({"run.step", {"run.duration / run.step asks for more than 1e12 steps", "that would take hours", "Use a larger step."}});
+        found.push_back(
+            {"run.step",
+             {"run.duration / run.step asks for more than 1e12 steps", "that would take hours", "Use a larger step."}});
 }
 
 void check_verdict(const Case& c, std::vector<Finding>& found) {
     if (c.drive.kind == DriveKind::constant || c.verdict.settling + c.verdict.reversal < 1.0) return;
-    found.push_back({"verdict.settling", {"verdict.settling + verdict.reversal = " + shortest(c.verdict.settling + c.verdict.reversal) + " leaves nothing to judge",
-                                          "together they cut the whole phase", "Make their sum less than 1."}});
+    found.push_back({"verdict.settling",
+                     {"verdict.settling + verdict.reversal = " + shortest(c.verdict.settling + c.verdict.reversal) +
+                          " leaves nothing to judge",
+                      "together they cut the whole phase", "Make their sum less than 1."}});
 }
 
 }  // namespace

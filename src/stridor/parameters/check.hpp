@@ -1,10 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "stridor/base/error.hpp"
 #include "stridor/parameters/case.hpp"
+
+#include <string>
+#include <vector>
 
 namespace stridor::parameters {
 

@@ -1,14 +1,14 @@
 #include "stridor/parameters/field.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-
 #include "stridor/base/error.hpp"
 #include "stridor/base/hash.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
 
 namespace stridor::parameters {
 
@@ -25,12 +25,24 @@ constexpr std::array<std::string_view, 3> drive_names{"sinusoidal", "constant", 
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
 constexpr std::array<std::string_view, 1> engine_names{"beta_2"};
 
-bool always(const Case&) { return true; }
-bool is_sinusoidal(const Case& c) { return c.drive.kind == DriveKind::sinusoidal; }
-bool is_constant(const Case& c) { return c.drive.kind == DriveKind::constant; }
-bool is_sampled(const Case& c) { return c.drive.kind == DriveKind::sampled; }
-bool has_phases(const Case& c) { return !is_constant(c); }
-bool starts_sliding(const Case& c) { return c.run.initial == Initial::sliding; }
+bool always(const Case&) {
+    return true;
+}
+bool is_sinusoidal(const Case& c) {
+    return c.drive.kind == DriveKind::sinusoidal;
+}
+bool is_constant(const Case& c) {
+    return c.drive.kind == DriveKind::constant;
+}
+bool is_sampled(const Case& c) {
+    return c.drive.kind == DriveKind::sampled;
+}
+bool has_phases(const Case& c) {
+    return !is_constant(c);
+}
+bool starts_sliding(const Case& c) {
+    return c.run.initial == Initial::sliding;
+}
 
 template <auto part, auto member>
 Quantity quantity(std::string_view unit, Range range) {
@@ -52,41 +64,69 @@ const std::array table{
     Field{"", "title", "", "what this case is, in a few words", title, always},
 
     Field{"joint", "mass", "m1", "mass of the joint", quantity<&Case::joint, &Joint::mass>("kg", positive), always},
-    Field{"joint", "axial_stiffness", "k1i", "traction-compression stiffness of the joint, along its axis", quantity<&Case::joint, &Joint::axial_stiffness>("N/m", positive), always},
-    Field{"joint", "flexural_stiffness", "k1j", "bending stiffness of the joint, across its axis", quantity<&Case::joint, &Joint::flexural_stiffness>("N/m", positive), always},
-    Field{"joint", "axial_damping", "c1i", "damping along the joint's axis", quantity<&Case::joint, &Joint::axial_damping>("N*s/m", not_negative), always},
-    Field{"joint", "flexural_damping", "c1j", "damping across the joint's axis", quantity<&Case::joint, &Joint::flexural_damping>("N*s/m", not_negative), always},
-    Field{"joint", "incidence_angle", "alpha", "angle from the plate's direction of motion to the joint's axis", quantity<&Case::joint, &Joint::incidence_angle>("deg", Range{-360.0, 360.0}), always},
+    Field{"joint", "axial_stiffness", "k1i", "traction-compression stiffness of the joint, along its axis",
+          quantity<&Case::joint, &Joint::axial_stiffness>("N/m", positive), always},
+    Field{"joint", "flexural_stiffness", "k1j", "bending stiffness of the joint, across its axis",
+          quantity<&Case::joint, &Joint::flexural_stiffness>("N/m", positive), always},
+    Field{"joint", "axial_damping", "c1i", "damping along the joint's axis",
+          quantity<&Case::joint, &Joint::axial_damping>("N*s/m", not_negative), always},
+    Field{"joint", "flexural_damping", "c1j", "damping across the joint's axis",
+          quantity<&Case::joint, &Joint::flexural_damping>("N*s/m", not_negative), always},
+    Field{"joint", "incidence_angle", "alpha", "angle from the plate's direction of motion to the joint's axis",
+          quantity<&Case::joint, &Joint::incidence_angle>("deg", Range{-360.0, 360.0}), always},
 
-    Field{"plate", "mass", "m2", "moving mass of the plate", quantity<&Case::plate, &Plate::mass>("kg", positive), always},
-    Field{"plate", "stiffness", "k2y", "bending stiffness of the plate", quantity<&Case::plate, &Plate::stiffness>("N/m", positive), always},
-    Field{"plate", "damping", "c2y", "bending damping of the plate", quantity<&Case::plate, &Plate::damping>("N*s/m", not_negative), always},
+    Field{"plate", "mass", "m2", "moving mass of the plate", quantity<&Case::plate, &Plate::mass>("kg", positive),
+          always},
+    Field{"plate", "stiffness", "k2y", "bending stiffness of the plate",
+          quantity<&Case::plate, &Plate::stiffness>("N/m", positive), always},
+    Field{"plate", "damping", "c2y", "bending damping of the plate",
+          quantity<&Case::plate, &Plate::damping>("N*s/m", not_negative), always},
 
-    Field{"contact", "preload", "F", "force that presses joint and plate together at rest", quantity<&Case::contact, &Contact::preload>("N", positive), always},
-    Field{"contact", "static_friction", "mu_s", "friction coefficient while sticking", quantity<&Case::contact, &Contact::static_friction>("1", not_negative), always},
-    Field{"contact", "kinetic_friction", "mu_d", "friction coefficient while slipping, at most mu_s", quantity<&Case::contact, &Contact::kinetic_friction>("1", not_negative), always},
-    Field{"contact", "impact", "", "what happens when a separation ends", choice<&Case::contact, &Contact::impact, ImpactLaw>(impact_names), always},
+    Field{"contact", "preload", "F", "force that presses joint and plate together at rest",
+          quantity<&Case::contact, &Contact::preload>("N", positive), always},
+    Field{"contact", "static_friction", "mu_s", "friction coefficient while sticking",
+          quantity<&Case::contact, &Contact::static_friction>("1", not_negative), always},
+    Field{"contact", "kinetic_friction", "mu_d", "friction coefficient while slipping, at most mu_s",
+          quantity<&Case::contact, &Contact::kinetic_friction>("1", not_negative), always},
+    Field{"contact", "impact", "", "what happens when a separation ends",
+          choice<&Case::contact, &Contact::impact, ImpactLaw>(impact_names), always},
 
-    Field{"drive", "kind", "", "how the plate is moved", choice<&Case::drive, &Drive::kind, DriveKind>(drive_names), always},
-    Field{"drive", "amplitude", "A_exc", "displacement amplitude of the plate", quantity<&Case::drive, &Drive::amplitude>("m", positive), is_sinusoidal},
-    Field{"drive", "frequency", "f_exc", "frequency of the plate's motion", quantity<&Case::drive, &Drive::frequency>("Hz", positive), is_sinusoidal},
-    Field{"drive", "velocity", "V", "velocity of the plate; going if positive, coming if negative", quantity<&Case::drive, &Drive::velocity>("m/s", any), is_constant},
+    Field{"drive", "kind", "", "how the plate is moved", choice<&Case::drive, &Drive::kind, DriveKind>(drive_names),
+          always},
+    Field{"drive", "amplitude", "A_exc", "displacement amplitude of the plate",
+          quantity<&Case::drive, &Drive::amplitude>("m", positive), is_sinusoidal},
+    Field{"drive", "frequency", "f_exc", "frequency of the plate's motion",
+          quantity<&Case::drive, &Drive::frequency>("Hz", positive), is_sinusoidal},
+    Field{"drive", "velocity", "V", "velocity of the plate; going if positive, coming if negative",
+          quantity<&Case::drive, &Drive::velocity>("m/s", any), is_constant},
     Field{"drive", "file", "", "CSV file with the columns time and velocity", drive_file, is_sampled},
 
     Field{"run", "duration", "", "simulated time", quantity<&Case::run, &Run::duration>("s", positive), always},
-    Field{"run", "window", "", "last part of the simulated time, from which all figures are taken", quantity<&Case::run, &Run::window>("s", positive), always},
-    Field{"run", "initial", "", "how the motion starts", choice<&Case::run, &Run::initial, Initial>(initial_names), always},
-    Field{"run", "perturbation", "", "tangential velocity added to the steady sliding joint at the start", quantity<&Case::run, &Run::perturbation>("m/s", any), starts_sliding},
-    Field{"run", "engine", "", "how the motion is computed", choice<&Case::run, &Run::engine, Engine>(engine_names), always},
+    Field{"run", "window", "", "last part of the simulated time, from which all figures are taken",
+          quantity<&Case::run, &Run::window>("s", positive), always},
+    Field{"run", "initial", "", "how the motion starts", choice<&Case::run, &Run::initial, Initial>(initial_names),
+          always},
+    Field{"run", "perturbation", "", "tangential velocity added to the steady sliding joint at the start",
+          quantity<&Case::run, &Run::perturbation>("m/s", any), starts_sliding},
+    Field{"run", "engine", "", "how the motion is computed", choice<&Case::run, &Run::engine, Engine>(engine_names),
+          always},
     Field{"run", "step", "h", "time step", quantity<&Case::run, &Run::step>("s", positive), always},
-    Field{"run", "beta_2", "beta_2", "0.5: central difference, second order; above it numerical damping, first order", quantity<&Case::run, &Run::beta_2>("1", Range{0.5, 1.0}), always},
+    Field{"run", "beta_2", "beta_2", "0.5: central difference, second order; above it numerical damping, first order",
+          quantity<&Case::run, &Run::beta_2>("1", Range{0.5, 1.0}), always},
 
-    Field{"verdict", "settling", "", "share of each going or coming phase cut at its start, while the reversal rings down", quantity<&Case::verdict, &Thresholds::settling>("1", share), has_phases},
-    Field{"verdict", "reversal", "", "share of each going or coming phase cut at its end, where the drive slows down", quantity<&Case::verdict, &Thresholds::reversal>("1", share), has_phases},
-    Field{"verdict", "quiet_slip", "", "slip share from which a motion makes no noise", quantity<&Case::verdict, &Thresholds::quiet_slip>("1", share), always},
-    Field{"verdict", "creak_stick", "", "stick share from which a noisy motion is creak", quantity<&Case::verdict, &Thresholds::creak_stick>("1", share), always},
-    Field{"verdict", "squeal_regularity", "", "regularity from which a noisy motion is squeal, below it squeak", quantity<&Case::verdict, &Thresholds::squeal_regularity>("1", share), always},
-    Field{"verdict", "least_intervals", "", "fewest repeated intervals that can be judged; fewer are undecided", quantity<&Case::verdict, &Thresholds::least_intervals>("1", Range{2.0, 1000.0}), always},
+    Field{"verdict", "settling", "",
+          "share of each going or coming phase cut at its start, while the reversal rings down",
+          quantity<&Case::verdict, &Thresholds::settling>("1", share), has_phases},
+    Field{"verdict", "reversal", "", "share of each going or coming phase cut at its end, where the drive slows down",
+          quantity<&Case::verdict, &Thresholds::reversal>("1", share), has_phases},
+    Field{"verdict", "quiet_slip", "", "slip share from which a motion makes no noise",
+          quantity<&Case::verdict, &Thresholds::quiet_slip>("1", share), always},
+    Field{"verdict", "creak_stick", "", "stick share from which a noisy motion is creak",
+          quantity<&Case::verdict, &Thresholds::creak_stick>("1", share), always},
+    Field{"verdict", "squeal_regularity", "", "regularity from which a noisy motion is squeal, below it squeak",
+          quantity<&Case::verdict, &Thresholds::squeal_regularity>("1", share), always},
+    Field{"verdict", "least_intervals", "", "fewest repeated intervals that can be judged; fewer are undecided",
+          quantity<&Case::verdict, &Thresholds::least_intervals>("1", Range{2.0, 1000.0}), always},
 };
 
 bool contains(const Range& range, double value) {
@@ -96,7 +136,8 @@ bool contains(const Range& range, double value) {
 
 std::string range_text(const Range& range, std::string_view unit) {
     const std::string suffix = unit == "1" ? "" : " " + std::string(unit);
-    if (range.high == infinity) return (range.low_end == Range::Low::open ? "above " : "at least ") + base::shortest(range.low) + suffix;
+    if (range.high == infinity)
+        return (range.low_end == Range::Low::open ? "above " : "at least ") + base::shortest(range.low) + suffix;
     return "between " + base::shortest(range.low) + " and " + base::shortest(range.high) + suffix;
 }
 
@@ -107,22 +148,27 @@ void set_choice(Case& c, const Choice& choice, const std::string& key, std::stri
         return;
     }
     std::string options;
-    for (const std::string_view name : choice.names) options += (options.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+    for (const std::string_view name : choice.names)
+        options += (options.empty() ? "\"" : ", \"") + std::string(name) + "\"";
     const std::string_view near = base::nearest_name(text, choice.names);
-    throw Error(ErrorKind::input, {key + " = \"" + std::string(text) + "\" is not one of its choices", "choices: " + options,
-                                   near.empty() ? "" : "Did you mean \"" + std::string(near) + "\"?"});
+    throw Error(ErrorKind::input,
+                {key + " = \"" + std::string(text) + "\" is not one of its choices", "choices: " + options,
+                 near.empty() ? "" : "Did you mean \"" + std::string(near) + "\"?"});
 }
 
 }  // namespace
 
-std::span<const Field> fields() { return table; }
+std::span<const Field> fields() {
+    return table;
+}
 
 std::string key_of(const Field& field) {
     return field.section.empty() ? std::string(field.name) : std::string(field.section) + "." + std::string(field.name);
 }
 
 const Field* find_field(std::string_view key) {
-    const auto found = std::find_if(table.begin(), table.end(), [&](const Field& field) { return key_of(field) == key; });
+    const auto found =
+        std::find_if(table.begin(), table.end(), [&](const Field& field) { return key_of(field) == key; });
     return found == table.end() ? nullptr : &*found;
 }
 
@@ -154,9 +200,10 @@ double get_quantity(const Case& c, const Field& field) {
 void set_quantity(Case& c, const Field& field, double value) {
     const auto& quantity = std::get<Quantity>(field.kind);
     if (!std::isfinite(value) || !contains(quantity.range, value))
-        throw Error(ErrorKind::input,
-                    {key_of(field) + " = " + base::shortest(value) + " is out of range",
-                     "it must be " + (std::isfinite(value) ? range_text(quantity.range, quantity.unit) : std::string("finite")), ""});
+        throw Error(ErrorKind::input, {key_of(field) + " = " + base::shortest(value) + " is out of range",
+                                       "it must be " + (std::isfinite(value) ? range_text(quantity.range, quantity.unit)
+                                                                             : std::string("finite")),
+                                       ""});
     quantity.set(c, value);
 }
 
@@ -175,14 +222,16 @@ std::string value_text(const Case& c, const Field& field) {
         const std::string number = base::shortest(get_quantity(c, field));
         return quantity->unit == "1" ? number : number + " " + std::string(quantity->unit);
     }
-    if (const auto* choice = std::get_if<Choice>(&field.kind)) return std::string(choice->names[static_cast<std::size_t>(choice->get(c))]);
+    if (const auto* choice = std::get_if<Choice>(&field.kind))
+        return std::string(choice->names[static_cast<std::size_t>(choice->get(c))]);
     return std::get<Text>(field.kind).get(c);
 }
 
 std::string canonical_text(const Case& c) {
     std::string text;
     for (const Field& field : table) {
-        const bool names_a_thing = std::holds_alternative<Text>(field.kind);  // a title or a file name changes no result
+        const bool names_a_thing =
+            std::holds_alternative<Text>(field.kind);  // a title or a file name changes no result
         if (field.belongs(c) && !names_a_thing) text += key_of(field) + " = " + value_text(c, field) + "\n";
     }
     if (c.drive.kind == DriveKind::sampled) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/parameters/case.hpp"
+
 #include <limits>
 #include <optional>
 #include <span>
@@ -7,8 +9,6 @@
 #include <string_view>
 #include <variant>
 #include <vector>
-
-#include "stridor/parameters/case.hpp"
 
 /// The field table: each thing a user can set stands here once. TOML keys, `--set`, chart axes, help, files and
 /// the canonical text of a case are all generated from it.

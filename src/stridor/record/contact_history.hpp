@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "stridor/model/contact_state.hpp"
+
+#include <vector>
 
 namespace stridor::record {
 

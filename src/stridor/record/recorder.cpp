@@ -1,10 +1,10 @@
 #include "stridor/record/recorder.hpp"
 
+#include "stridor/base/check.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
-
-#include "stridor/base/check.hpp"
 
 namespace stridor::record {
 
@@ -15,7 +15,8 @@ constexpr double parting = std::numeric_limits<double>::quiet_NaN();
 void append(Instants& instants, double time) {
     const std::size_t most = 2 * Instants::kept;
     if (instants.times.size() >= most)
-        instants.times.erase(instants.times.begin(), instants.times.begin() + static_cast<std::ptrdiff_t>(Instants::kept));
+        instants.times.erase(instants.times.begin(),
+                             instants.times.begin() + static_cast<std::ptrdiff_t>(Instants::kept));
     instants.times.push_back(time);
 }
 
@@ -35,7 +36,8 @@ Recorder::Recorder(Schedule schedule, Request request, int dofs) : schedule_(std
 }
 
 Tally* Recorder::tally_of(Phase phase) {
-    const auto found = std::find_if(record_.phases.begin(), record_.phases.end(), [&](const Tally& tally) { return tally.phase == phase; });
+    const auto found = std::find_if(record_.phases.begin(), record_.phases.end(),
+                                    [&](const Tally& tally) { return tally.phase == phase; });
     return found == record_.phases.end() ? nullptr : &*found;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <vector>
-
 #include "stridor/record/contact_history.hpp"
 #include "stridor/record/tally.hpp"
 #include "stridor/record/trace.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
 
 namespace stridor::record {
 

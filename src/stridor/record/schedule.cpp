@@ -24,7 +24,8 @@ std::vector<HalfPeriod> sinusoidal_phases(const Case& c) {
     const auto count = static_cast<long>(std::ceil(c.run.duration / half_period)) + 2;
     for (long k = 0; k < count; ++k) {
         const auto number = static_cast<double>(k);
-        halves.push_back({(number - 0.5) * half_period, (number + 0.5) * half_period, k % 2 == 0 ? Phase::going : Phase::coming});
+        halves.push_back(
+            {(number - 0.5) * half_period, (number + 0.5) * half_period, k % 2 == 0 ? Phase::going : Phase::coming});
     }
     return halves;
 }
@@ -80,10 +81,14 @@ Schedule schedule(const Case& c) {
         plan.phases = {Phase::all};
         return plan;
     }
-    const std::vector<HalfPeriod> halves = c.drive.kind == DriveKind::sinusoidal ? sinusoidal_phases(c) : sampled_phases(c);
-    for (const HalfPeriod& half : halves) add_phase(plan.spans, c, half);
+    const std::vector<HalfPeriod> halves =
+        c.drive.kind == DriveKind::sinusoidal ? sinusoidal_phases(c) : sampled_phases(c);
+    for (const HalfPeriod& half : halves)
+        add_phase(plan.spans, c, half);
     for (const Phase phase : {Phase::going, Phase::coming}) {
-        const bool occurs = std::any_of(plan.spans.begin(), plan.spans.end(), [&](const Span& span) { return span.phase == phase && span.use != Use::unused; });
+        const bool occurs = std::any_of(plan.spans.begin(), plan.spans.end(), [&](const Span& span) {
+            return span.phase == phase && span.use != Use::unused;
+        });
         if (occurs) plan.phases.push_back(phase);
     }
     return plan;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "stridor/parameters/case.hpp"
+
 #include <array>
 #include <string_view>
 #include <vector>
-
-#include "stridor/parameters/case.hpp"
 
 namespace stridor::record {
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "stridor/model/contact_state.hpp"
+#include "stridor/record/schedule.hpp"
+
 #include <array>
 #include <cstddef>
 #include <vector>
-
-#include "stridor/model/contact_state.hpp"
-#include "stridor/record/schedule.hpp"
 
 namespace stridor::record {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "stridor/model/contact_state.hpp"
+
+#include <vector>
 
 namespace stridor::record {
 
@@ -15,14 +15,14 @@ struct TraceRequest {
 
 /// Sampled motion, all vectors of shape [sample], those per degree of freedom of shape [dof][sample].
 struct Trace {
-    std::vector<double> time;                        // [s]
-    std::vector<std::vector<double>> displacement;   // [m] u
-    std::vector<std::vector<double>> velocity;       // [m/s] u'
-    std::vector<std::vector<double>> acceleration;   // [m/s^2] u''
-    std::vector<double> surface_velocity;            // [m/s] V
-    std::vector<double> normal_force;                // [N] N on mass 1
-    std::vector<double> friction_force;              // [N] T on mass 1
-    std::vector<double> gap;                         // [m] g
+    std::vector<double> time;                       // [s]
+    std::vector<std::vector<double>> displacement;  // [m] u
+    std::vector<std::vector<double>> velocity;      // [m/s] u'
+    std::vector<std::vector<double>> acceleration;  // [m/s^2] u''
+    std::vector<double> surface_velocity;           // [m/s] V
+    std::vector<double> normal_force;               // [N] N on mass 1
+    std::vector<double> friction_force;             // [N] T on mass 1
+    std::vector<double> gap;                        // [m] g
     std::vector<model::ContactState> state;
 };
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "stridor/record/tally.hpp"
+
+namespace stridor::analysis {
+
+/// Reference velocity of velocity levels [m/s] (ISO 1683: 1e-9 m/s).
+inline constexpr double reference_velocity = 1e-9;
+
+/// Vibration level of one body over the judged time. It is the vibration of the model's masses, not a sound pressure.
+struct Level {
+    double rms = 0.0;            // [m/s] root mean square of the velocity vector
+    double peak = 0.0;           // [m/s] largest single component of the velocity
+    double decibels = 0.0;       // [dB re 1e-9 m/s] of the root mean square; -infinity at rest
+    double peak_decibels = 0.0;  // [dB re 1e-9 m/s] of the peak
+};
+
+/// Levels of the paper's two bodies.
+struct Levels {
+    Level joint;  // mass 1: (x1', y1')
+    Level plate;  // mass 2: y2'
+};
+
+/// Levels from a tally of the rubbing system, degrees of freedom (x1, y1, y2). NaN where nothing was judged.
+Levels levels(const record::Tally& tally);
+
+}  // namespace stridor::analysis

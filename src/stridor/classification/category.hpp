@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace stridor::classification {
+
+/// The categories of the paper, and `undecided` where the evidence is too thin. A cell that could not be computed has
+/// no category at all: it carries a status.
+enum class Category { none, squeal, squeak, creak, undecided };
+
+inline constexpr std::array<std::string_view, 5> category_names{"none", "squeal", "squeak", "creak", "undecided"};
+
+constexpr std::string_view name(Category category) {
+    return category_names[static_cast<std::size_t>(category)];
+}
+
+}  // namespace stridor::classification

@@ -1,0 +1,57 @@
+#include "stridor/classification/contact_rules.hpp"
+
+#include <fmt/format.h>
+
+namespace stridor::classification {
+
+namespace {
+
+Margin margin(std::string_view threshold_name, std::string_view figure_name, double figure, double threshold) {
+    return {threshold_name, figure_name, figure, threshold, figure - threshold};
+}
+
+std::string percent(double share) {
+    return fmt::format("{:.1f} %", 100.0 * share);
+}
+
+}  // namespace
+
+Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds) {
+    const analysis::Rates& rates = evidence.judged_rates;
+    const analysis::Alternation& alternation = evidence.alternation;
+    Verdict verdict;
+    verdict.evidence = evidence;
+    verdict.margins = {
+        margin("quiet_slip", "judged slip rate", rates.slip, thresholds.quiet_slip),
+        margin("creak_stick", "judged stick rate", rates.stick, thresholds.creak_stick),
+        margin("least_intervals", "intervals", static_cast<double>(alternation.intervals), thresholds.least_intervals),
+        margin("squeal_regularity", "regularity", alternation.regularity, thresholds.squeal_regularity),
+    };
+    const auto decide = [&](Category category, std::string reason) {
+        verdict.category = category;
+        verdict.reasons.push_back(std::move(reason));
+        return verdict;
+    };
+
+    if (!(evidence.judged_time > 0.0)) return decide(Category::undecided, "no complete phase lies in the window");
+    if (rates.slip >= thresholds.quiet_slip)
+        return decide(Category::none,
+                      fmt::format("slips {} of the judged time: nothing alternates", percent(rates.slip)));
+    const bool is_stuck = rates.stick >= 1.0;
+    if (is_stuck)
+        return decide(Category::none, "sticks throughout: the joint moves with the plate and nothing alternates");
+    verdict.reasons.push_back(fmt::format("slips only {} of the judged time", percent(rates.slip)));
+    if (rates.stick >= thresholds.creak_stick)
+        return decide(Category::creak, fmt::format("stick predominates with {}", percent(rates.stick)));
+    const bool is_thin =
+        static_cast<double>(alternation.intervals) < thresholds.least_intervals || !(alternation.regularity >= 0.0);
+    if (is_thin)
+        return decide(Category::undecided,
+                      fmt::format("only {} intervals between changes of state", alternation.intervals));
+    const bool is_regular = alternation.regularity >= thresholds.squeal_regularity;
+    return decide(is_regular ? Category::squeal : Category::squeak,
+                  fmt::format("states alternate {} (regularity {:.3f})", is_regular ? "regularly" : "irregularly",
+                              alternation.regularity));
+}
+
+}  // namespace stridor::classification

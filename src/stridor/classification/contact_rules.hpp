@@ -1,0 +1,21 @@
+#pragma once
+
+#include "stridor/analysis/evidence.hpp"
+#include "stridor/classification/verdict.hpp"
+#include "stridor/parameters/case.hpp"
+
+namespace stridor::classification {
+
+/// The category of one phase from its contact states (Elmaian et al. 2012, section 3.2), by these rules in this order:
+///
+///     slip share >= quiet_slip                   none    only slip, or stuck throughout: nothing alternates
+///     stick share >= creak_stick                 creak   stick predominates
+///     fewer than least_intervals repeats         undecided
+///     regularity >= squeal_regularity            squeal  states alternate regularly
+///     otherwise                                  squeak
+///
+/// Shares are those of the judged part. Stick dominance comes before regularity because a creak may be regular too.
+/// A vibration pattern is named, not a sound: docs/methods/verdict.md says what that leaves out.
+Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds);
+
+}  // namespace stridor::classification

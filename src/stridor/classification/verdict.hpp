@@ -1,0 +1,29 @@
+#pragma once
+
+#include "stridor/analysis/evidence.hpp"
+#include "stridor/classification/category.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::classification {
+
+/// A figure beside the threshold it was held against. `distance` = figure - threshold: its sign says which side.
+struct Margin {
+    std::string_view threshold_name;  // "quiet_slip", the key in [verdict]
+    std::string_view figure_name;     // "judged slip rate"
+    double figure = 0.0;              // [1]
+    double threshold = 0.0;           // [1]
+    double distance = 0.0;            // [1]
+};
+
+/// A category with the figures it was made from, how far each lies from its threshold, and why.
+struct Verdict {
+    Category category = Category::undecided;
+    analysis::Evidence evidence;
+    std::vector<Margin> margins;       // in the order the rules look at them; those never reached are listed too
+    std::vector<std::string> reasons;  // sentences, in the order of the rules
+};
+
+}  // namespace stridor::classification

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "stridor/parameters/case.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::sweep {
+
+enum class Scale { linear, logarithmic };
+
+inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
+
+/// One axis of a chart: a quantity of the field table and the values it takes, both ends included.
+struct Axis {
+    std::string parameter;  // "contact.preload"
+    double from = 0.0;      // in the field's unit (SI, angles in deg)
+    double to = 1.0;
+    int points = 2;  // [1] at least 2
+    Scale scale = Scale::linear;
+};
+
+/// Value number `index` of an axis, 0 <= index < points: the same bits on every machine, ends exact.
+double value_at(const Axis& axis, int index);
+
+/// A chart to be computed: a case, two of its quantities as axes, and the directions to look at.
+///
+/// A constant drive is run once per direction, with V = +-|velocity|. Other drives give both directions in one run.
+struct Study {
+    parameters::Case base;
+    Axis x;
+    Axis y;
+    std::vector<parameters::Direction> directions{parameters::Direction::going, parameters::Direction::coming};
+    std::vector<std::string> quantities{"category"};  // what to draw: "category" or names of `cell_figures`
+};
+
+/// Number of cells: x.points * y.points * directions.
+std::size_t cell_count(const Study& study);
+
+/// Where a cell stands: index = (direction * y.points + iy) * x.points + ix.
+struct CellPlace {
+    std::size_t direction = 0;  // into study.directions
+    int iy = 0;
+    int ix = 0;
+};
+CellPlace place_of(const Study& study, std::size_t index);
+
+/// The case of one cell: the base case with the axes' values and the direction put in.
+parameters::Case case_at(const Study& study, const CellPlace& place);
+
+/// Throws `Error` (input) for an axis that is no quantity, has an end outside its range, too few points, a logarithm of
+/// something not positive, two equal axes, no direction, or an unknown quantity to draw.
+void check(const Study& study);
+
+/// All that decides the results, as text: the canonical case and the axes. A store belongs to exactly one such text.
+std::string canonical_text(const Study& study);
+
+/// The command that runs one cell alone: "stridor simulate FILE --set contact.preload=20 ...".
+std::string reproduce_command(const Study& study, const CellPlace& place, const std::string& file);
+
+}  // namespace stridor::sweep
