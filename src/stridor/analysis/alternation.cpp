@@ -2,106 +2,136 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace stridor::analysis {
 
 namespace {
 
-using model::ContactState;
-
+// a kind of beat must be present over this share of the judged time to speak for the motion
+constexpr double least_cover = 0.8;
 // lags whose mismatch lies this close to the best one repeat as well: the smallest of them is the period
 constexpr double same_mismatch = 0.01;
 // a best mismatch above this is no repetition, and a "period" of several intervals would be chance
 constexpr double no_repetition = 0.2;
 // fewest pairs of intervals a lag is judged from
 constexpr std::size_t least_pairs = 3;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-using Stretches = std::vector<std::vector<double>>;
+// the intervals of one kind of beat, parted where the judged time is
+struct Beat {
+    model::ContactState from = model::ContactState::slip;
+    model::ContactState to = model::ContactState::stick;
+    std::vector<std::vector<double>> stretches;  // [s]
+    long intervals = 0;
+    double mean = 0.0;   // [s]
+    double cover = 0.0;  // [s] sum of the intervals
+    std::array<double, largest_lag> mismatch{};
+};
 
-// instants of all changes into a state, in order, parted where the tally parts them
-std::vector<std::vector<double>> beats(const record::Tally& tally, ContactState into) {
-    std::vector<std::vector<double>> merged;
-    for (std::size_t from = 0; from < static_cast<std::size_t>(model::contact_states); ++from) {
-        const record::Instants& instants = tally.changes[record::change_kind(static_cast<ContactState>(from), into)];
-        std::size_t stretch = 0;
-        for (const double time : instants.times) {
-            if (std::isnan(time)) {
-                ++stretch;
-                continue;
-            }
-            if (merged.size() <= stretch) merged.resize(stretch + 1);
-            merged[stretch].push_back(time);
-        }
-    }
-    for (std::vector<double>& stretch : merged)
-        std::sort(stretch.begin(), stretch.end());
-    return merged;
+// mean |d(i+lag) - d(i)| / mean; infinite with too few pairs
+double mismatch(const Beat& beat, std::size_t lag) {
+    double sum = 0.0;
+    std::size_t pairs = 0;
+    for (const std::vector<double>& stretch : beat.stretches)
+        for (std::size_t k = 0; k + lag < stretch.size(); ++k, ++pairs)
+            sum += std::abs(stretch[k + lag] - stretch[k]);
+    return pairs < least_pairs ? infinity : sum / static_cast<double>(pairs) / beat.mean;
 }
 
-Stretches intervals_between(const std::vector<std::vector<double>>& instants) {
-    Stretches stretches;
-    for (const std::vector<double>& stretch : instants) {
-        std::vector<double> lengths;
-        for (std::size_t k = 1; k < stretch.size(); ++k)
-            lengths.push_back(stretch[k] - stretch[k - 1]);
-        if (!lengths.empty()) stretches.push_back(std::move(lengths));
+std::vector<std::vector<double>> intervals_of(const record::Instants& instants) {
+    std::vector<std::vector<double>> stretches(1);
+    double last = std::numeric_limits<double>::quiet_NaN();
+    for (const double time : instants.times) {
+        if (std::isnan(time)) {
+            if (!stretches.back().empty()) stretches.emplace_back();
+        } else if (!std::isnan(last)) {
+            stretches.back().push_back(time - last);
+        }
+        last = time;
     }
     return stretches;
 }
 
-long count_of(const Stretches& stretches) {
-    long count = 0;
-    for (const std::vector<double>& stretch : stretches)
-        count += static_cast<long>(stretch.size());
-    return count;
+std::optional<Beat> beat_of(const record::Tally& tally, model::ContactState from, model::ContactState to) {
+    Beat beat{from, to, intervals_of(tally.changes[record::change_kind(from, to)])};
+    for (const std::vector<double>& stretch : beat.stretches) {
+        for (const double length : stretch)
+            beat.cover += length;
+        beat.intervals += static_cast<long>(stretch.size());
+    }
+    if (beat.intervals == 0) return std::nullopt;
+    beat.mean = beat.cover / static_cast<double>(beat.intervals);
+    for (std::size_t lag = 1; lag <= largest_lag; ++lag)
+        beat.mismatch[lag - 1] = mismatch(beat, lag);
+    return beat;
 }
 
-// mean |d(i+lag) - d(i)| / mean; infinite with too few pairs
-double mismatch(const Stretches& stretches, std::size_t lag, double mean) {
-    double sum = 0.0;
-    std::size_t pairs = 0;
-    for (const std::vector<double>& stretch : stretches)
-        for (std::size_t k = 0; k + lag < stretch.size(); ++k, ++pairs)
-            sum += std::abs(stretch[k + lag] - stretch[k]);
-    return pairs < least_pairs ? std::numeric_limits<double>::infinity() : sum / static_cast<double>(pairs) / mean;
+double variation(const Beat& beat) {
+    double squares = 0.0;
+    for (const std::vector<double>& stretch : beat.stretches)
+        for (const double length : stretch)
+            squares += (length - beat.mean) * (length - beat.mean);
+    return std::sqrt(squares / static_cast<double>(beat.intervals)) / beat.mean;
+}
+
+// kinds of beat that speak for the motion; where none covers enough, the one that covers most
+std::vector<Beat> speaking_beats(const record::Tally& tally) {
+    std::vector<Beat> all;
+    for (std::size_t from = 0; from < model::contact_states; ++from)
+        for (std::size_t to = 0; to < model::contact_states; ++to)
+            if (std::optional<Beat> beat =
+                    beat_of(tally, static_cast<model::ContactState>(from), static_cast<model::ContactState>(to)))
+                all.push_back(*std::move(beat));
+    if (all.empty()) return all;
+    // old instants are dropped, so cover is held against the longest record of any kind
+    const double longest =
+        std::max_element(all.begin(), all.end(), [](const Beat& a, const Beat& b) { return a.cover < b.cover; })->cover;
+    std::erase_if(all, [&](const Beat& beat) { return beat.cover < least_cover * longest; });
+    return all;
 }
 
 }  // namespace
 
 Alternation alternation(const record::Tally& tally) {
-    const Stretches sticks = intervals_between(beats(tally, ContactState::stick));
-    const Stretches lifts = intervals_between(beats(tally, ContactState::separation));
     Alternation result;
-    result.beat = count_of(lifts) > count_of(sticks) ? ContactState::separation : ContactState::stick;
-    const Stretches& stretches = result.beat == ContactState::separation ? lifts : sticks;
-    result.intervals = count_of(stretches);
-    if (result.intervals == 0) return result;
+    result.mismatch.fill(infinity);
+    const std::vector<Beat> beats = speaking_beats(tally);
+    if (beats.empty()) return result;
 
-    double sum = 0.0;
-    for (const std::vector<double>& stretch : stretches)
-        for (const double length : stretch)
-            sum += length;
-    const double mean = sum / static_cast<double>(result.intervals);
-    double squares = 0.0;
-    for (const std::vector<double>& stretch : stretches)
-        for (const double length : stretch)
-            squares += (length - mean) * (length - mean);
-    result.variation = std::sqrt(squares / static_cast<double>(result.intervals)) / mean;
+    // of beats alike in regularity the more frequent one is named, so that a few rounding errors do not choose
+    const auto more_regular = [](const Beat& a, const Beat& b) {
+        const double difference = a.mismatch[0] - b.mismatch[0];
+        return std::abs(difference) > same_mismatch ? difference < 0.0 : a.intervals > b.intervals;
+    };
+    const Beat* first = &beats.front();
+    for (const Beat& beat : beats)
+        if (more_regular(beat, *first)) first = &beat;
+    result.from = first->from;
+    result.to = first->to;
+    result.intervals = first->intervals;
+    result.variation = variation(*first);
+    result.frequency = 1.0 / first->mean;
+    result.period = first->mean;
 
-    std::vector<double> mismatches;
-    for (std::size_t lag = 1; lag <= largest_lag; ++lag)
-        mismatches.push_back(mismatch(stretches, lag, mean));
-    const double best = *std::min_element(mismatches.begin(), mismatches.end());
-    if (std::isfinite(best)) result.regularity = std::max(0.0, 1.0 - best);
-    if (best <= no_repetition) {
-        const auto first =
-            std::find_if(mismatches.begin(), mismatches.end(), [&](double m) { return m <= best + same_mismatch; });
-        result.lag = static_cast<int>(first - mismatches.begin()) + 1;
-    }
-    result.period = result.lag * mean;
-    result.frequency = 1.0 / result.period;
-    result.beat_frequency = 1.0 / mean;
+    std::array<const Beat*, largest_lag> best_at{};
+    for (std::size_t lag = 0; lag < largest_lag; ++lag)
+        for (const Beat& beat : beats)
+            if (beat.mismatch[lag] < result.mismatch[lag]) {
+                result.mismatch[lag] = beat.mismatch[lag];
+                best_at[lag] = &beat;
+            }
+    const double best = *std::min_element(result.mismatch.begin(), result.mismatch.end());
+    if (!std::isfinite(best)) return result;
+    if (std::isfinite(result.mismatch[0])) result.regularity = std::max(0.0, 1.0 - result.mismatch[0]);
+    result.repetition = std::max(0.0, 1.0 - best);
+    if (best > no_repetition) return result;
+    const auto repeats = std::find_if(result.mismatch.begin(), result.mismatch.end(),
+                                      [&](double m) { return m <= best + same_mismatch; });
+    const auto lag = static_cast<std::size_t>(repeats - result.mismatch.begin());
+    result.lag = static_cast<int>(lag) + 1;
+    result.period = static_cast<double>(lag + 1) * best_at[lag]->mean;
     return result;
 }
 

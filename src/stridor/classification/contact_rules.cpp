@@ -2,12 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace stridor::classification {
 
 namespace {
 
 Margin margin(std::string_view threshold_name, std::string_view figure_name, double figure, double threshold) {
     return {threshold_name, figure_name, figure, threshold, figure - threshold};
+}
+
+// equal beats at lag 1; with more beats allowed, the best of the lags up to that many
+double regularity_within(const analysis::Alternation& alternation, double beats) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto lags = std::min(static_cast<std::size_t>(beats), analysis::largest_lag);
+    for (std::size_t lag = 0; lag < lags; ++lag)
+        least = std::min(least, alternation.mismatch[lag]);
+    return std::isfinite(least) ? std::max(0.0, 1.0 - least) : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string percent(double share) {
@@ -19,13 +32,14 @@ std::string percent(double share) {
 Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds) {
     const analysis::Rates& rates = evidence.judged_rates;
     const analysis::Alternation& alternation = evidence.alternation;
+    const double regularity = regularity_within(alternation, thresholds.squeal_beats);
     Verdict verdict;
     verdict.evidence = evidence;
     verdict.margins = {
         margin("quiet_slip", "judged slip rate", rates.slip, thresholds.quiet_slip),
         margin("creak_stick", "judged stick rate", rates.stick, thresholds.creak_stick),
         margin("least_intervals", "intervals", static_cast<double>(alternation.intervals), thresholds.least_intervals),
-        margin("squeal_regularity", "regularity", alternation.regularity, thresholds.squeal_regularity),
+        margin("squeal_regularity", "regularity", regularity, thresholds.squeal_regularity),
     };
     const auto decide = [&](Category category, std::string reason) {
         verdict.category = category;
@@ -44,14 +58,15 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
     if (rates.stick >= thresholds.creak_stick)
         return decide(Category::creak, fmt::format("stick predominates with {}", percent(rates.stick)));
     const bool is_thin =
-        static_cast<double>(alternation.intervals) < thresholds.least_intervals || !(alternation.regularity >= 0.0);
+        static_cast<double>(alternation.intervals) < thresholds.least_intervals || std::isnan(regularity);
     if (is_thin)
         return decide(Category::undecided,
                       fmt::format("only {} intervals between changes of state", alternation.intervals));
-    const bool is_regular = alternation.regularity >= thresholds.squeal_regularity;
-    return decide(is_regular ? Category::squeal : Category::squeak,
-                  fmt::format("states alternate {} (regularity {:.3f})", is_regular ? "regularly" : "irregularly",
-                              alternation.regularity));
+    if (regularity >= thresholds.squeal_regularity)
+        return decide(Category::squeal, fmt::format("states alternate regularly (regularity {:.3f})", regularity));
+    if (alternation.repetition >= thresholds.squeal_regularity)
+        verdict.reasons.push_back(fmt::format("the pattern repeats, but only after {} unequal beats", alternation.lag));
+    return decide(Category::squeak, fmt::format("states alternate irregularly (regularity {:.3f})", regularity));
 }
 
 }  // namespace stridor::classification

@@ -11,7 +11,7 @@ namespace stridor::classification {
 ///     slip share >= quiet_slip                   none    only slip, or stuck throughout: nothing alternates
 ///     stick share >= creak_stick                 creak   stick predominates
 ///     fewer than least_intervals repeats         undecided
-///     regularity >= squeal_regularity            squeal  states alternate regularly
+///     regularity >= squeal_regularity            squeal  states alternate regularly, in at most squeal_beats unlike beats
 ///     otherwise                                  squeak
 ///
 /// Shares are those of the judged part. Stick dominance comes before regularity because a creak may be regular too.

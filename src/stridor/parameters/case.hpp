@@ -85,7 +85,8 @@ struct Thresholds {
     double reversal = 0.15;          // [1] share cut at its end, where the drive slows down and every contact sticks
     double quiet_slip = 0.98;        // [1] slip share from which a motion is `none`
     double creak_stick = 0.7;        // [1] stick share from which a noisy motion is `creak`
-    double squeal_regularity = 0.9;  // [1] regularity from which a noisy motion is `squeal`, below it `squeak`
+    double squeal_regularity = 0.8;  // [1] regularity from which a noisy motion is `squeal`, below it `squeak`
+    double squeal_beats = 1.0;       // [1] most unequal beats per period of a squeal; 1: all beats alike
     double least_intervals = 6.0;    // [1] fewest repeats that can be judged; fewer are `undecided`
 };
 

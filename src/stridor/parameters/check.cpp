@@ -51,12 +51,15 @@ void check_drive(const Case& c, std::vector<Finding>& found) {
         found.push_back({"drive.velocity",
                          {"drive.velocity = 0 moves nothing", "a contact at rest has nothing to judge",
                           "Give it a sign: going is positive."}});
-    if (c.drive.kind == DriveKind::sinusoidal && c.run.duration < 0.5 / c.drive.frequency)
+    // a window of one and a half periods holds a complete going and a complete coming phase wherever it starts
+    const double shortest_window = 1.5 / c.drive.frequency;
+    const bool is_short = c.drive.kind == DriveKind::sinusoidal && c.run.window < shortest_window * (1.0 - 1e-9);
+    if (is_short)
         found.push_back(
-            {"run.duration",
-             {"run.duration = " + shortest(c.run.duration) + " s is shorter than half a period of the drive",
-              "no going or coming phase is complete",
-              "Simulate at least " + shortest(1.0 / c.drive.frequency) + " s."}});
+            {"run.window",
+             {"run.window = " + shortest(c.run.window) + " s is shorter than one and a half periods of the drive",
+              "it may hold no complete going or coming phase",
+              "Give run.window and run.duration at least " + shortest(shortest_window) + " s."}});
 }
 
 void check_run(const Case& c, std::vector<Finding>& found) {

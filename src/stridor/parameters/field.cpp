@@ -125,6 +125,8 @@ const std::array table{
           quantity<&Case::verdict, &Thresholds::creak_stick>("1", share), always},
     Field{"verdict", "squeal_regularity", "", "regularity from which a noisy motion is squeal, below it squeak",
           quantity<&Case::verdict, &Thresholds::squeal_regularity>("1", share), always},
+    Field{"verdict", "squeal_beats", "", "most unequal beats per period of a squeal; 1: all beats alike",
+          quantity<&Case::verdict, &Thresholds::squeal_beats>("1", Range{1.0, 12.0}), always},
     Field{"verdict", "least_intervals", "", "fewest repeated intervals that can be judged; fewer are undecided",
           quantity<&Case::verdict, &Thresholds::least_intervals>("1", Range{2.0, 1000.0}), always},
 };
