@@ -20,17 +20,18 @@
 /// Sliding with T = sigma mu_d N, sigma = sign(V), on the closed contact n.u = 0: with the columns of Q spanning the
 /// motions that keep the gap closed and P = Q - n ((n + sigma mu_d t).Q) / (n.n + sigma mu_d n.t), which is orthogonal to the
 /// contact force, P.M Q q'' + P.C Q q' + P.K Q q = P.f0. Friction makes P.K Q unsymmetric: two modes may meet and
-/// one of the pair grows (mode coupling, flutter), or one loses its stiffness (divergence: this model's sprag-slip).
+/// one of the pair grows (mode coupling, flutter), or one loses its stiffness (divergence, sprag-slip).
 /// Source: Hoffmann et al. 2002 for mode coupling; docs/methods/stability.md.
 namespace stridor::analysis {
 
 enum class StabilityKind {
     stable,
     flutter,     // a growing oscillation: mode coupling
-    divergence,  // a growing displacement without oscillation: sprag-slip
+    divergence,  // a growing displacement without oscillation: a real positive eigenvalue
+    locked,      // no sliding equilibrium with N > 0 at all: the contact digs in, sprag-slip
 };
 
-inline constexpr std::array<std::string_view, 3> stability_names{"stable", "flutter", "divergence"};
+inline constexpr std::array<std::string_view, 4> stability_names{"stable", "flutter", "divergence", "locked"};
 
 /// One eigenvalue of the linearised motion; only one of a conjugate pair is listed.
 struct Mode {
