@@ -1,0 +1,183 @@
+#include "stridor/io/atomic_file.hpp"
+
+#include "stridor/base/error.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+namespace stridor::io {
+
+namespace {
+
+std::string quoted(const std::string& text) {
+    return "\"" + text + "\"";
+}
+
+std::string reason(int code) {
+    switch (code) {
+        case ENOSPC:
+            return "the disk is full";
+        case EDQUOT:
+            return "the disk quota is used up";
+        case EFBIG:
+            return "it would be larger than files may be here";
+        case EACCES:
+        case EPERM:
+            return "permission denied";
+        case EROFS:
+            return "the file system is read-only";
+        case ENOENT:
+            return "no such file or folder";
+        case ENOTDIR:
+            return "a part of its path is not a folder";
+        case EISDIR:
+            return "it is a folder";
+        default:
+            return std::generic_category().message(code);
+    }
+}
+
+Error failure(const std::string& doing, const std::string& path, int code, std::string suggestion = "") {
+    return {ErrorKind::io, {"cannot " + doing + " " + quoted(path), reason(code), std::move(suggestion)}};
+}
+
+/// An open file, closed on the way out.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+
+    int number() const { return number_; }
+    bool is_open() const { return number_ >= 0; }
+
+    // closing may report a write that failed late; the descriptor is gone either way
+    int close() { return ::close(std::exchange(number_, -1)); }
+
+private:
+    int number_;
+};
+
+/// Removes a file unless it was renamed.
+class Temporary {
+public:
+    explicit Temporary(std::string path) : path_(std::move(path)) {}
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+    ~Temporary() {
+        if (!path_.empty()) ::unlink(path_.c_str());
+    }
+
+    const std::string& path() const { return path_; }
+    void keep() { path_.clear(); }
+
+private:
+    std::string path_;
+};
+
+std::string read_all(int descriptor, const std::string& path) {
+    std::string content;
+    std::array<char, 65536> block{};
+    for (;;) {
+        const ssize_t count = ::read(descriptor, block.data(), block.size());
+        if (count == 0) return content;
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) throw failure("read", path, errno);
+        content.append(block.data(), static_cast<std::size_t>(count));
+    }
+}
+
+void write_all(int descriptor, std::string_view bytes, const std::string& path) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) throw failure("write", path, errno);
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+}
+
+// some file systems cannot flush (EINVAL, ENOTSUP): there the rename is all that can be had
+void flush(int descriptor, const std::string& path) {
+    if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP) throw failure("write", path, errno);
+}
+
+void close(Descriptor& file, const std::string& path) {
+    if (file.close() != 0) throw failure("write", path, errno);
+}
+
+// a short name of its own, so that a long target name stays within what a folder allows
+std::string temporary_name(const std::string& folder, int number) {
+    return folder + "/.stridor-" + std::to_string(::getpid()) + "-" + std::to_string(number) + ".tmp";
+}
+
+std::pair<int, std::string> open_temporary(const std::string& folder, const std::string& path) {
+    for (int number = 0;; ++number) {
+        std::string name = temporary_name(folder, number);
+        const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor >= 0) return {descriptor, std::move(name)};
+        if (errno == EEXIST) continue;
+        const bool lacks_folder = errno == ENOENT;
+        throw failure("write", path, errno, lacks_folder ? "Create the folder " + quoted(folder) + " first." : "");
+    }
+}
+
+void write_directly(const std::string& path, std::string_view bytes) {
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!file.is_open()) throw failure("write", path, errno);
+    write_all(file.number(), bytes, path);
+    close(file, path);
+}
+
+void replace(const std::string& target, std::string_view bytes, std::optional<mode_t> mode) {
+    const std::string parent = std::filesystem::path(target).parent_path().string();
+    const std::string folder = parent.empty() ? "." : parent;
+    auto [descriptor, name] = open_temporary(folder, target);
+    Temporary temporary(std::move(name));
+    Descriptor file(descriptor);
+    if (mode && ::fchmod(file.number(), *mode) != 0) throw failure("write", target, errno);
+    write_all(file.number(), bytes, target);
+    flush(file.number(), target);
+    close(file, target);
+    if (::rename(temporary.path().c_str(), target.c_str()) != 0) throw failure("write", target, errno);
+    temporary.keep();
+
+    // the name itself is on the disk only once its folder is
+    Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!directory.is_open()) throw failure("write", target, errno);
+    flush(directory.number(), target);
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+    if (path == standard_input) return read_all(STDIN_FILENO, "standard input");
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file.is_open()) throw failure("read", path, errno);
+    return read_all(file.number(), path);
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+    struct stat status {};
+    const bool exists = ::stat(path.c_str(), &status) == 0;
+    if (exists && S_ISDIR(status.st_mode)) throw failure("write", path, EISDIR, "Name a file in it.");
+    // renaming onto a device or a pipe would replace it
+    if (exists && !S_ISREG(status.st_mode)) return write_directly(path, bytes);
+    std::error_code code;
+    const std::filesystem::path resolved = std::filesystem::canonical(path, code);
+    const std::string target = exists && !code ? resolved.string() : path;
+    replace(target, bytes, exists ? std::optional<mode_t>(status.st_mode & 07777U) : std::nullopt);
+}
+
+}  // namespace stridor::io

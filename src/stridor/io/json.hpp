@@ -1,0 +1,45 @@
+#pragma once
+
+#include "stridor/analysis/sliding_stability.hpp"
+#include "stridor/analysis/stability_path.hpp"
+#include "stridor/classification/verdict.hpp"
+#include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/case.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+/// JSON documents: what `--json` prints, without a line end after the last brace. Each opens with its schema, the program's version and commit, and holds the
+/// whole case and a table of units. Numbers read back as the same doubles; NaN and infinities are null.
+namespace stridor::io {
+
+/// A case alone, its sections as objects: {"title": ..., "joint": {"mass": 0.1, ...}, ...}; only keys that belong to it.
+std::string case_json(const parameters::Case& c);
+
+/// "stridor.simulation/1": case, engine, outcome, energy balance and a verdict per phase.
+///
+/// `verdicts` is empty for a run that has no result; the outcome then says why.
+std::string simulation_json(const parameters::Case& c, const integration::Motion& motion, const integration::Cost& cost,
+                            std::span<const classification::Verdict> verdicts);
+
+/// Stability of steady sliding in one direction: of the case, and along a parameter if one was followed.
+struct DirectionScan {
+    parameters::Direction direction = parameters::Direction::going;
+    analysis::SlidingStability here;
+    analysis::StabilityPath path;  // empty without a parameter
+};
+
+/// Stability of a case.
+struct StabilityScan {
+    parameters::Case base;
+    std::string key;   // the parameter that was followed, "contact.kinetic_friction"; empty: none
+    std::string unit;  // its unit
+    std::vector<DirectionScan> directions;
+};
+
+/// "stridor.stability/1": case and, per direction, kind, growth, frequency and modes, the same at each point along the
+/// parameter, and the boundaries between kinds.
+std::string stability_json(const StabilityScan& scan);
+
+}  // namespace stridor::io

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "stridor/sweep/cell.hpp"
+
+#include <string>
+
+namespace stridor::io {
+
+/// "stridor.chart/1": case, axes with their values, and an array per figure in the order direction, y, x (x fastest).
+/// Only done cells have a category and figures; the others have null and a message.
+std::string chart_json(const sweep::SweepResult& result);
+
+}  // namespace stridor::io

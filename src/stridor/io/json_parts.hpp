@@ -1,0 +1,60 @@
+#pragma once
+
+// What all JSON documents share. Private to this folder: nlohmann's types stay out of the headers others see.
+
+#include "stridor/base/version.hpp"
+#include "stridor/parameters/field.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace stridor::io::json_parts {
+
+using Json = nlohmann::ordered_json;
+
+// what is not UTF-8 in a title becomes a replacement character instead of an exception; NaN and infinities become null
+inline std::string text_of(const Json& document) {
+    return document.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+template <typename Enumeration, std::size_t count>
+std::string_view name_of(const std::array<std::string_view, count>& names, Enumeration value) {
+    return names[static_cast<std::size_t>(value)];
+}
+
+inline Json case_object(const parameters::Case& c) {
+    Json object = Json::object();
+    for (const parameters::Field& field : parameters::fields()) {
+        if (!field.belongs(c)) continue;
+        Json& section = field.section.empty() ? object : object[std::string(field.section)];
+        const std::string name(field.name);
+        if (std::holds_alternative<parameters::Quantity>(field.kind))
+            section[name] = parameters::get_quantity(c, field);
+        else
+            section[name] = parameters::value_text(c, field);
+    }
+    return object;
+}
+
+// units by where they stand in the document: "case.joint.mass": "kg"
+inline Json case_units(const parameters::Case& c) {
+    Json units = Json::object();
+    for (const parameters::Field& field : parameters::fields())
+        if (const auto* quantity = std::get_if<parameters::Quantity>(&field.kind);
+            quantity != nullptr && field.belongs(c))
+            units["case." + parameters::key_of(field)] = quantity->unit;
+    return units;
+}
+
+inline Json opening(std::string_view what, const parameters::Case& c) {
+    return {{"schema", "stridor." + std::string(what) + "/1"},
+            {"version", base::version()},
+            {"commit", base::commit()},
+            {"case", case_object(c)}};
+}
+
+}  // namespace stridor::io::json_parts

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "stridor/io/toml_document.hpp"
+#include "stridor/parameters/case.hpp"
+#include "stridor/parameters/field.hpp"
+
+#include <string>
+#include <vector>
+
+namespace stridor::io {
+
+/// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
+///
+/// Everything in [joint], [plate], [contact] and [drive] that belongs to the case must be there, except contact.impact; the
+/// rest has defaults. Overrides win; a key of the file that an override made meaningless (drive.amplitude after
+/// `--set drive.kind=constant`) is left out. A section [chart] is not looked at. A sampled drive's CSV is looked for beside
+/// the file (given by an override: in the current folder).
+/// Throws `Error` (input) with file, line, column and source line for anything else than a case that can be simulated.
+parameters::Case read_case(const TomlSource& source);
+
+/// The same from a file; "-" is standard input.
+parameters::Case read_case(const std::string& path, std::vector<std::string> overrides = {});
+
+/// The case a chart starts from, out of a document that is parsed already. Whether its values fit together is left to the
+/// chart, whose axes replace two of them.
+parameters::Case read_base_case(const TomlDocument& document);
+
+/// Must a file say this, whenever it belongs to the case?
+bool is_required(const parameters::Field& field);
+
+}  // namespace stridor::io

@@ -1,0 +1,210 @@
+#include "stridor/io/toml_document.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/io/atomic_file.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+namespace stridor::io {
+
+namespace {
+
+// Bounds on what is handed to the parser. A case file has some 3 KiB and a hundred points; without bounds a file of
+// nothing but "a.a.a..." nests so deeply that taking it down overflows the stack.
+constexpr std::size_t largest_file = 65536;   // [1] bytes
+constexpr std::ptrdiff_t most_points = 4000;  // [1] "." characters, each of which may open a section
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+        if (line.ends_with('\r')) line.pop_back();
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+/// Turns the parser's positions into places.
+class Places {
+public:
+    Places(const std::string& text, std::string name) : lines_(lines_of(text)), name_(std::move(name)) {}
+
+    base::Place at(const toml::source_position& position) const {
+        const std::size_t line = position.line;
+        const bool is_known = line >= 1 && line <= lines_.size();
+        return {name_, static_cast<int>(line), static_cast<int>(position.column),
+                is_known ? lines_[line - 1] : std::string()};
+    }
+
+private:
+    std::vector<std::string> lines_;
+    std::string name_;
+};
+
+// "Error while parsing key-value pair: expected value, saw ..." without its first half
+std::string essence(std::string_view description) {
+    constexpr std::string_view opening = "Error while parsing ";
+    const std::size_t colon = description.find(": ");
+    if (description.starts_with(opening) && colon != std::string_view::npos) description.remove_prefix(colon + 2);
+    return std::string(description);
+}
+
+std::string between_quotes(std::string_view text) {
+    const std::size_t first = text.find('\'');
+    const std::size_t last = text.rfind('\'');
+    if (first == std::string_view::npos || last <= first) return {};
+    return std::string(text.substr(first + 1, last - first - 1));
+}
+
+Error duplicate_error(const std::string& message, base::Place place) {
+    const std::string name = between_quotes(message.substr(0, message.find(" as ")));
+    // the parser stops behind the key; the reader wants to see the key itself
+    const std::size_t start = place.source_line.find_first_not_of(" \t");
+    const bool is_section = start != std::string::npos && place.source_line[start] == '[';
+    const std::size_t found = place.source_line.find(name, start == std::string::npos ? 0 : start);
+    if (!name.empty() && found != std::string::npos && !is_section) place.column = static_cast<int>(found) + 1;
+    const std::string what = is_section     ? "duplicate section [" + name + "]"
+                             : name.empty() ? std::string("duplicate key")
+                                            : "duplicate key " + name;
+    return {ErrorKind::input, {what, "it is set once already", "Remove one of the two."}, std::move(place)};
+}
+
+std::string advice(const std::string& message) {
+    if (message.find("saw ','") != std::string::npos) return "Numbers are written with a point: 0.5, not 0,5.";
+    if (message.find("expected a comment or whitespace") != std::string::npos)
+        return "Put a value with a unit in quotes: \"20 N\".";
+    if (message.find("could not determine value type") != std::string::npos) return "Put text in quotes.";
+    return {};
+}
+
+Error parse_error(const toml::parse_error& error, const Places& places) {
+    const std::string message = essence(error.description());
+    base::Place place = places.at(error.source().begin);
+    if (message.find("cannot redefine") != std::string::npos) return duplicate_error(message, std::move(place));
+    return {ErrorKind::input, {message, "the file is not valid TOML", advice(message)}, std::move(place)};
+}
+
+TomlValue array_value(const toml::array& array) {
+    std::vector<std::string> texts;
+    for (const toml::node& element : array) {
+        const auto text = element.value_exact<std::string>();
+        if (!text) return TomlUnfit{"a list of other things than text"};
+        texts.push_back(*text);
+    }
+    return texts;
+}
+
+TomlValue value_of(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::integer:
+            return static_cast<double>(node.as_integer()->get());
+        case toml::node_type::floating_point:
+            return node.as_floating_point()->get();
+        case toml::node_type::string:
+            return node.as_string()->get();
+        case toml::node_type::array:
+            return array_value(*node.as_array());
+        case toml::node_type::table:
+            return TomlTable{};
+        case toml::node_type::boolean:
+            return TomlUnfit{"a boolean"};
+        default:
+            return TomlUnfit{"a date or time"};
+    }
+}
+
+void collect(const toml::table& table, const std::string& prefix, const Places& places,
+             std::vector<TomlEntry>& entries) {
+    for (const auto& [key, node] : table) {
+        const std::string full = prefix + std::string(key.str());
+        entries.push_back(
+            {full, value_of(node), TomlOrigin::file, places.at(key.source().begin), places.at(node.source().begin)});
+        if (const toml::table* inner = node.as_table()) collect(*inner, full + ".", places, entries);
+    }
+}
+
+TomlEntry override_entry(const std::string& text) {
+    const base::Place place{"--set", 0, 0, text};
+    const std::size_t equals = text.find('=');
+    const std::string key(base::trimmed(std::string_view(text).substr(0, equals)));
+    if (equals == std::string::npos || key.empty())
+        throw Error(ErrorKind::input,
+                    {"\"" + text + "\" sets nothing", "an override reads section.key=value",
+                     "Write for example contact.preload=20."},
+                    place);
+    std::string_view value = base::trimmed(std::string_view(text).substr(equals + 1));
+    // quotes that the shell left alone: --set 'drive.kind="constant"'
+    if (value.size() >= 2 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
+    return {key, std::string(value), TomlOrigin::override, place, place};
+}
+
+void check_size(const TomlSource& source) {
+    const std::ptrdiff_t points = std::count(source.text.begin(), source.text.end(), '.');
+    if (source.text.size() <= largest_file && points <= most_points) return;
+    throw Error(
+        ErrorKind::input,
+        {"this is no case file",
+         "it has " + std::to_string(source.text.size()) + " bytes and " + std::to_string(points) + " points; at most " +
+             std::to_string(largest_file) + " and " + std::to_string(most_points) + " make sense",
+         ""},
+        base::Place{source.name, 0, 0, ""});
+}
+
+}  // namespace
+
+TomlSource load_toml(const std::string& path, std::vector<std::string> overrides) {
+    return {read_file(path), path == standard_input ? "<stdin>" : path, std::move(overrides)};
+}
+
+const TomlEntry* TomlDocument::find(std::string_view key) const {
+    const auto last =
+        std::find_if(entries.rbegin(), entries.rend(), [&](const auto& entry) { return entry.key == key; });
+    return last == entries.rend() ? nullptr : &*last;
+}
+
+TomlDocument parse_toml(const TomlSource& source) {
+    check_size(source);
+    const Places places(source.text, source.name);
+    TomlDocument document{source.name, {}};
+    try {
+        collect(toml::parse(std::string_view(source.text)), "", places, document.entries);
+    } catch (const toml::parse_error& error) {
+        throw parse_error(error, places);
+    }
+    // the parser sorts by name; people read from top to bottom
+    const auto position = [](const TomlEntry& entry) {
+        return std::tuple(entry.key_place.line, entry.key_place.column);
+    };
+    std::stable_sort(document.entries.begin(), document.entries.end(),
+                     [&](const TomlEntry& a, const TomlEntry& b) { return position(a) < position(b); });
+    for (const std::string& text : source.overrides)
+        document.entries.push_back(override_entry(text));
+    return document;
+}
+
+std::string_view type_name(const TomlValue& value) {
+    struct Name {
+        std::string_view operator()(double) const { return "a number"; }
+        std::string_view operator()(const std::string&) const { return "text"; }
+        std::string_view operator()(const std::vector<std::string>&) const { return "a list"; }
+        std::string_view operator()(const TomlTable&) const { return "a section"; }
+        std::string_view operator()(const TomlUnfit& unfit) const { return unfit.type; }
+    };
+    return std::visit(Name{}, value);
+}
+
+Error located(const Error& error, std::string_view key, const base::Place& place) {
+    base::Problem problem = error.problem();
+    const bool names_key = problem.what.find(key) != std::string::npos;
+    const bool opens_with_value = problem.what.starts_with('"');
+    if (!names_key) problem.what = std::string(key) + (opens_with_value ? " = " : ": ") + problem.what;
+    return {error.kind(), std::move(problem), place};
+}
+
+}  // namespace stridor::io

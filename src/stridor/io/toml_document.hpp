@@ -1,0 +1,61 @@
+#pragma once
+
+#include "stridor/base/error.hpp"
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace stridor::io {
+
+/// The text of a case or chart file, and what the command line puts in its place.
+struct TomlSource {
+    std::string text;
+    std::string name;                    // shown in messages; a sampled drive's file is looked for in its folder
+    std::vector<std::string> overrides;  // "section.key=value", later ones win over earlier ones and over the file
+};
+
+/// Loads a file ("-" for standard input) with its overrides. Throws `Error` (io).
+TomlSource load_toml(const std::string& path, std::vector<std::string> overrides = {});
+
+/// A section, and not a value.
+struct TomlTable {};
+
+/// A value that no key takes.
+struct TomlUnfit {
+    std::string_view type;  // "a boolean"
+};
+
+using TomlValue = std::variant<double, std::string, std::vector<std::string>, TomlTable, TomlUnfit>;
+
+enum class TomlOrigin { file, override };
+
+/// One key with its value and where both stand.
+struct TomlEntry {
+    std::string key;  // "contact.preload", "chart.x.from"; a section has an entry of its own
+    TomlValue value;
+    TomlOrigin origin = TomlOrigin::file;
+    base::Place key_place;
+    base::Place value_place;
+};
+
+/// A file taken apart: its entries in the order of its text, then the overrides.
+struct TomlDocument {
+    std::string name;
+    std::vector<TomlEntry> entries;
+
+    /// The entry that decides the value of a key; nothing if the key is not there.
+    const TomlEntry* find(std::string_view key) const;
+};
+
+/// Throws `Error` (input) with the place for text that is not TOML, a duplicate key, or an override without "=".
+TomlDocument parse_toml(const TomlSource& source);
+
+/// "a number", "text", "a list", "a section" or the name of an unfit type.
+std::string_view type_name(const TomlValue& value);
+
+/// The same error about a key that stands somewhere; the key is named if the error does not name it.
+Error located(const Error& error, std::string_view key, const base::Place& place);
+
+}  // namespace stridor::io

@@ -1,0 +1,201 @@
+#include "stridor/io/toml_study.hpp"
+
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/io/toml_case.hpp"
+#include "stridor/parameters/field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace stridor::io {
+
+namespace {
+
+constexpr std::array<std::string_view, 14> chart_keys{
+    "chart.x.parameter", "chart.x.from",     "chart.x.to", "chart.x.points", "chart.x.scale",
+    "chart.y.parameter", "chart.y.from",     "chart.y.to", "chart.y.points", "chart.y.scale",
+    "chart.directions",  "chart.quantities", "chart.x",    "chart.y"};
+constexpr std::array<std::string_view, 4> required_axis_keys{"parameter", "from", "to", "points"};
+
+base::Place whole_file(const TomlDocument& document) {
+    return {document.name, 0, 0, ""};
+}
+
+Error wrong_type(const TomlEntry& entry, const std::string& expected) {
+    return {ErrorKind::input,
+            {entry.key + " is " + std::string(type_name(entry.value)), "expected " + expected, ""},
+            entry.value_place};
+}
+
+void check_chart_keys(const TomlDocument& document) {
+    for (const TomlEntry& entry : document.entries) {
+        if (!entry.key.starts_with("chart.")) continue;
+        const bool is_axis = entry.key == "chart.x" || entry.key == "chart.y";
+        if (is_axis && !std::holds_alternative<TomlTable>(entry.value))
+            throw wrong_type(entry, "an axis: { parameter, from, to, points, scale }");
+        if (std::find(chart_keys.begin(), chart_keys.end(), entry.key) != chart_keys.end()) continue;
+        const std::string_view near = base::nearest_name(entry.key, chart_keys);
+        throw Error(ErrorKind::input,
+                    {"unknown key " + entry.key, "", near.empty() ? "" : "Did you mean " + std::string(near) + "?"},
+                    entry.key_place);
+    }
+}
+
+void check_chart_complete(const TomlDocument& document) {
+    const TomlEntry* chart = document.find("chart");
+    if (chart != nullptr && !std::holds_alternative<TomlTable>(chart->value)) throw wrong_type(*chart, "a section");
+    std::string missing;
+    bool has_any = chart != nullptr;
+    for (const std::string_view axis : {"chart.x.", "chart.y."})
+        for (const std::string_view name : required_axis_keys) {
+            const std::string key = std::string(axis) + std::string(name);
+            const bool is_there = document.find(key) != nullptr;
+            has_any = has_any || is_there;
+            if (!is_there) missing += (missing.empty() ? "" : ", ") + key;
+        }
+    if (!has_any)
+        throw Error(ErrorKind::input,
+                    {"there is no section [chart]", "it says which two parameters span the chart",
+                     "`stridor init noise-chart` prints one to start from."},
+                    whole_file(document));
+    if (!missing.empty())
+        throw Error(ErrorKind::input,
+                    {"missing in [chart]: " + missing, "an axis without them is not defined",
+                     "`stridor init noise-chart` prints a complete chart."},
+                    chart != nullptr ? chart->key_place : whole_file(document));
+}
+
+std::string text_of(const TomlEntry& entry, const std::string& expected) {
+    if (const auto* text = std::get_if<std::string>(&entry.value)) return *text;
+    throw wrong_type(entry, expected);
+}
+
+double number_of(const TomlEntry& entry, std::string_view unit) {
+    if (const auto* number = std::get_if<double>(&entry.value)) return *number;
+    const std::string text = text_of(
+        entry, "a number" + (unit == "1" ? std::string() : " in " + std::string(unit) + ", or text with a unit"));
+    try {
+        return base::parse_quantity(text, unit);
+    } catch (const Error& error) {
+        throw located(error, entry.key, entry.value_place);
+    }
+}
+
+// an index into names
+std::size_t name_of(const std::string& text, const TomlEntry& entry, std::span<const std::string_view> names) {
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    std::string choices;
+    for (const std::string_view name : names)
+        choices += (choices.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+    const std::string_view near = base::nearest_name(text, names);
+    throw Error(ErrorKind::input,
+                {entry.key + " = \"" + text + "\" is not one of its choices", "choices: " + choices,
+                 near.empty() ? "" : "Did you mean \"" + std::string(near) + "\"?"},
+                entry.value_place);
+}
+
+const parameters::Field& axis_field(const TomlEntry& entry) {
+    const std::string key = text_of(entry, "the key of a quantity such as \"contact.preload\"");
+    const parameters::Field* field = parameters::find_field(key);
+    if (field != nullptr && std::holds_alternative<parameters::Quantity>(field->kind)) return *field;
+    const std::vector<std::string> keys = parameters::quantity_keys();
+    const std::vector<std::string_view> views(keys.begin(), keys.end());
+    const std::string_view near = base::nearest_name(key, views);
+    throw Error(ErrorKind::input,
+                {entry.key + " = \"" + key + "\" is no quantity",
+                 field != nullptr ? "it has names or text instead of numbers" : "there is no such key",
+                 near.empty() || field != nullptr ? "" : "Did you mean \"" + std::string(near) + "\"?"},
+                entry.value_place);
+}
+
+int points_of(const TomlEntry& entry) {
+    const double number = number_of(entry, "1");
+    const bool is_count = number >= 0.0 && number <= sweep::most_points && number == std::floor(number);
+    if (is_count) return static_cast<int>(number);
+    throw Error(ErrorKind::input,
+                {entry.key + " = " + base::shortest(number) + " is not a number of points",
+                 "it must be a whole number up to " + std::to_string(sweep::most_points), ""},
+                entry.value_place);
+}
+
+sweep::Axis read_axis(const TomlDocument& document, const std::string& prefix) {
+    const parameters::Field& field = axis_field(*document.find(prefix + ".parameter"));
+    const std::string_view unit = std::get<parameters::Quantity>(field.kind).unit;
+    sweep::Axis axis;
+    axis.parameter = parameters::key_of(field);
+    axis.from = number_of(*document.find(prefix + ".from"), unit);
+    axis.to = number_of(*document.find(prefix + ".to"), unit);
+    axis.points = points_of(*document.find(prefix + ".points"));
+    if (const TomlEntry* scale = document.find(prefix + ".scale"))
+        axis.scale = static_cast<sweep::Scale>(name_of(text_of(*scale, "text"), *scale, sweep::scale_names));
+    return axis;
+}
+
+// overrides write lists as "going,coming" or as TOML does
+std::vector<std::string> list_of(const TomlEntry& entry) {
+    if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value)) return *list;
+    std::string text = text_of(entry, "a list of text");
+    std::erase_if(text, [](char c) { return c == '[' || c == ']' || c == '"'; });
+    std::vector<std::string> list;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(',', start), text.size());
+        list.emplace_back(base::trimmed(std::string_view(text).substr(start, end - start)));
+        start = end + 1;
+    }
+    return list;
+}
+
+// the entry that an error of the sweep is about: the key its words name first
+const TomlEntry* culprit(const TomlDocument& document, const std::string& what) {
+    const TomlEntry* best = nullptr;
+    std::size_t best_position = std::string::npos;
+    for (const TomlEntry& entry : document.entries) {
+        const std::size_t position = what.find(entry.key);
+        const bool is_earlier = position < best_position;
+        const bool is_longer = position == best_position && best != nullptr && entry.key.size() >= best->key.size();
+        const bool is_word = entry.key.find('.') == std::string::npos;  // a section or the title
+        if (is_word || position == std::string::npos || !(is_earlier || is_longer)) continue;
+        best = &entry;
+        best_position = position;
+    }
+    return best != nullptr ? best : document.find("chart");
+}
+
+}  // namespace
+
+sweep::Study read_study(const TomlSource& source) {
+    const TomlDocument document = parse_toml(source);
+    sweep::Study study;
+    check_chart_keys(document);
+    check_chart_complete(document);
+    study.base = read_base_case(document);
+    study.x = read_axis(document, "chart.x");
+    study.y = read_axis(document, "chart.y");
+    if (const TomlEntry* entry = document.find("chart.directions")) {
+        study.directions.clear();
+        for (const std::string& name : list_of(*entry))
+            study.directions.push_back(
+                static_cast<parameters::Direction>(name_of(name, *entry, parameters::direction_names)));
+    }
+    if (const TomlEntry* entry = document.find("chart.quantities")) study.quantities = list_of(*entry);
+    try {
+        sweep::check(study);
+    } catch (const Error& error) {
+        const TomlEntry* entry = culprit(document, error.problem().what);
+        throw Error(error.kind(), error.problem(), entry != nullptr ? entry->value_place : whole_file(document));
+    }
+    return study;
+}
+
+sweep::Study read_study(const std::string& path, std::vector<std::string> overrides) {
+    return read_study(load_toml(path, std::move(overrides)));
+}
+
+}  // namespace stridor::io

@@ -1,0 +1,158 @@
+#include "stridor/io/toml_writer.hpp"
+
+#include "stridor/base/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string_view>
+#include <variant>
+
+namespace stridor::io {
+
+namespace {
+
+using parameters::Case;
+using parameters::Choice;
+using parameters::Field;
+using parameters::Quantity;
+
+// a basic string: quotes, backslashes and control characters escaped
+std::string quoted(std::string_view text) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string result = "\"";
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            result += '\\';
+            result += c;
+        } else if (code < 0x20U || code == 0x7FU) {
+            result += "\\u00";
+            result += digits[code >> 4U];
+            result += digits[code & 15U];
+        } else {
+            result += c;
+        }
+    }
+    return result + "\"";
+}
+
+// 1e7 for "1e+07", as people write it
+std::string number_text(double value) {
+    std::string text = base::shortest(value);
+    const std::size_t exponent = text.find('e');
+    if (exponent == std::string::npos) return text;
+    const std::size_t first_digit = text.find_first_not_of("+-0", exponent + 1);
+    const std::string sign = text[exponent + 1] == '-' ? "-" : "";
+    return text.substr(0, exponent + 1) + sign + text.substr(std::min(first_digit, text.size() - 1));
+}
+
+std::string quantity_text(double value, std::string_view unit) {
+    const std::string number = number_text(value);
+    return unit == "1" ? number : quoted(number + " " + std::string(unit));
+}
+
+std::string value_of(const Case& c, const Field& field) {
+    if (const auto* quantity = std::get_if<Quantity>(&field.kind))
+        return quantity_text(quantity->get(c), quantity->unit);
+    return quoted(parameters::value_text(c, field));
+}
+
+std::string range_text(const parameters::Range& range) {
+    const std::string low =
+        (range.low_end == parameters::Range::Low::open ? "above " : "at least ") + base::shortest(range.low);
+    if (std::isinf(range.low) && std::isinf(range.high)) return {};
+    if (std::isinf(range.high)) return low;
+    return base::shortest(range.low) + " to " + base::shortest(range.high);
+}
+
+std::string names_text(std::span<const std::string_view> names) {
+    std::string text;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const bool is_last = k + 1 == names.size();
+        text += (k == 0 ? "" : is_last ? " or " : ", ") + quoted(names[k]);
+    }
+    return text;
+}
+
+std::string comment(const Field& field) {
+    std::string text = "# " + std::string(field.sentence);
+    if (!field.symbol.empty()) text += " (" + std::string(field.symbol) + ")";
+    const std::string values = describe_values(field);
+    const bool is_quantity = std::holds_alternative<Quantity>(field.kind);
+    if (std::holds_alternative<parameters::Text>(field.kind) || values.empty()) return text + "\n";
+    return text + (is_quantity ? " [" + values + "]" : ": " + values) + "\n";
+}
+
+std::string heading(const TomlOptions& options) {
+    std::string text;
+    std::istringstream lines(options.heading);
+    for (std::string line; std::getline(lines, line);)
+        text += line.empty() ? "#\n" : "# " + line + "\n";
+    return text.empty() ? text : text + "\n";
+}
+
+std::string axis_text(const sweep::Axis& axis) {
+    const Field* field = parameters::find_field(axis.parameter);
+    const auto* quantity = field == nullptr ? nullptr : std::get_if<Quantity>(&field->kind);
+    const std::string_view unit = quantity == nullptr ? "1" : quantity->unit;
+    return "{ parameter = " + quoted(axis.parameter) + ", from = " + quantity_text(axis.from, unit) +
+           ", to = " + quantity_text(axis.to, unit) + ", points = " + std::to_string(axis.points) +
+           ", scale = " + quoted(sweep::scale_names[static_cast<std::size_t>(axis.scale)]) + " }";
+}
+
+template <typename Items, typename Name>
+std::string list_text(const Items& items, Name name) {
+    std::string text;
+    for (const auto& item : items)
+        text += (text.empty() ? "" : ", ") + quoted(name(item));
+    return "[" + text + "]";
+}
+
+}  // namespace
+
+std::string describe_values(const parameters::Field& field) {
+    if (const auto* quantity = std::get_if<Quantity>(&field.kind)) {
+        const std::string range = range_text(quantity->range);
+        if (quantity->unit == "1") return range;
+        return std::string(quantity->unit) + (range.empty() ? "" : ", " + range);
+    }
+    if (const auto* choice = std::get_if<Choice>(&field.kind)) return names_text(choice->names);
+    return "text";
+}
+
+std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
+    std::string text = heading(options);
+    std::string_view section;
+    for (const Field& field : parameters::fields()) {
+        if (!field.belongs(c)) continue;
+        if (field.section != section) text += (text.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
+        section = field.section;
+        if (options.comments == Comments::full) text += comment(field);
+        text += std::string(field.name) + " = " + value_of(c, field) + "\n";
+    }
+    return text;
+}
+
+std::string study_toml(const sweep::Study& study, const TomlOptions& options) {
+    const auto say = [&](std::string_view sentence) {
+        return options.comments == Comments::full ? "# " + std::string(sentence) + "\n" : std::string();
+    };
+    std::string text = case_toml(study.base, options) + "\n[chart]\n";
+    text += say("the axes: any quantity above; ends in its unit, both included; scale \"linear\" or \"log\"");
+    text += "x = " + axis_text(study.x) + "\n";
+    text += "y = " + axis_text(study.y) + "\n";
+    text += say("which way the plate moves: going is V > 0, coming V < 0");
+    text += "directions = " +
+            list_text(study.directions,
+                      [](parameters::Direction direction) {
+                          return parameters::direction_names[static_cast<std::size_t>(direction)];
+                      }) +
+            "\n";
+    text += say("what to draw: \"category\" or any figure of a cell, such as \"separation\" or \"frequency\"");
+    text += "quantities = " + list_text(study.quantities, [](const std::string& name) { return name; }) + "\n";
+    return text;
+}
+
+}  // namespace stridor::io

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "stridor/parameters/case.hpp"
+#include "stridor/parameters/field.hpp"
+#include "stridor/sweep/study.hpp"
+
+#include <string>
+
+namespace stridor::io {
+
+enum class Comments { none, full };
+
+struct TomlOptions {
+    Comments comments = Comments::full;  // full: above each key what it is, its symbol, unit and range
+    std::string heading;                 // lines put at the top as comments; may be empty
+};
+
+/// A case as a TOML file, generated from the field table: every key that belongs to it, quantities with their units.
+///
+/// Reading it back gives a case with an identical `parameters::canonical_text`.
+std::string case_toml(const parameters::Case& c, const TomlOptions& options = {});
+
+/// A chart: the case's sections and [chart]. Reading it back gives the same `sweep::canonical_text`.
+std::string study_toml(const sweep::Study& study, const TomlOptions& options = {});
+
+/// Which values a field takes, in words: "N, above 0", "\"rest\", \"stuck\" or \"sliding\"", "text".
+std::string describe_values(const parameters::Field& field);
+
+}  // namespace stridor::io
