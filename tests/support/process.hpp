@@ -1,0 +1,72 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The program seen from outside: start it, talk to it, end it.
+namespace stridor::test {
+
+/// What a program left behind.
+struct Finished {
+    int exit_code = -1;  // -1 if a signal ended it
+    int signal = 0;      // the signal that ended it
+    std::string out;     // stdout
+    std::string err;     // stderr
+};
+
+/// How to start it.
+struct Launch {
+    std::vector<std::string> arguments;
+    std::filesystem::path folder;                                  // where it runs; empty: here
+    std::string input;                                             // stdin
+    std::optional<unsigned long> largest_file;                     // [bytes] RLIMIT_FSIZE, a disk that fills up
+    std::vector<std::pair<std::string, std::string>> environment;  // added to ours
+};
+
+/// A running program; its output goes to files in its own temporary folder, so that it never blocks on a pipe.
+class Process {
+public:
+    explicit Process(const Launch& launch);
+    ~Process();
+    Process(const Process&) = delete;
+    Process& operator=(const Process&) = delete;
+
+    void send(int signal) const;
+    bool is_running();
+    Finished wait();
+
+private:
+    pid_t id_ = -1;
+    int status_ = 0;
+    bool is_done_ = false;
+    std::filesystem::path output_;
+};
+
+/// Runs the program (STRIDOR_PROGRAM) to its end.
+Finished run(const std::vector<std::string>& arguments, const std::filesystem::path& folder = {},
+             const std::string& input = {});
+Finished run(const Launch& launch);
+
+/// A folder of its own for one test, gone with it.
+class TemporaryFolder {
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+private:
+    std::filesystem::path path_;
+};
+
+std::string read_text(const std::filesystem::path& file);
+void write_text(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace stridor::test
