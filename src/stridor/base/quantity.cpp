@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -122,6 +123,29 @@ Unit product(const Unit& a, const Unit& b, int sign) {
             sign > 0 ? a.factor * b.factor : a.factor / b.factor};
 }
 
+// the power of ten that a ratio of units is, up to the rounding of its factors; nothing for minutes and radians
+std::optional<int> decimal_exponent(double ratio) {
+    const int exponent = static_cast<int>(std::lround(std::log10(ratio)));
+    const double power = std::strtod(("1e" + std::to_string(exponent)).c_str(), nullptr);
+    return std::abs(ratio / power - 1.0) < 1e-14 ? std::optional(exponent) : std::nullopt;
+}
+
+// number times ratio; a decimal ratio moves the numeral's own exponent, so that "0.1 us" reads as 1e-07 to the last bit
+double scaled(std::string_view numeral, double number, double ratio) {
+    const std::optional<int> shift = decimal_exponent(ratio);
+    if (!shift || *shift == 0) return shift ? number : number * ratio;
+    const std::size_t mark = numeral.find_first_of("eE");
+    int exponent = 0;
+    if (mark != std::string_view::npos) {
+        const std::size_t sign = numeral[mark + 1] == '+' ? 1 : 0;
+        std::from_chars(numeral.data() + mark + 1 + sign, numeral.data() + numeral.size(), exponent);
+    }
+    const std::string moved = std::string(numeral.substr(0, mark)) + "e" + std::to_string(exponent + *shift);
+    double value = number * ratio;  // stays where the moved numeral leaves double precision
+    std::from_chars(moved.data(), moved.data() + moved.size(), value);
+    return value;
+}
+
 }  // namespace
 
 std::string describe(Dimension dimension) {
@@ -160,7 +184,8 @@ double parse_quantity(std::string_view text, std::string_view unit) {
     const std::string_view given = trimmed(text);
     double number = 0.0;
     // from_chars refuses a leading plus, which people write
-    const std::string_view digits = given.starts_with('+') ? given.substr(1) : given;
+    const bool has_plus = given.starts_with('+') && !given.starts_with("+-");
+    const std::string_view digits = given.substr(has_plus ? 1 : 0);
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     const std::string quoted = "\"" + std::string(given) + "\"";
     const bool is_word =
@@ -178,9 +203,8 @@ double parse_quantity(std::string_view text, std::string_view unit) {
         throw Error(ErrorKind::input,
                     {quoted + " is " + describe(found.dimension), "expected " + describe(wanted.dimension),
                      "Give it in " + std::string(unit) + "."});
-    // a small unit divides by its whole inverse: 0.1 us is then 1e-07 to the last bit, as the user would write it
-    const double ratio = found.factor / wanted.factor;
-    const double value = ratio < 1.0 ? number / (1.0 / ratio) : number * ratio;
+    const std::string_view numeral(digits.data(), result.ptr);
+    const double value = scaled(numeral, number, found.factor / wanted.factor);
     if (result.ec == std::errc::result_out_of_range || !std::isfinite(value))
         throw Error(ErrorKind::input, {quoted + " is not a finite number", "it lies outside double precision", ""});
     return value;
