@@ -29,7 +29,7 @@ struct Cell {
 
     Status status = Status::failed;
     classification::Category category = classification::Category::undecided;  // meaningless unless done
-    std::string message;                                                      // why it is not done; empty otherwise
+    std::string message;  // why it is not done, or done and undecided; empty otherwise
 
     double slip = unknown;               // [1] whole window
     double stick = unknown;              // [1]
@@ -55,7 +55,8 @@ struct Cell {
     double energy_residual = unknown;    // [1] relative
 };
 
-/// One number of a cell; the store's columns, CSV, netCDF and what a chart can draw all come from this table.
+/// One number of a cell; the store's columns, CSV, netCDF and what a chart can draw all come from this table. A name is
+/// a word of lower-case letters, digits and underscores.
 struct CellFigure {
     std::string_view name;
     std::string_view unit;      // "1", "Hz", "dB re 1e-9 m/s"

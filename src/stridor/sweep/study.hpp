@@ -14,12 +14,15 @@ enum class Scale { linear, logarithmic };
 
 inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
 
-/// One axis of a chart: a quantity of the field table and the values it takes, both ends included.
+/// Most points of an axis: more make a chart nobody can compute, and are a slip of the keyboard.
+inline constexpr int most_points = 4096;
+
+/// One axis of a chart: a quantity of the field table and the values it takes, rising, both ends included.
 struct Axis {
     std::string parameter;  // "contact.preload"
     double from = 0.0;      // in the field's unit (SI, angles in deg)
     double to = 1.0;
-    int points = 2;  // [1] at least 2
+    int points = 2;  // [1] from 2 to `most_points`
     Scale scale = Scale::linear;
 };
 
@@ -47,18 +50,23 @@ struct CellPlace {
     int ix = 0;
 };
 CellPlace place_of(const Study& study, std::size_t index);
+std::size_t index_of(const Study& study, const CellPlace& place);
 
 /// The case of one cell: the base case with the axes' values and the direction put in.
 parameters::Case case_at(const Study& study, const CellPlace& place);
 
-/// Throws `Error` (input) for an axis that is no quantity, has an end outside its range, too few points, a logarithm of
-/// something not positive, two equal axes, no direction, or an unknown quantity to draw.
+/// Throws `Error` (input) for an axis that is no quantity of this case, has an end outside its range, does not rise, has
+/// too few or too many points or a logarithm of something not positive; for two equal axes, no direction or the same
+/// twice, an unknown quantity to draw; and for what is wrong with the case in every cell, whatever the axes say.
 void check(const Study& study);
 
-/// All that decides the results, as text: the canonical case and the axes. A store belongs to exactly one such text.
+/// All that decides the results, as lines of "key = value": the canonical case without the two quantities that the axes
+/// set, then the axes and the directions. A store belongs to exactly one such text. The title and the quantities to
+/// draw are not in it, nor the sign of a constant drive's velocity: the directions give it.
 std::string canonical_text(const Study& study);
 
-/// The command that runs one cell alone: "stridor simulate FILE --set contact.preload=20 ...".
+/// The command that runs one cell alone: "stridor simulate FILE --set contact.preload=20 ...", bit for bit, since
+/// numbers are written so that they read back as the same.
 std::string reproduce_command(const Study& study, const CellPlace& place, const std::string& file);
 
 }  // namespace stridor::sweep

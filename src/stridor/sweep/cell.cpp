@@ -1,0 +1,47 @@
+#include "stridor/sweep/cell.hpp"
+
+#include <algorithm>
+
+namespace stridor::sweep {
+
+namespace {
+
+constexpr std::array figures{
+    CellFigure{"slip", "1", "share of the window in slip", &Cell::slip},
+    CellFigure{"stick", "1", "share of the window in stick", &Cell::stick},
+    CellFigure{"separation", "1", "share of the window in separation", &Cell::separation},
+    CellFigure{"judged_slip", "1", "share of the judged time in slip", &Cell::judged_slip},
+    CellFigure{"judged_stick", "1", "share of the judged time in stick", &Cell::judged_stick},
+    CellFigure{"judged_separation", "1", "share of the judged time in separation", &Cell::judged_separation},
+    CellFigure{"regularity", "1", "regularity of the beats: 1 when all intervals are equal", &Cell::regularity},
+    CellFigure{"repetition", "1", "repetition of the pattern, perhaps after several unequal beats", &Cell::repetition},
+    CellFigure{"variation", "1", "coefficient of variation of the intervals between beats", &Cell::variation},
+    CellFigure{"intervals", "1", "number of intervals between beats", &Cell::intervals},
+    CellFigure{"lag", "1", "beats per period of the pattern", &Cell::lag},
+    CellFigure{"period", "s", "period of the pattern", &Cell::period},
+    CellFigure{"frequency", "Hz", "dominant frequency of the alternation", &Cell::frequency},
+    CellFigure{"joint_rms", "m/s", "root mean square velocity of the joint", &Cell::joint_rms},
+    CellFigure{"joint_peak", "m/s", "peak velocity of the joint", &Cell::joint_peak},
+    CellFigure{"joint_level", "dB re 1e-9 m/s", "velocity level of the joint", &Cell::joint_level},
+    CellFigure{"plate_rms", "m/s", "root mean square velocity of the plate", &Cell::plate_rms},
+    CellFigure{"plate_peak", "m/s", "peak velocity of the plate", &Cell::plate_peak},
+    CellFigure{"plate_level", "dB re 1e-9 m/s", "velocity level of the plate", &Cell::plate_level},
+    CellFigure{"growth_rate", "1/s", "largest growth rate of steady sliding; unstable above zero", &Cell::growth_rate},
+    CellFigure{"mode_frequency", "Hz", "frequency of the mode with the largest growth rate", &Cell::mode_frequency},
+    CellFigure{"energy_residual", "1", "energy the computation created or lost, as a share of the turnover",
+               &Cell::energy_residual},
+};
+
+}  // namespace
+
+std::span<const CellFigure> cell_figures() {
+    return figures;
+}
+
+const CellFigure* find_cell_figure(std::string_view name) {
+    const auto found =
+        std::find_if(figures.begin(), figures.end(), [&](const CellFigure& figure) { return figure.name == name; });
+    return found == figures.end() ? nullptr : &*found;
+}
+
+}  // namespace stridor::sweep

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace stridor::sweep {
+
+class Statement;
+
+/// An SQLite database in one file, owned by this process alone.
+///
+/// The lock is taken by the first `Transaction` and kept until the database is closed, so that a second process is
+/// refused at once and can never change the file between two transactions. A process that dies at any moment leaves
+/// the last committed transaction: its rollback journal is undone by the next one that opens the file. Every failure
+/// throws `Error`: input for a file of another kind, io with the reason for the rest.
+class Database {
+public:
+    /// Opens the file, or makes an empty one; nothing is read yet.
+    explicit Database(const std::filesystem::path& file);
+
+    const std::filesystem::path& file() const { return file_; }
+
+    void execute(const std::string& sql);
+    Statement prepare(const std::string& sql);
+
+    /// The single integer that a query such as "PRAGMA user_version" gives.
+    std::int64_t integer(const std::string& sql);
+
+private:
+    friend class Statement;
+    friend class Transaction;
+
+    struct Close {
+        void operator()(sqlite3* handle) const;
+    };
+
+    [[noreturn]] void fail(int code) const;
+
+    std::filesystem::path file_;
+    std::unique_ptr<sqlite3, Close> handle_;
+};
+
+/// A prepared statement: bind, step until there is no row, reset. Parameters count from 1, columns from 0.
+///
+/// Must end before its database. A NaN is kept as NULL, every other number bit for bit.
+class Statement {
+public:
+    void bind(int parameter, double value);
+    void bind(int parameter, std::int64_t value);
+    void bind(int parameter, std::string_view text);  // must live until the next `reset`
+    void bind_null(int parameter);
+
+    /// Goes to the next row; false when there is none.
+    bool step();
+
+    /// Runs a statement that gives no rows, and makes it ready for the next values.
+    void run();
+
+    double number(int column) const;
+    std::int64_t integer(int column) const;
+    std::string text(int column) const;  // empty for NULL
+
+private:
+    friend class Database;
+
+    struct Finalize {
+        void operator()(sqlite3_stmt* handle) const;
+    };
+
+    Statement(const Database& database, const std::string& sql);
+    void expect_ok(int code) const;
+
+    const Database* database_;
+    std::unique_ptr<sqlite3_stmt, Finalize> handle_;
+};
+
+/// All or nothing: what is not committed when this ends is undone.
+class Transaction {
+public:
+    explicit Transaction(Database& database);
+    ~Transaction();
+    Transaction(const Transaction&) = delete;
+    Transaction& operator=(const Transaction&) = delete;
+
+    void commit();
+
+private:
+    Database& database_;
+    bool is_open_ = true;
+};
+
+}  // namespace stridor::sweep

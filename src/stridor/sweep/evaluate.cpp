@@ -1,0 +1,132 @@
+#include "stridor/sweep/evaluate.hpp"
+
+#include "stridor/analysis/evidence.hpp"
+#include "stridor/analysis/sliding_stability.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/classification/contact_rules.hpp"
+#include "stridor/integration/simulate.hpp"
+#include "stridor/model/rubbing_system.hpp"
+#include "stridor/parameters/check.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace stridor::sweep {
+
+namespace {
+
+using integration::Motion;
+using integration::Reason;
+using parameters::Case;
+using parameters::Direction;
+using record::Phase;
+
+// one run of a case, and how it ended
+struct Attempt {
+    Status status = Status::done;
+    std::string message;
+    Motion motion;
+};
+
+Attempt ended(Motion motion, const Case& c) {
+    const std::string time = base::shortest(motion.outcome.time) + " s";
+    switch (motion.outcome.reason) {
+        case Reason::step_limit:
+            return {Status::step_limit,
+                    "run.step = " + base::shortest(c.run.step) + " s exceeds the largest stable step, " +
+                        base::shortest(integration::cost(c).step_limit) + " s",
+                    {}};
+        case Reason::diverged:
+            return {Status::diverged, "a number left double precision before " + time, {}};
+        case Reason::completed:
+        case Reason::settled:
+        case Reason::cancelled:
+            break;
+    }
+    return {Status::done, "", std::move(motion)};
+}
+
+// nothing if the run was stopped
+std::optional<Attempt> attempt(const Case& c, std::stop_token stop) {
+    const std::vector<parameters::Finding> findings = parameters::findings(c);
+    if (!findings.empty())
+        return Attempt{Status::invalid, Error(ErrorKind::input, findings.front().problem).what(), {}};
+    try {
+        Motion motion = integration::simulate(c, {}, std::move(stop));
+        if (motion.outcome.reason == Reason::cancelled) return std::nullopt;
+        return ended(std::move(motion), c);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::numerical) throw;
+        return Attempt{Status::failed, error.what(), {}};
+    }
+}
+
+// the tally of one direction; an empty one if the drive never moves that way, which is judged undecided
+record::Tally tally_of(const Motion& motion, Direction direction) {
+    const Phase wanted = direction == Direction::going ? Phase::going : Phase::coming;
+    for (const record::Tally& tally : motion.record.phases)
+        if (tally.phase == wanted || tally.phase == Phase::all) return tally;
+    record::Tally nothing;
+    nothing.phase = wanted;
+    nothing.vibration.resize(model::rubbing_system_dofs);
+    return nothing;
+}
+
+void set_figures(Cell& cell, const analysis::Evidence& evidence) {
+    cell.slip = evidence.rates.slip;
+    cell.stick = evidence.rates.stick;
+    cell.separation = evidence.rates.separation;
+    cell.judged_slip = evidence.judged_rates.slip;
+    cell.judged_stick = evidence.judged_rates.stick;
+    cell.judged_separation = evidence.judged_rates.separation;
+    cell.regularity = evidence.alternation.regularity;
+    cell.repetition = evidence.alternation.repetition;
+    cell.variation = evidence.alternation.variation;
+    cell.intervals = static_cast<double>(evidence.alternation.intervals);
+    cell.lag = evidence.alternation.lag;
+    cell.period = evidence.alternation.period;
+    cell.frequency = evidence.alternation.frequency;
+    cell.joint_rms = evidence.levels.joint.rms;
+    cell.joint_peak = evidence.levels.joint.peak;
+    cell.joint_level = evidence.levels.joint.decibels;
+    cell.plate_rms = evidence.levels.plate.rms;
+    cell.plate_peak = evidence.levels.plate.peak;
+    cell.plate_level = evidence.levels.plate.decibels;
+}
+
+Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
+    Cell cell;
+    cell.status = attempt.status;
+    cell.message = attempt.message;
+    if (attempt.status != Status::done) return cell;
+
+    const analysis::Evidence evidence = analysis::evidence(tally_of(attempt.motion, direction));
+    const classification::Verdict verdict = classification::classify(evidence, c.verdict);
+    cell.category = verdict.category;
+    if (verdict.category == classification::Category::undecided) cell.message = verdict.reasons.back();
+    set_figures(cell, evidence);
+    const analysis::SlidingStability stability = analysis::sliding_stability(model::rubbing_system(c), direction);
+    cell.growth_rate = stability.growth;
+    cell.mode_frequency = stability.frequency;
+    cell.energy_residual = attempt.motion.energy.relative_residual();
+    return cell;
+}
+
+}  // namespace
+
+std::vector<Cell> evaluate(const Study& study, int ix, int iy, std::stop_token stop) {
+    const bool runs_each_direction = study.base.drive.kind == parameters::DriveKind::constant;
+    std::vector<Cell> cells;
+    std::optional<Attempt> run;
+    for (std::size_t direction = 0; direction < study.directions.size(); ++direction) {
+        const Case c = case_at(study, {direction, iy, ix});
+        if (direction == 0 || runs_each_direction) run = attempt(c, stop);
+        if (!run) return {};
+        cells.push_back(cell_of(c, study.directions[direction], *run));
+    }
+    return cells;
+}
+
+}  // namespace stridor::sweep

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/study.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <stop_token>
+
+namespace stridor::sweep {
+
+/// How far a sweep is.
+struct Progress {
+    std::size_t done = 0;   // [1] cells finished, those of earlier runs included
+    std::size_t total = 0;  // [1] cells of the study
+    Counts counts;          // of the finished cells
+    double rate = 0.0;      // [1/s] cells finished per second over the last minute of this run
+};
+
+struct RunOptions {
+    int threads = 0;                                // [1] 0: one per processor
+    std::stop_token stop;                           // asks for an early end
+    std::function<void(const Progress&)> progress;  // called from the caller's thread, at most ten times a second
+    std::size_t cells_per_commit = 256;             // [1] so many finished cells, or
+    double seconds_per_commit = 0.5;                // [s] so much time, may be lost to a kill
+};
+
+enum class Ending {
+    completed,  // every cell is in the store
+    stopped,    // on request; the finished cells are in the store, and the next run goes on
+};
+
+/// How a run of a sweep ended.
+struct RunReport {
+    Ending ending = Ending::completed;
+    std::size_t computed = 0;  // [1] cells of this run
+    Progress progress;         // at its end
+};
+
+/// Computes the cells that a study's store lacks, on all processors, and keeps each there as it is finished.
+///
+/// A stop request ends it within a fraction of a second with all finished points saved. The same study gives the same
+/// cells, bit for bit, for every number of threads and however often it was stopped or killed. Memory depends on the
+/// number of cells, never on the simulated time. What a worker, the store or the callback throws comes out of here,
+/// once the workers have ended.
+RunReport run(const Study& study, Store& store, const RunOptions& options = {});
+
+}  // namespace stridor::sweep

@@ -1,0 +1,251 @@
+#include "stridor/sweep/store.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/version.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace stridor::sweep {
+
+namespace {
+
+// "STRD", in the file's header where other programs look for the kind of a database
+constexpr std::int64_t application_id = 0x53545244;
+
+constexpr int fixed_columns = 4;  // id, status, category, message
+
+const char* const other_out = "Choose another --out, or remove the file to start anew.";
+
+std::string cell_columns() {
+    std::string columns = "id, status, category, message";
+    for (const CellFigure& figure : cell_figures())
+        columns += ", " + std::string(figure.name);
+    return columns;
+}
+
+std::string create_cell_table() {
+    std::string sql =
+        "CREATE TABLE cell(id INTEGER PRIMARY KEY, status TEXT NOT NULL, category TEXT, message TEXT NOT NULL";
+    // no REAL here: such a column turns whole numbers into integers on disk and loses the sign of -0
+    for (const CellFigure& figure : cell_figures())
+        sql += ", " + std::string(figure.name);
+    return sql + ")";
+}
+
+std::string insert_cell() {
+    std::string sql = "INSERT OR REPLACE INTO cell(" + cell_columns() + ") VALUES(?, ?, ?, ?";
+    for (std::size_t k = 0; k < cell_figures().size(); ++k)
+        sql += ", ?";
+    return sql + ")";
+}
+
+struct Line {
+    std::string_view key;
+    std::string_view text;
+};
+
+std::vector<Line> lines_of(std::string_view text) {
+    std::vector<Line> lines;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        lines.push_back({line.substr(0, line.find(" = ")), line});
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+    }
+    return lines;
+}
+
+const Line* find_key(const std::vector<Line>& lines, std::string_view key) {
+    const auto found = std::find_if(lines.begin(), lines.end(), [&](const Line& line) { return line.key == key; });
+    return found == lines.end() ? nullptr : &*found;
+}
+
+// where two studies part, in words: "the store holds contact.static_friction = 0.8, the file says 0.7"
+std::string difference(const std::string& stored, const std::string& wanted) {
+    const std::vector<Line> there = lines_of(stored);
+    const std::vector<Line> here = lines_of(wanted);
+    for (const Line& line : here) {
+        const Line* other = find_key(there, line.key);
+        if (other == nullptr) return "the file says " + std::string(line.text) + ", which the store does not hold";
+        if (other->text != line.text)
+            return "the store holds " + std::string(other->text) + ", the file says " +
+                   std::string(line.text.substr(std::min(line.text.size(), line.key.size() + 3)));
+    }
+    for (const Line& line : there)
+        if (find_key(here, line.key) == nullptr)
+            return "the store holds " + std::string(line.text) + ", which the file does not say";
+    return "its lines stand in another order";
+}
+
+template <typename Names>
+std::optional<std::size_t> place_in(const Names& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+void bind_cell(Statement& statement, const IndexedCell& indexed) {
+    const Cell& cell = indexed.cell;
+    statement.bind(1, static_cast<std::int64_t>(indexed.index));
+    statement.bind(2, status_names[static_cast<std::size_t>(cell.status)]);
+    if (cell.status == Status::done)
+        statement.bind(3, classification::name(cell.category));
+    else
+        statement.bind_null(3);
+    statement.bind(4, std::string_view(cell.message));
+    int parameter = fixed_columns;
+    for (const CellFigure& figure : cell_figures())
+        statement.bind(++parameter, cell.*figure.member);
+}
+
+// nothing for a row that no sweep wrote
+std::optional<IndexedCell> cell_in(const Statement& row, std::size_t cells) {
+    const std::optional<std::size_t> status = place_in(status_names, row.text(1));
+    const std::optional<std::size_t> category = place_in(classification::category_names, row.text(2));
+    const bool is_inside = row.integer(0) >= 0 && static_cast<std::size_t>(row.integer(0)) < cells;
+    if (!is_inside || !status) return std::nullopt;
+    IndexedCell indexed;
+    indexed.index = static_cast<std::size_t>(row.integer(0));
+    Cell& cell = indexed.cell;
+    cell.status = static_cast<Status>(*status);
+    if (cell.status == Status::done && !category) return std::nullopt;
+    if (category) cell.category = static_cast<classification::Category>(*category);
+    cell.message = row.text(3);
+    int column = fixed_columns;
+    for (const CellFigure& figure : cell_figures())
+        cell.*figure.member = row.number(column++);
+    return indexed;
+}
+
+}  // namespace
+
+void count(Counts& counts, const Cell& cell) {
+    ++counts.statuses[static_cast<std::size_t>(cell.status)];
+    if (cell.status == Status::done) ++counts.categories[static_cast<std::size_t>(cell.category)];
+}
+
+Store::Store(const std::filesystem::path& file, const Study& study)
+    : database_(file),
+      study_text_(canonical_text(study)),
+      cells_(cell_count(study)) {
+    Transaction transaction(database_);
+    const bool is_new =
+        database_.integer("PRAGMA application_id") == 0 && database_.integer("SELECT count(*) FROM sqlite_schema") == 0;
+    if (is_new)
+        create();
+    else
+        verify();
+    transaction.commit();
+}
+
+void Store::create() {
+    database_.execute("PRAGMA application_id = " + std::to_string(application_id));
+    database_.execute("PRAGMA user_version = " + std::to_string(store_schema));
+    database_.execute("CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID");
+    database_.execute(create_cell_table());
+    const std::pair<std::string, std::string> entries[] = {{"study", study_text_},
+                                                           {"results", std::to_string(results_version)},
+                                                           {"program", std::string(base::version())},
+                                                           {"commit", std::string(base::commit())}};
+    Statement insert = database_.prepare("INSERT INTO meta(key, value) VALUES(?, ?)");
+    for (const auto& [key, value] : entries) {
+        insert.bind(1, std::string_view(key));
+        insert.bind(2, std::string_view(value));
+        insert.run();
+    }
+}
+
+std::string Store::meta(std::string_view key) {
+    Statement query = database_.prepare("SELECT value FROM meta WHERE key = ?");
+    query.bind(1, key);
+    return query.step() ? query.text(0) : std::string();
+}
+
+void Store::verify() {
+    const std::string name = file().string();
+    if (database_.integer("PRAGMA application_id") != application_id)
+        throw Error(ErrorKind::input, {name + " is no store of a sweep", "it is another program's SQLite database",
+                                       "Choose another --out, or remove the file."});
+    const std::int64_t schema = database_.integer("PRAGMA user_version");
+    if (schema != store_schema)
+        throw Error(ErrorKind::input,
+                    {"the store " + name + " has schema " + std::to_string(schema),
+                     "this program reads and writes schema " + std::to_string(store_schema), other_out});
+    const std::string stored = meta("study");
+    if (stored != study_text_)
+        throw Error(ErrorKind::input,
+                    {"the store " + name + " belongs to another study", difference(stored, study_text_), other_out});
+    const std::string results = meta("results");
+    if (results != std::to_string(results_version))
+        throw Error(ErrorKind::input, {"the store " + name + " was begun by stridor " + meta("program"),
+                                       "its numbers are of generation " + results + ", this program's of " +
+                                           std::to_string(results_version) + ", and the two do not mix",
+                                       other_out});
+}
+
+std::vector<bool> Store::stored() {
+    std::vector<bool> found(cells_);
+    Statement rows = database_.prepare("SELECT id FROM cell");
+    while (rows.step()) {
+        const std::int64_t id = rows.integer(0);
+        if (id >= 0 && static_cast<std::size_t>(id) < cells_) found[static_cast<std::size_t>(id)] = true;
+    }
+    return found;
+}
+
+Counts Store::counts() {
+    Counts counts;
+    Statement rows = database_.prepare("SELECT status, category, count(*) FROM cell GROUP BY status, category");
+    while (rows.step()) {
+        const auto number = static_cast<std::size_t>(rows.integer(2));
+        if (const auto status = place_in(status_names, rows.text(0))) counts.statuses[*status] += number;
+        if (const auto category = place_in(classification::category_names, rows.text(1)))
+            counts.categories[*category] += number;
+    }
+    return counts;
+}
+
+void Store::write(std::span<const IndexedCell> cells) {
+    Transaction transaction(database_);
+    Statement insert = database_.prepare(insert_cell());
+    for (const IndexedCell& cell : cells) {
+        STRIDOR_EXPECT(cell.index < cells_);
+        bind_cell(insert, cell);
+        insert.run();
+    }
+    transaction.commit();
+}
+
+std::vector<IndexedCell> Store::read() {
+    std::vector<IndexedCell> cells;
+    Statement rows = database_.prepare("SELECT " + cell_columns() + " FROM cell ORDER BY id");
+    while (rows.step()) {
+        std::optional<IndexedCell> cell = cell_in(rows, cells_);
+        if (!cell)
+            throw Error(ErrorKind::io,
+                        {"the store " + file().string() + " is damaged",
+                         "cell " + std::to_string(rows.integer(0)) + " is none of this study", other_out});
+        cells.push_back(std::move(*cell));
+    }
+    return cells;
+}
+
+SweepResult load(const Study& study, Store& store) {
+    std::vector<IndexedCell> cells = store.read();
+    const std::size_t total = cell_count(study);
+    if (cells.size() != total)
+        throw Error(ErrorKind::interrupted,
+                    {"the sweep is not finished",
+                     "the store " + store.file().string() + " holds " + std::to_string(cells.size()) + " of " +
+                         std::to_string(total) + " cells",
+                     "Run the same command again: it goes on where it stopped."});
+    SweepResult result{study, {}};
+    result.cells.reserve(total);
+    for (IndexedCell& indexed : cells)
+        result.cells.push_back(std::move(indexed.cell));
+    return result;
+}
+
+}  // namespace stridor::sweep

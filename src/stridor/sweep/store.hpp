@@ -1,0 +1,78 @@
+#pragma once
+
+#include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/database.hpp"
+#include "stridor/sweep/study.hpp"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace stridor::sweep {
+
+/// Layout of a store. Raise it when a table, a column or the meaning of one changes: older stores are then refused.
+inline constexpr int store_schema = 1;
+
+/// Generation of the numbers. Raise it with every change that moves a result (the changelog's "Results changed"): a
+/// store begun before is then refused, for its cells and new ones would not fit together.
+inline constexpr int results_version = 1;
+
+/// How many cells there are of each kind.
+struct Counts {
+    std::array<std::size_t, status_names.size()> statuses{};                      // [1] by Status
+    std::array<std::size_t, classification::category_names.size()> categories{};  // [1] by Category, done cells only
+};
+
+void count(Counts& counts, const Cell& cell);
+
+/// A cell with its index in the study.
+struct IndexedCell {
+    std::size_t index = 0;
+    Cell cell;
+};
+
+/// The finished cells of one study in one SQLite file, from the first cell on: the sweep's only memory.
+///
+/// Tables: meta(key, value) with the study's canonical text, the results version, and program and commit for
+/// information; cell(id, status, category, message, a column per `cell_figures`), id being the cell's index, category
+/// NULL unless done, a figure NULL where it is NaN. `PRAGMA application_id` and `user_version` say what the file is.
+///
+/// The file belongs to one process while a store is open, and survives the death of that process at any moment.
+class Store {
+public:
+    /// Opens the store of this study, or makes it.
+    ///
+    /// Throws `Error`: input if the file is something else or another study's (the first difference is named), io if
+    /// another process has it open or the file cannot be read or written.
+    Store(const std::filesystem::path& file, const Study& study);
+
+    const std::filesystem::path& file() const { return database_.file(); }
+
+    /// Which cells are there; shape [cell].
+    std::vector<bool> stored();
+
+    Counts counts();
+
+    /// Keeps cells, all or none, on disk when it returns. Throws `Error` (io) if that fails; the store stays good.
+    void write(std::span<const IndexedCell> cells);
+
+    /// All cells that are there, in index order.
+    std::vector<IndexedCell> read();
+
+private:
+    void create();
+    void verify();
+    std::string meta(std::string_view key);
+
+    Database database_;
+    std::string study_text_;
+    std::size_t cells_ = 0;  // [1] of the study
+};
+
+/// The finished sweep, cells in index order. Throws `Error` (interrupted) if cells are missing.
+SweepResult load(const Study& study, Store& store);
+
+}  // namespace stridor::sweep

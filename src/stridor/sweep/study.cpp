@@ -1,0 +1,231 @@
+#include "stridor/sweep/study.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/elementary.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/parameters/check.hpp"
+#include "stridor/parameters/field.hpp"
+#include "stridor/sweep/cell.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace stridor::sweep {
+
+namespace {
+
+using base::shortest;
+using parameters::Case;
+using parameters::Direction;
+using parameters::Field;
+
+// widest logarithmic axis: what base::power_of_2 computes
+constexpr double most_octaves = 1000.0;
+
+[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
+    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
+}
+
+std::string quoted(std::string_view text) {
+    return "\"" + std::string(text) + "\"";
+}
+
+std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates) {
+    const std::string_view near = base::nearest_name(name, candidates);
+    return near.empty() ? "" : "Did you mean " + quoted(near) + "?";
+}
+
+bool is_constant(const Study& study) {
+    return study.base.drive.kind == parameters::DriveKind::constant;
+}
+
+std::string_view direction_name(Direction direction) {
+    return parameters::direction_names[static_cast<std::size_t>(direction)];
+}
+
+double octaves(const Axis& axis) {
+    return base::logarithm_2(axis.to) - base::logarithm_2(axis.from);
+}
+
+// the field of an axis named "chart.x" or "chart.y"
+const Field& quantity_of(const Study& study, const Axis& axis, const std::string& name) {
+    const Field* field = parameters::find_field(axis.parameter);
+    const bool is_quantity = field != nullptr && std::holds_alternative<parameters::Quantity>(field->kind);
+    if (!is_quantity) {
+        const std::vector<std::string> keys = parameters::quantity_keys();
+        const std::vector<std::string_view> candidates(keys.begin(), keys.end());
+        refuse(name + ".parameter = " + quoted(axis.parameter) + " is no quantity",
+               field == nullptr ? "a case has no such key" : "it has no numbers an axis could run through",
+               did_you_mean(axis.parameter, candidates));
+    }
+    if (!field->belongs(study.base))
+        refuse(name + ".parameter = " + quoted(axis.parameter) + " changes nothing",
+               "this case, with its kind of drive and start, does not use it", "Choose another quantity.");
+    return *field;
+}
+
+void check_end(const Study& study, const Field& field, double value, const std::string& name) {
+    Case probe = study.base;
+    try {
+        parameters::set_quantity(probe, field, value);
+    } catch (const Error& error) {
+        throw Error(error.kind(),
+                    {name + ": " + error.problem().what, error.problem().why, error.problem().suggestion});
+    }
+}
+
+void check_axis(const Study& study, const Axis& axis, const std::string& name) {
+    const Field& field = quantity_of(study, axis, name);
+    if (axis.points < 2)
+        refuse(name + ".points = " + std::to_string(axis.points) + " makes no axis",
+               "both ends belong to it, so it has two at least", "");
+    if (axis.points > most_points)
+        refuse(name + ".points = " + std::to_string(axis.points) + " is too many",
+               "an axis has at most " + std::to_string(most_points) + " points", "");
+    check_end(study, field, axis.from, name + ".from");
+    check_end(study, field, axis.to, name + ".to");
+    if (!(axis.from < axis.to))
+        refuse(name + ".from = " + shortest(axis.from) + " is not below " + name + ".to = " + shortest(axis.to),
+               "an axis rises", axis.from > axis.to ? "Swap them?" : "");
+    if (axis.scale == Scale::linear) return;
+    if (!(axis.from > 0.0))
+        refuse(name + ".from = " + shortest(axis.from) + " has no logarithm",
+               "a logarithmic axis holds positive values only", "Set " + name + ".scale = \"linear\"?");
+    if (octaves(axis) >= most_octaves)
+        refuse(name + " runs from " + shortest(axis.from) + " to " + shortest(axis.to),
+               "a logarithmic axis spans less than 1000 octaves", "");
+}
+
+void check_directions(const Study& study) {
+    if (study.directions.empty())
+        refuse("chart.directions is empty", "there would be nothing to compute",
+               "Write directions = [\"going\", \"coming\"]?");
+    for (auto it = study.directions.begin(); it != study.directions.end(); ++it)
+        if (std::find(study.directions.begin(), it, *it) != it)
+            refuse("chart.directions names " + quoted(direction_name(*it)) + " twice", "each is computed once", "");
+}
+
+void check_quantities(const Study& study) {
+    std::vector<std::string_view> names{"category"};
+    for (const CellFigure& figure : cell_figures())
+        names.push_back(figure.name);
+    for (const std::string& quantity : study.quantities)
+        if (std::find(names.begin(), names.end(), quantity) == names.end())
+            refuse("chart.quantities names " + quoted(quantity), "a cell has no such figure",
+                   did_you_mean(quantity, names));
+}
+
+// A finding that reads the same at all four corners does not come from the axes: every cell would be invalid.
+void check_corners(const Study& study) {
+    const auto findings_at = [&](int iy, int ix) { return parameters::findings(case_at(study, {0, iy, ix})); };
+    const std::vector<parameters::Finding> others[] = {findings_at(0, study.x.points - 1),
+                                                       findings_at(study.y.points - 1, 0),
+                                                       findings_at(study.y.points - 1, study.x.points - 1)};
+    for (const parameters::Finding& finding : findings_at(0, 0)) {
+        const auto has_it = [&](const std::vector<parameters::Finding>& found) {
+            return std::any_of(found.begin(), found.end(), [&](const parameters::Finding& other) {
+                return other.key == finding.key && other.problem.what == finding.problem.what;
+            });
+        };
+        if (std::all_of(std::begin(others), std::end(others), has_it)) throw Error(ErrorKind::input, finding.problem);
+    }
+}
+
+std::string axis_line(const std::string& name, const Axis& axis) {
+    return name + " = " + axis.parameter + ", " + std::to_string(axis.points) + " points from " + shortest(axis.from) +
+           " to " + shortest(axis.to) + ", " + std::string(scale_names[static_cast<std::size_t>(axis.scale)]) + "\n";
+}
+
+// as one word of a POSIX shell
+std::string shell_word(const std::string& text) {
+    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+,:@%=";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+    std::string word = "'";
+    for (const char letter : text)
+        word += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+    return word + "'";
+}
+
+std::string setting(const Case& c, const std::string& key) {
+    return " --set " + key + "=" + shortest(parameters::get_quantity(c, *parameters::find_field(key)));
+}
+
+}  // namespace
+
+double value_at(const Axis& axis, int index) {
+    STRIDOR_EXPECT(index >= 0 && index < axis.points);
+    if (index == 0) return axis.from;
+    if (index == axis.points - 1) return axis.to;
+    const double share = static_cast<double>(index) / (axis.points - 1);
+    const double value = axis.scale == Scale::logarithmic ? axis.from * base::power_of_2(share * octaves(axis))
+                                                          : axis.from + share * (axis.to - axis.from);
+    // rounding must not carry a value out of the field's range
+    return std::clamp(value, axis.from, axis.to);
+}
+
+std::size_t cell_count(const Study& study) {
+    return static_cast<std::size_t>(study.x.points) * static_cast<std::size_t>(study.y.points) *
+           study.directions.size();
+}
+
+CellPlace place_of(const Study& study, std::size_t index) {
+    const auto columns = static_cast<std::size_t>(study.x.points);
+    const auto rows = static_cast<std::size_t>(study.y.points);
+    return {index / (columns * rows), static_cast<int>(index / columns % rows), static_cast<int>(index % columns)};
+}
+
+std::size_t index_of(const Study& study, const CellPlace& place) {
+    const auto columns = static_cast<std::size_t>(study.x.points);
+    const auto rows = static_cast<std::size_t>(study.y.points);
+    return (place.direction * rows + static_cast<std::size_t>(place.iy)) * columns + static_cast<std::size_t>(place.ix);
+}
+
+Case case_at(const Study& study, const CellPlace& place) {
+    Case c = study.base;
+    parameters::set_quantity(c, *parameters::find_field(study.x.parameter), value_at(study.x, place.ix));
+    parameters::set_quantity(c, *parameters::find_field(study.y.parameter), value_at(study.y, place.iy));
+    const double sign = study.directions[place.direction] == Direction::going ? 1.0 : -1.0;
+    if (is_constant(study)) c.drive.velocity = std::copysign(c.drive.velocity, sign);
+    return c;
+}
+
+void check(const Study& study) {
+    check_axis(study, study.x, "chart.x");
+    check_axis(study, study.y, "chart.y");
+    if (study.x.parameter == study.y.parameter)
+        refuse("chart.x and chart.y are both " + study.x.parameter, "a chart needs two different quantities", "");
+    check_directions(study);
+    check_quantities(study);
+    check_corners(study);
+}
+
+std::string canonical_text(const Study& study) {
+    Case c = study.base;
+    c.drive.velocity = std::abs(c.drive.velocity);
+    std::string text = parameters::canonical_text(c);
+    for (const std::string& key : {study.x.parameter, study.y.parameter}) {
+        const std::string start = key + " = ";
+        std::size_t from = text.rfind(start, 0) == 0 ? 0 : text.find("\n" + start);
+        if (from == std::string::npos) continue;
+        if (from > 0) ++from;
+        text.erase(from, text.find('\n', from) - from + 1);
+    }
+    text += axis_line("chart.x", study.x) + axis_line("chart.y", study.y) + "chart.directions =";
+    for (const Direction direction : study.directions)
+        text += " " + std::string(direction_name(direction));
+    return text + "\n";
+}
+
+std::string reproduce_command(const Study& study, const CellPlace& place, const std::string& file) {
+    const Case c = case_at(study, place);
+    constexpr std::string_view velocity = "drive.velocity";
+    std::string command =
+        "stridor simulate " + shell_word(file) + setting(c, study.x.parameter) + setting(c, study.y.parameter);
+    const bool is_axis = study.x.parameter == velocity || study.y.parameter == velocity;
+    if (is_constant(study) && !is_axis) command += setting(c, std::string(velocity));
+    return command;
+}
+
+}  // namespace stridor::sweep

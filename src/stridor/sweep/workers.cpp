@@ -1,0 +1,88 @@
+#include "stridor/sweep/workers.hpp"
+
+#include "stridor/sweep/evaluate.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
+
+#include <utility>
+
+namespace stridor::sweep {
+
+Workers::Workers(const Study& study, std::span<const std::size_t> points, int threads, std::stop_token stop)
+    : study_(study),
+      points_(points),
+      relay_(std::move(stop), [this] { halt_.request_stop(); }) {
+    conductor_ = std::jthread([this, threads] { compute_all(threads); });
+}
+
+Workers::~Workers() {
+    halt_.request_stop();
+}
+
+void Workers::compute_all(int threads) {
+    std::exception_ptr failure;
+    try {
+        const auto count = static_cast<std::size_t>(threads);
+        // the arena has that many places, the control that many threads, even beyond the number of processors
+        tbb::global_control control(tbb::global_control::max_allowed_parallelism, count);
+        tbb::task_arena arena(threads);
+        tbb::task_group_context context;
+        using Range = tbb::blocked_range<std::size_t>;
+        const auto compute_range = [&](const Range& range) {
+            for (std::size_t k = range.begin(); k < range.end() && !halt_.stop_requested(); ++k)
+                compute(points_[k]);
+            if (halt_.stop_requested()) context.cancel_group_execution();
+        };
+        // a point takes milliseconds to minutes: each is a task of its own
+        arena.execute(
+            [&] { tbb::parallel_for(Range(0, points_.size(), 1), compute_range, tbb::simple_partitioner(), context); });
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    failure_ = failure;
+    is_over_ = true;
+    changed_.notify_one();
+}
+
+void Workers::compute(std::size_t point) {
+    const auto columns = static_cast<std::size_t>(study_.x.points);
+    const auto ix = static_cast<int>(point % columns);
+    const auto iy = static_cast<int>(point / columns);
+    std::vector<Cell> cells;
+    try {
+        cells = evaluate(study_, ix, iy, halt_.get_token());
+    } catch (...) {
+        // the others need not finish what will not be used
+        halt_.request_stop();
+        throw;
+    }
+    const std::lock_guard lock(mutex_);
+    for (std::size_t direction = 0; direction < cells.size(); ++direction)
+        arrived_.push_back({index_of(study_, {direction, iy, ix}), std::move(cells[direction])});
+    if (arrived_.size() >= enough_) changed_.notify_one();
+}
+
+std::vector<IndexedCell> Workers::take(std::size_t enough, Clock::time_point deadline) {
+    std::unique_lock lock(mutex_);
+    enough_ = enough;
+    changed_.wait_until(lock, deadline, [&] { return is_over_ || arrived_.size() >= enough_; });
+    return std::exchange(arrived_, {});
+}
+
+bool Workers::have_ended() {
+    const std::lock_guard lock(mutex_);
+    return is_over_ && arrived_.empty();
+}
+
+void Workers::rethrow() {
+    const std::lock_guard lock(mutex_);
+    if (failure_) std::rethrow_exception(failure_);
+}
+
+}  // namespace stridor::sweep
