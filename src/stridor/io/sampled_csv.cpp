@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -32,17 +33,17 @@ struct Dialect {
     bool allows_comma() const { return delimiter != ','; }  // as decimal mark
 };
 
-/// One of the two columns: where it is and what one of its unit is in SI.
+/// One of the two columns.
 struct Column {
     std::string_view quantity;  // "time"
-    std::string_view unit;      // "s"
-    std::size_t index = 0;
-    double ratio = 1.0;  // [1]
+    std::string_view unit;      // "s", what it becomes
+    std::size_t index = 0;      // where it stands
+    std::string given_unit;     // "ms"; empty: SI
 };
 
 struct Header {
-    Column time{"time", "s"};
-    Column velocity{"velocity", "m/s"};
+    Column time{"time", "s", 0, ""};
+    Column velocity{"velocity", "m/s", 1, ""};
     std::size_t columns = 2;
     std::size_t lines = 0;  // how many lines of the table it takes
 };
@@ -99,16 +100,21 @@ std::vector<Field> split(const Line& line, char delimiter) {
     return fields;
 }
 
-std::optional<double> number_in(std::string text, Dialect dialect) {
+// with a decimal point
+std::string numeral(std::string text, Dialect dialect) {
     const bool has_comma = dialect.allows_comma() && text.find('.') == std::string::npos;
     if (has_comma) std::replace(text.begin(), text.end(), ',', '.');
-    const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
+    return text;
+}
+
+std::optional<double> number_in(const std::string& field, Dialect dialect) {
+    const std::string text = numeral(field, dialect);
+    const bool has_plus = text.starts_with('+') && !text.starts_with("+-");
     const char* last = text.data() + text.size();
     double number = 0.0;
-    const auto [end, code] = std::from_chars(first, last, number);
+    const auto [end, code] = std::from_chars(text.data() + (has_plus ? 1 : 0), last, number);
     if (code == std::errc::invalid_argument || end != last) return std::nullopt;
-    if (code == std::errc::result_out_of_range) return std::numeric_limits<double>::infinity();
-    return number;
+    return code == std::errc::result_out_of_range ? std::numeric_limits<double>::infinity() : number;
 }
 
 std::string lower(std::string_view text) {
@@ -155,7 +161,7 @@ void set_unit(Column& column, std::string_view unit, const base::Place& where) {
             throw Error(ErrorKind::input, {"the column " + std::string(column.quantity) + " is in " +
                                                std::string(unit) + ", " + base::describe(found.dimension),
                                            "expected " + base::describe(wanted.dimension), ""});
-        column.ratio = found.factor / wanted.factor;
+        column.given_unit = unit;
     } catch (const Error& error) {
         throw Error(error.kind(), error.problem(), where);
     }
@@ -182,7 +188,6 @@ void read_units(Header& header, const Line& line, Dialect dialect, const std::st
 Header read_header(const std::vector<Line>& lines, Dialect dialect, const std::string& name) {
     const std::vector<Field> first = split(lines.front(), dialect.delimiter);
     Header header;
-    header.velocity.index = 1;
     header.columns = first.size();
     if (is_number_row(first, dialect)) {
         if (first.size() == 2) return header;
@@ -206,17 +211,22 @@ Header read_header(const std::vector<Line>& lines, Dialect dialect, const std::s
 }
 
 double read_number(const Field& field, const Column& column, Dialect dialect, const base::Place& where) {
+    const auto refuse = [&](const std::string& what, const std::string& why, const std::string& suggestion) {
+        return Error(ErrorKind::input,
+                     {std::string(column.quantity) + " = \"" + field.text + "\" " + what, why, suggestion}, where);
+    };
     const std::optional<double> number = number_in(field.text, dialect);
-    const std::string written = std::string(column.quantity) + " = \"" + field.text + "\"";
+    const bool has_comma = field.text.find(',') != std::string::npos;
     if (!number)
-        throw Error(ErrorKind::input,
-                    {written + " is not a number", field.text.empty() ? "the field is empty" : "",
-                     field.text.find(',') != std::string::npos ? "Write the decimal mark as a point." : ""},
-                    where);
-    // a small unit divides by its whole inverse, as base::parse_quantity does: 3 ms is 0.003 s to the last bit
-    const double value = column.ratio < 1.0 ? *number / (1.0 / column.ratio) : *number * column.ratio;
-    if (!std::isfinite(value)) throw Error(ErrorKind::input, {written + " is not finite", "", ""}, where);
-    return value;
+        throw refuse("is not a number", field.text.empty() ? "the field is empty" : "",
+                     has_comma ? "Write the decimal mark as a point." : "");
+    if (!std::isfinite(*number)) throw refuse("is not a finite number", "", "");
+    if (column.given_unit.empty()) return *number;
+    try {
+        return base::parse_quantity(numeral(field.text, dialect) + " " + column.given_unit, column.unit);
+    } catch (const Error& error) {
+        throw Error(error.kind(), error.problem(), where);
+    }
 }
 
 }  // namespace

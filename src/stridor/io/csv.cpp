@@ -1,0 +1,203 @@
+#include "stridor/io/csv.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/base/version.hpp"
+#include "stridor/io/dof_names.hpp"
+#include "stridor/parameters/field.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace stridor::io {
+
+namespace {
+
+constexpr std::string_view no_unit = "-";  // of a column of words
+
+struct Column {
+    std::string name;
+    std::string unit;
+};
+
+// RFC 4180; a leading # is quoted too, so that it is not taken for a comment
+std::string quoted(std::string_view text) {
+    const bool is_plain = text.find_first_of(",\"\r\n#") == std::string_view::npos;
+    if (is_plain) return std::string(text);
+    std::string result = "\"";
+    for (const char c : text)
+        result += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return result + "\"";
+}
+
+/// Rows of fields.
+class Table {
+public:
+    explicit Table(std::string opening) : text_(std::move(opening)) {}
+
+    void word(std::string_view word) { field(quoted(word)); }
+    void number(double value) { field(std::isnan(value) ? std::string() : base::shortest(value)); }
+    void end_row() {
+        text_ += '\n';
+        is_first_ = true;
+    }
+
+    void header(const std::vector<Column>& columns) {
+        for (const Column& column : columns)
+            word(column.name);
+        end_row();
+        for (const Column& column : columns)
+            word(column.unit);
+        end_row();
+    }
+
+    std::string text() && { return std::move(text_); }
+
+private:
+    void field(const std::string& text) {
+        if (!is_first_) text_ += ',';
+        text_ += text;
+        is_first_ = false;
+    }
+
+    std::string text_;
+    bool is_first_ = true;
+};
+
+std::string comment(std::string_view key, std::string_view value) {
+    std::string line = "# " + std::string(key) + ": " + std::string(value);
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    return line + "\n";
+}
+
+// canonical text has lines "key = value"
+std::string comments(const std::string& canonical) {
+    std::string result;
+    std::istringstream lines(canonical);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t equals = std::min(line.find(" = "), line.size());
+        result += comment(line.substr(0, equals), line.substr(std::min(equals + 3, line.size())));
+    }
+    return result;
+}
+
+std::string opening(std::string_view what, const parameters::Case& c) {
+    std::string text = comment("schema", "stridor." + std::string(what) + "/1");
+    text += comment("version", base::version()) + comment("commit", base::commit());
+    if (!c.title.empty()) text += comment("title", c.title);
+    return text;
+}
+
+std::string unit_of(const std::string& parameter) {
+    const parameters::Field* field = parameters::find_field(parameter);
+    const auto* quantity = field == nullptr ? nullptr : std::get_if<parameters::Quantity>(&field->kind);
+    return quantity == nullptr ? "1" : std::string(quantity->unit);
+}
+
+// slip, stick and separation stand first, whatever the order of the table
+std::vector<sweep::CellFigure> figures_in_order() {
+    constexpr std::array<std::string_view, 3> first{"slip", "stick", "separation"};
+    std::vector<sweep::CellFigure> figures(sweep::cell_figures().begin(), sweep::cell_figures().end());
+    const auto rank = [&](const sweep::CellFigure& figure) {
+        return std::find(first.begin(), first.end(), figure.name) - first.begin();
+    };
+    std::stable_sort(figures.begin(), figures.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    return figures;
+}
+
+void chart_row(Table& table, const sweep::SweepResult& result, std::size_t index,
+               const std::vector<sweep::CellFigure>& figures, const std::string& file) {
+    const sweep::Study& study = result.study;
+    const sweep::Cell& cell = result.cells[index];
+    const sweep::CellPlace place = sweep::place_of(study, index);
+    const bool is_done = cell.status == sweep::Status::done;
+    table.number(sweep::value_at(study.x, place.ix));
+    table.number(sweep::value_at(study.y, place.iy));
+    table.word(parameters::direction_names[static_cast<std::size_t>(study.directions[place.direction])]);
+    table.word(sweep::status_names[static_cast<std::size_t>(cell.status)]);
+    table.word(is_done ? classification::name(cell.category) : std::string_view());
+    for (const sweep::CellFigure& figure : figures)
+        table.number(cell.*figure.member);
+    table.word(cell.message);
+    table.word(is_done ? std::string() : sweep::reproduce_command(study, place, file));
+    table.end_row();
+}
+
+std::vector<Column> trace_columns(const std::vector<std::string>& dofs) {
+    std::vector<Column> columns{{"time", "s"}};
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> motions{
+        {{"displacement_", "m"}, {"velocity_", "m/s"}, {"acceleration_", "m/s^2"}}};
+    for (const auto& [name, unit] : motions)
+        for (const std::string& dof : dofs)
+            columns.push_back({std::string(name) + dof, std::string(unit)});
+    columns.push_back({"surface_velocity", "m/s"});
+    columns.push_back({"normal_force", "N"});
+    columns.push_back({"friction_force", "N"});
+    columns.push_back({"gap", "m"});
+    columns.push_back({"state", std::string(no_unit)});
+    return columns;
+}
+
+}  // namespace
+
+std::string chart_csv(const sweep::SweepResult& result, const std::string& file) {
+    const sweep::Study& study = result.study;
+    const std::vector<sweep::CellFigure> figures = figures_in_order();
+    const std::string word_unit(no_unit);
+    std::vector<Column> columns{{"x", unit_of(study.x.parameter)},
+                                {"y", unit_of(study.y.parameter)},
+                                {"direction", word_unit},
+                                {"status", word_unit},
+                                {"category", word_unit}};
+    for (const sweep::CellFigure& figure : figures)
+        columns.push_back({std::string(figure.name), std::string(figure.unit)});
+    columns.push_back({"message", word_unit});
+    columns.push_back({"reproduce", word_unit});
+
+    Table table(opening("chart", study.base) + comment("x", study.x.parameter) + comment("y", study.y.parameter) +
+                comments(sweep::canonical_text(study)));
+    table.header(columns);
+    for (std::size_t index = 0; index < result.cells.size(); ++index)
+        chart_row(table, result, index, figures, file);
+    return std::move(table).text();
+}
+
+std::string trace_csv(const parameters::Case& c, const record::Trace& trace) {
+    Table table(opening("trace", c) + comments(parameters::canonical_text(c)));
+    table.header(trace_columns(dof_names(trace.displacement.size())));
+    for (std::size_t sample = 0; sample < trace.time.size(); ++sample) {
+        table.number(trace.time[sample]);
+        for (const auto* motion : {&trace.displacement, &trace.velocity, &trace.acceleration})
+            for (const std::vector<double>& dof : *motion)
+                table.number(dof[sample]);
+        for (const auto* values : {&trace.surface_velocity, &trace.normal_force, &trace.friction_force, &trace.gap})
+            table.number((*values)[sample]);
+        table.word(model::contact_state_names[model::index_of(trace.state[sample])]);
+        table.end_row();
+    }
+    return std::move(table).text();
+}
+
+std::string history_csv(const parameters::Case& c, const record::ContactHistory& history) {
+    Table table(opening("history", c) + comments(parameters::canonical_text(c)));
+    table.header({{"state", std::string(no_unit)},
+                  {"from", "s"},
+                  {"to", "s"},
+                  {"slip_velocity", "m/s"},
+                  {"gap_velocity", "m/s"}});
+    for (const record::ContactInterval& interval : history) {
+        table.word(model::contact_state_names[model::index_of(interval.state)]);
+        for (const double value : {interval.from, interval.to, interval.slip_velocity, interval.gap_velocity})
+            table.number(value);
+        table.end_row();
+    }
+    return std::move(table).text();
+}
+
+}  // namespace stridor::io

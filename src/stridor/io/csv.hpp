@@ -1,0 +1,28 @@
+#pragma once
+
+#include "stridor/parameters/case.hpp"
+#include "stridor/record/contact_history.hpp"
+#include "stridor/record/trace.hpp"
+#include "stridor/sweep/cell.hpp"
+
+#include <string>
+
+/// Tables as CSV text: first `# key: value` lines (schema, version, commit, title, the canonical text of the case), then a row
+/// of names, a row of units ("-" for words), then numbers in their shortest form that reads back as the same double. NaN is
+/// an empty field. Fields are quoted as RFC 4180 has it. Nothing in it changes between two runs of the same case.
+namespace stridor::io {
+
+/// "stridor.chart/1": a row per cell in index order (direction slowest, x fastest).
+///
+/// Columns: x, y, direction, status, category, slip, stick, separation, the other figures of `sweep::cell_figures`,
+/// message, reproduce. Only done cells have a category and figures; the others have in `reproduce` the command that runs
+/// them alone, with `file` as the chart file's name.
+std::string chart_csv(const sweep::SweepResult& result, const std::string& file);
+
+/// "stridor.trace/1": a row per sample.
+std::string trace_csv(const parameters::Case& c, const record::Trace& trace);
+
+/// "stridor.history/1": a row per stay of the contact in one state.
+std::string history_csv(const parameters::Case& c, const record::ContactHistory& history);
+
+}  // namespace stridor::io

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "stridor/parameters/case.hpp"
+#include "stridor/record/recorder.hpp"
+#include "stridor/sweep/cell.hpp"
+
+#include <string>
+
+/// NetCDF-4 files after the CF conventions 1.10. A file is made in memory and then written whole (`write_file`): the HDF5
+/// library below cannot be trusted with a full disk. The same content gives the same bytes. Not for two threads at a time:
+/// the library has global state. Throws `Error` (io).
+namespace stridor::io {
+
+/// A chart: dimensions (direction, y, x), the last two named after their parameters ("kinetic_friction", "preload"; with the
+/// section in front where two names would be alike), each with its coordinate variable.
+///
+/// Variables: category and status as bytes with flag_values and flag_meanings, every figure of `sweep::cell_figures` as double,
+/// NaN where a cell is not done. Global attributes: x and y (the parameters' keys), study (`sweep::canonical_text`), study_hash,
+/// case (the chart as TOML, which can be run again).
+void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result);
+
+/// A trace and the contact history of a run, as far as they were kept: dimensions time, dof and interval; displacement, velocity
+/// and acceleration as (dof, time), forces and contact state as (time), the history's stays as interval_*(interval).
+void write_trace_netcdf(const std::string& path, const parameters::Case& c, const record::Record& record);
+
+}  // namespace stridor::io

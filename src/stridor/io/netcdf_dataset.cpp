@@ -1,0 +1,100 @@
+#include "stridor/io/netcdf_dataset.hpp"
+
+#include "stridor/base/error.hpp"
+
+#include <netcdf.h>
+#include <netcdf_mem.h>
+
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+namespace stridor::io {
+
+namespace {
+
+constexpr std::size_t first_size = 65536;  // [1] bytes; the library enlarges it as needed
+
+}  // namespace
+
+NetcdfDataset::NetcdfDataset(std::string name) : name_(std::move(name)) {
+    check(nc_create_mem("stridor.nc", NC_NETCDF4, first_size, &id_));
+}
+
+NetcdfDataset::~NetcdfDataset() {
+    if (id_ >= 0) nc_abort(id_);
+}
+
+void NetcdfDataset::check(int code) const {
+    if (code == NC_NOERR) return;
+    throw Error(ErrorKind::io, {"cannot make the netCDF file \"" + name_ + "\"", nc_strerror(code), ""});
+}
+
+int NetcdfDataset::dimension(const std::string& name, std::size_t size) {
+    int number = -1;
+    check(nc_def_dim(id_, name.c_str(), size, &number));
+    return number;
+}
+
+void NetcdfDataset::attribute(int variable, const std::string& name, const std::string& text) {
+    check(nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()));
+}
+
+void NetcdfDataset::attribute(const std::string& name, const std::string& text) {
+    attribute(NC_GLOBAL, name, text);
+}
+
+int NetcdfDataset::define(const std::string& name, int type, std::span<const int> dimensions,
+                          const Description& description) {
+    int number = -1;
+    check(nc_def_var(id_, name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &number));
+    if (!description.units.empty()) attribute(number, "units", std::string(description.units));
+    if (!description.long_name.empty()) attribute(number, "long_name", std::string(description.long_name));
+    return number;
+}
+
+int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensions, std::span<const double> values,
+                           const Description& description) {
+    const int number = define(name, NC_DOUBLE, dimensions, description);
+    const double missing = std::numeric_limits<double>::quiet_NaN();
+    if (description.missing == Missing::as_nan) check(nc_def_var_fill(id_, number, NC_FILL, &missing));
+    check(nc_put_var_double(id_, number, values.data()));
+    return number;
+}
+
+int NetcdfDataset::words(const std::string& name, std::span<const int> dimensions,
+                         const std::vector<std::string>& values, const Description& description) {
+    const int number = define(name, NC_STRING, dimensions, description);
+    std::vector<const char*> pointers;
+    for (const std::string& value : values)
+        pointers.push_back(value.c_str());
+    check(nc_put_var_string(id_, number, pointers.data()));
+    return number;
+}
+
+int NetcdfDataset::flags(const std::string& name, std::span<const int> dimensions, std::span<const signed char> values,
+                         std::span<const std::string_view> names, const Description& description) {
+    const int number = define(name, NC_BYTE, dimensions, description);
+    constexpr signed char missing = -1;
+    check(nc_def_var_fill(id_, number, NC_FILL, &missing));
+    std::vector<signed char> flag_values(names.size());
+    std::iota(flag_values.begin(), flag_values.end(), static_cast<signed char>(0));
+    check(nc_put_att_schar(id_, number, "flag_values", NC_BYTE, flag_values.size(), flag_values.data()));
+    std::string meanings;
+    for (const std::string_view meaning : names)
+        meanings += (meanings.empty() ? "" : " ") + std::string(meaning);
+    attribute(number, "flag_meanings", meanings);
+    check(nc_put_var_schar(id_, number, values.data()));
+    return number;
+}
+
+std::string NetcdfDataset::finish() {
+    NC_memio memory{};
+    check(nc_close_memio(std::exchange(id_, -1), &memory));
+    const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
+    return {static_cast<const char*>(memory.memory), memory.size};
+}
+
+}  // namespace stridor::io

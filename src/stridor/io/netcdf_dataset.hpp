@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::io {
+
+/// May numbers be missing (NaN)? Coordinates may not.
+enum class Missing { no, as_nan };
+
+/// What a variable is, for its attributes.
+struct Description {
+    std::string_view units;      // empty: none
+    std::string_view long_name;  // empty: none
+    Missing missing = Missing::as_nan;
+};
+
+/// A netCDF-4 file being made in memory, a thin cover over the C library; `name` appears in errors.
+///
+/// Dimensions are known by the numbers the library gives them. Variables are written whole, in one call.
+class NetcdfDataset {
+public:
+    explicit NetcdfDataset(std::string name);
+    NetcdfDataset(const NetcdfDataset&) = delete;
+    NetcdfDataset& operator=(const NetcdfDataset&) = delete;
+    ~NetcdfDataset();
+
+    int dimension(const std::string& name, std::size_t size);
+    void attribute(const std::string& name, const std::string& text);
+
+    /// Each returns the variable's number.
+    int doubles(const std::string& name, std::span<const int> dimensions, std::span<const double> values,
+                const Description& description);
+    int words(const std::string& name, std::span<const int> dimensions, const std::vector<std::string>& values,
+              const Description& description);
+    /// Numbers of names (CF flags); -1 where there is none.
+    int flags(const std::string& name, std::span<const int> dimensions, std::span<const signed char> values,
+              std::span<const std::string_view> names, const Description& description);
+    void attribute(int variable, const std::string& name, const std::string& text);
+
+    /// Ends the file and gives its bytes; nothing may be added after it.
+    std::string finish();
+
+private:
+    void check(int code) const;
+    int define(const std::string& name, int type, std::span<const int> dimensions, const Description& description);
+
+    std::string name_;
+    int id_ = -1;
+};
+
+}  // namespace stridor::io
