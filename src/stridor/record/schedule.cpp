@@ -62,7 +62,7 @@ void add_phase(std::vector<Span>& spans, const Case& c, const HalfPeriod& half) 
     const double slack = 1e-9 * (half.to - half.from);
     const bool is_complete = half.from >= window_from - slack && half.to <= c.run.duration + slack;
     const double length = half.to - half.from;
-    const double settled = is_complete ? half.from + c.verdict.settling * length : to;
+    const double settled = is_complete ? std::max(from, half.from + c.verdict.settling * length) : to;
     const double slowing = is_complete ? half.to - c.verdict.reversal * length : to;
     add_span(spans, {std::max(half.from, 0.0), std::min(to, window_from), half.phase, Use::unused});
     add_span(spans, {from, std::min(settled, to), half.phase, Use::counted});

@@ -1,0 +1,190 @@
+#include "stridor/record/recorder.hpp"
+
+#include "support/property.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace stridor::record {
+namespace {
+
+using model::ContactState;
+using enum model::ContactState;
+
+// going 0..4 (judged 1..3), coming 4..8 (judged 5..7), going 8..12 (judged 9..11)
+Schedule two_phases() {
+    Schedule plan;
+    for (int k = 0; k < 3; ++k) {
+        const double from = 4.0 * k;
+        const Phase phase = k % 2 == 0 ? Phase::going : Phase::coming;
+        plan.spans.push_back({from, from + 1.0, phase, Use::counted});
+        plan.spans.push_back({from + 1.0, from + 3.0, phase, Use::judged});
+        plan.spans.push_back({from + 3.0, from + 4.0, phase, Use::counted});
+    }
+    plan.phases = {Phase::going, Phase::coming};
+    return plan;
+}
+
+Schedule one_phase(double from, double to) {
+    return {{{0.0, from, Phase::all, Use::unused}, {from, to, Phase::all, Use::judged}}, {Phase::all}};
+}
+
+ContactInterval entry(ContactState state, double time) {
+    return {state, time, 0.0, 0.0, 0.0};
+}
+
+double total(const std::array<double, model::contact_states>& times) {
+    return std::accumulate(times.begin(), times.end(), 0.0);
+}
+
+TEST(Recorder, SharesOutTimeAmongStatesAndPhases) {
+    Recorder recorder(two_phases(), {}, 3);
+    recorder.enter(entry(slip, 0.0));
+    recorder.enter(entry(stick, 2.0));
+    recorder.enter(entry(separation, 4.5));
+    recorder.enter(entry(slip, 6.0));
+    const Record record = recorder.finish(12.0);
+    ASSERT_EQ(record.phases.size(), 2U);
+    const Tally& going = record.phases[0];
+    const Tally& coming = record.phases[1];
+    EXPECT_EQ(going.phase, Phase::going);
+    EXPECT_EQ(going.time, (std::array{2.0 + 4.0, 2.0, 0.0}));  // slip, stick, separation
+    EXPECT_EQ(going.judged_time, (std::array{1.0 + 2.0, 1.0, 0.0}));
+    EXPECT_EQ(coming.time, (std::array{2.0, 0.5, 1.5}));
+    EXPECT_EQ(coming.judged_time, (std::array{1.0, 0.0, 1.0}));
+}
+
+RC_GTEST_PROP(Recorder, TimesAddUpToTheWindow, ()) {
+    Recorder recorder(two_phases(), {}, 3);
+    double time = 0.0;
+    int state = 0;
+    while (time < 12.0) {
+        recorder.enter(entry(static_cast<ContactState>(state), time));
+        state = (state + *support::whole_between(1, 2)) % 3;
+        time += *support::number_between(0.001, 2.0);
+    }
+    const Record record = recorder.finish(12.0);
+    // some fifty additions of numbers up to 12
+    RC_ASSERT(std::abs(total(record.phases[0].time) - 8.0) < 1e-13);
+    RC_ASSERT(std::abs(total(record.phases[1].time) - 4.0) < 1e-13);
+    RC_ASSERT(std::abs(total(record.phases[0].judged_time) - 4.0) < 1e-13);
+    RC_ASSERT(std::abs(total(record.phases[1].judged_time) - 2.0) < 1e-13);
+}
+
+TEST(Recorder, LeavesOutTheTransient) {
+    Recorder recorder(one_phase(1.0, 3.0), {}, 3);
+    recorder.enter(entry(slip, 0.0));
+    recorder.enter(entry(stick, 0.5));
+    recorder.enter(entry(slip, 2.0));
+    const Record record = recorder.finish(3.0);
+    EXPECT_EQ(record.phases[0].time, (std::array{1.0, 1.0, 0.0}));
+    EXPECT_EQ(record.phases[0].changes[change_kind(slip, stick)].count, 0);
+    EXPECT_EQ(record.phases[0].changes[change_kind(stick, slip)].count, 1);
+}
+
+TEST(Recorder, StopsAtTheTimeItIsFinished) {
+    Recorder recorder(one_phase(1.0, 3.0), {}, 3);
+    recorder.enter(entry(slip, 0.0));
+    EXPECT_EQ(total(recorder.finish(1.5).phases[0].time), 0.5);
+}
+
+TEST(Recorder, WithoutAnyStateIsEmpty) {
+    Recorder recorder(one_phase(1.0, 3.0), {}, 3);
+    EXPECT_EQ(total(recorder.finish(0.0).phases[0].time), 0.0);
+}
+
+TEST(Changes, AreKeptByKindWithinTheJudgedTime) {
+    Recorder recorder(two_phases(), {}, 3);
+    recorder.enter(entry(slip, 0.0));
+    recorder.enter(entry(stick, 0.5));  // before the judged part
+    recorder.enter(entry(slip, 1.0));   // its first instant belongs to it
+    recorder.enter(entry(stick, 1.5));
+    recorder.enter(entry(slip, 2.0));
+    recorder.enter(entry(stick, 3.5));  // after it
+    const Record record = recorder.finish(4.0);
+    const Tally& going = record.phases[0];
+    EXPECT_EQ(going.changes[change_kind(slip, stick)].count, 1);
+    EXPECT_EQ(going.changes[change_kind(stick, slip)].count, 2);
+    EXPECT_EQ(going.changes[change_kind(slip, separation)].count, 0);
+}
+
+// instants of two judged stretches of one phase are parted, so that no interval reaches across
+TEST(Changes, OfDifferentStretchesAreParted) {
+    Recorder recorder(two_phases(), {}, 3);
+    recorder.enter(entry(stick, 0.0));
+    recorder.enter(entry(slip, 1.5));
+    recorder.enter(entry(stick, 6.0));  // another phase
+    recorder.enter(entry(slip, 9.5));
+    const Record record = recorder.finish(12.0);
+    const std::vector<double>& times = record.phases[0].changes[change_kind(stick, slip)].times;
+    ASSERT_GE(times.size(), 3U);
+    EXPECT_EQ(times[0], 1.5);
+    EXPECT_TRUE(std::isnan(times[1]));
+    EXPECT_EQ(times[2], 9.5);
+    EXPECT_EQ(record.phases[0].changes[change_kind(stick, slip)].count, 2);
+    EXPECT_EQ(record.phases[1].changes[change_kind(slip, stick)].count, 1);
+}
+
+TEST(Changes, TakeBoundedMemoryAndKeepTheLatest) {
+    constexpr int beats = 100000;
+    Recorder recorder(one_phase(0.0, 2.0 * beats + 1.0), {}, 3);  // longer than the run: no parting at its end
+    for (int k = 0; k < beats; ++k) {
+        recorder.enter(entry(slip, 2.0 * k));
+        recorder.enter(entry(stick, 2.0 * k + 1.0));
+    }
+    const Record record = recorder.finish(2.0 * beats);
+    const Instants& instants = record.phases[0].changes[change_kind(slip, stick)];
+    EXPECT_EQ(instants.count, beats);
+    EXPECT_GE(instants.times.size(), Instants::kept);
+    EXPECT_LE(instants.times.size(), 2 * Instants::kept);
+    EXPECT_LE(instants.times.capacity(), 4 * Instants::kept);
+    EXPECT_EQ(instants.times.back(), 2.0 * beats - 1.0);
+    for (std::size_t k = 1; k < instants.times.size(); ++k)
+        ASSERT_EQ(instants.times[k] - instants.times[k - 1], 2.0);
+}
+
+TEST(History, IsKeptOnlyWhenAskedFor) {
+    for (const KeepHistory keep : {KeepHistory::no, KeepHistory::yes}) {
+        Recorder recorder(two_phases(), {keep, {}}, 3);
+        recorder.enter(entry(slip, 0.0));
+        recorder.enter({stick, 2.0, 0.0, 0.25, -0.5});
+        recorder.enter(entry(separation, 4.5));
+        const Record record = recorder.finish(12.0);
+        if (keep == KeepHistory::no) {
+            EXPECT_TRUE(record.history.empty());
+            continue;
+        }
+        ASSERT_EQ(record.history.size(), 3U);
+        EXPECT_EQ(record.history[1].state, stick);
+        EXPECT_EQ(record.history[1].from, 2.0);
+        EXPECT_EQ(record.history[1].to, 4.5);
+        EXPECT_EQ(record.history[1].slip_velocity, 0.25);
+        EXPECT_EQ(record.history[1].gap_velocity, -0.5);
+        EXPECT_EQ(record.history[2].to, 12.0);
+    }
+}
+
+TEST(VibrationTally, SumsOverJudgedSpansAndKeepsThePeak) {
+    Recorder recorder(two_phases(), {}, 2);
+    const std::vector<Vibration> first{{1.0, 9.0}, {2.0, 1.0}};
+    const std::vector<Vibration> second{{0.5, 4.0}, {1.0, 16.0}};
+    recorder.vibrate(0, 1.0, first);   // counted, not judged
+    recorder.vibrate(1, 2.0, first);   // going
+    recorder.vibrate(4, 2.0, second);  // coming
+    recorder.vibrate(7, 2.0, second);  // going
+    const Record record = recorder.finish(12.0);
+    EXPECT_EQ(record.phases[0].vibration_time, 4.0);
+    EXPECT_EQ(record.phases[0].vibration[0].square_time, 1.5);
+    EXPECT_EQ(record.phases[0].vibration[0].peak_square, 9.0);
+    EXPECT_EQ(record.phases[0].vibration[1].square_time, 3.0);
+    EXPECT_EQ(record.phases[0].vibration[1].peak_square, 16.0);
+    EXPECT_EQ(record.phases[1].vibration_time, 2.0);
+    EXPECT_EQ(record.phases[1].vibration[0].square_time, 0.5);
+}
+
+}  // namespace
+}  // namespace stridor::record
