@@ -30,12 +30,14 @@ void redirect(const std::filesystem::path& file, int flags, int descriptor) {
         const rlimit limit{*launch.largest_file, *launch.largest_file};
         setrlimit(RLIMIT_FSIZE, &limit);
     }
-    for (const auto& [name, value] : launch.environment) setenv(name.c_str(), value.c_str(), 1);
+    for (const auto& [name, value] : launch.environment)
+        setenv(name.c_str(), value.c_str(), 1);
     std::vector<char*> words;
     std::string program = STRIDOR_PROGRAM;
     words.push_back(program.data());
     std::vector<std::string> arguments = launch.arguments;
-    for (std::string& argument : arguments) words.push_back(argument.data());
+    for (std::string& argument : arguments)
+        words.push_back(argument.data());
     words.push_back(nullptr);
     execv(program.c_str(), words.data());
     _exit(127);
@@ -62,7 +64,9 @@ Process::~Process() {
     std::filesystem::remove_all(output_, ignored);
 }
 
-void Process::send(int signal) const { kill(id_, signal); }
+void Process::send(int signal) const {
+    kill(id_, signal);
+}
 
 bool Process::is_running() {
     if (!is_done_) is_done_ = waitpid(id_, &status_, WNOHANG) == id_;
@@ -80,7 +84,9 @@ Finished Process::wait() {
     return finished;
 }
 
-Finished run(const Launch& launch) { return Process(launch).wait(); }
+Finished run(const Launch& launch) {
+    return Process(launch).wait();
+}
 
 Finished run(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const std::string& input) {
     return run(Launch{arguments, folder, input, std::nullopt, {}});

@@ -1,0 +1,20 @@
+#include "commands.hpp"
+#include "stridor/io/toml_case.hpp"
+#include "stridor/io/toml_document.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace stridor::app {
+
+void add_case_options(CLI::App& command, CaseOptions& options) {
+    command.add_option("file", options.file, "case file (TOML); - reads stdin")->required();
+    command.add_option("--set", options.overrides, "override a key: --set contact.preload=\"50 N\" (repeatable)")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+parameters::Case load_case(const CaseOptions& options) {
+    return io::read_case(io::load_toml(options.file, options.overrides));
+}
+
+}  // namespace stridor::app

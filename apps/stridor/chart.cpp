@@ -1,0 +1,89 @@
+#include "chart_run.hpp"
+#include "commands.hpp"
+#include "figures.hpp"
+#include "progress.hpp"
+#include "stridor/io/atomic_file.hpp"
+#include "stridor/io/csv.hpp"
+#include "stridor/io/json_chart.hpp"
+#include "stridor/io/netcdf.hpp"
+#include "stridor/io/toml_document.hpp"
+#include "stridor/io/toml_study.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace stridor::app {
+
+namespace {
+
+struct ChartOptions {
+    CaseOptions input;
+    std::string out;
+    int threads = 0;
+    bool json = false;
+};
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw Error(ErrorKind::io,
+                    {"cannot make the folder " + folder.string(), error.message(), "Choose another --out."});
+}
+
+void refuse_if_nothing_is_valid(const sweep::SweepResult& result) {
+    for (const sweep::Cell& cell : result.cells)
+        if (cell.status == sweep::Status::done) return;
+    const sweep::Cell& first = result.cells.front();
+    const bool is_input = first.status == sweep::Status::invalid || first.status == sweep::Status::step_limit;
+    throw Error(is_input ? ErrorKind::input : ErrorKind::numerical,
+                {"no cell of the chart has a result", first.message, "Check the axes and run.step."});
+}
+
+void chart(const ChartOptions& options) {
+    const sweep::Study study = io::read_study(io::load_toml(options.input.file, options.input.overrides));
+    const std::filesystem::path out =
+        options.out.empty() ? std::filesystem::path(options.input.file).stem() : std::filesystem::path(options.out);
+    make_folder(out);
+    const sweep::SweepResult result = compute(study, out / "chart.sqlite", options.threads);
+    report_failures(result, options.input.file);
+    refuse_if_nothing_is_valid(result);
+    io::write_file((out / "chart.csv").string(), io::chart_csv(result, options.input.file));
+    io::write_chart_netcdf((out / "chart.nc").string(), result);
+    draw_charts(result, out);
+    if (options.json) {
+        print(io::chart_json(result) + "\n");
+        return;
+    }
+    sweep::Counts counts;
+    for (const sweep::Cell& cell : result.cells)
+        sweep::count(counts, cell);
+    print(fmt::format("{} cells: {}\n", result.cells.size(), counts_text(counts)));
+    print(fmt::format("{0}/chart.png {0}/chart.svg {0}/chart.csv {0}/chart.nc {0}/chart.sqlite\n", out.string()));
+}
+
+}  // namespace
+
+void add_chart(CLI::App& program) {
+    auto options = std::make_shared<ChartOptions>();
+    CLI::App* command = program.add_subcommand(
+        "chart", "Compute and draw a noise chart over two parameters; resumes where it was stopped.");
+    add_case_options(*command, options->input);
+    command->add_option("--out", options->out, "folder for store, figures and tables (default: the file's name)")
+        ->type_name("DIR");
+    command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
+        ->check(CLI::Range(0, 4096));
+    command->add_flag("--json", options->json, "print the chart as one JSON document (schema stridor.chart/1)");
+    command->footer(
+        "Ctrl-C stops and keeps all finished cells; the same command goes on. A killed run loses at most half a second "
+        "of work.\n"
+        "Examples:\n  stridor init noise-chart -o pair.toml\n  stridor chart pair.toml --out pair\n"
+        "  stridor chart pair.toml --out quick --set chart.x.points=12 --set chart.y.points=12");
+    command->callback([options] { chart(*options); });
+}
+
+}  // namespace stridor::app

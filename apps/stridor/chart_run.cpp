@@ -1,0 +1,45 @@
+#include "chart_run.hpp"
+
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "stridor/sweep/run.hpp"
+#include "stridor/sweep/store.hpp"
+#include "terminal.hpp"
+
+#include <fmt/format.h>
+
+namespace stridor::app {
+
+sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::path& store_file, int threads) {
+    sweep::Store store(store_file, study);
+    const Interrupt interrupt;
+    ProgressDisplay display;
+    sweep::RunOptions options;
+    options.threads = threads;
+    options.stop = interrupt.token();
+    options.progress = [&](const sweep::Progress& progress) { display.show(progress); };
+    const sweep::RunReport report = sweep::run(study, store, options);
+    display.finish();
+    if (report.ending == sweep::Ending::stopped)
+        throw Error(ErrorKind::interrupted,
+                    {fmt::format("stopped with {} of {} cells done", report.progress.done, report.progress.total),
+                     "all of them are kept in " + store_file.string(), "Run the same command again to go on."});
+    return sweep::load(study, store);
+}
+
+void report_failures(const sweep::SweepResult& result, const std::string& chart_file) {
+    std::size_t failures = 0;
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < result.cells.size(); ++k) {
+        if (result.cells[k].status == sweep::Status::done) continue;
+        if (failures == 0) first = k;
+        ++failures;
+    }
+    if (failures == 0) return;
+    say(fmt::format("{} of {} cells have no result and are drawn hatched; the first: {} ({})", failures,
+                    result.cells.size(), sweep::status_names[static_cast<std::size_t>(result.cells[first].status)],
+                    result.cells[first].message));
+    say("  reproduce: " + sweep::reproduce_command(result.study, sweep::place_of(result.study, first), chart_file));
+}
+
+}  // namespace stridor::app

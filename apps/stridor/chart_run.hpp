@@ -1,0 +1,18 @@
+#pragma once
+
+#include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/study.hpp"
+
+#include <filesystem>
+
+namespace stridor::app {
+
+/// Computes a study in its store, with progress on stderr, or goes on with it; all cells when it returns.
+///
+/// Throws `Error` (interrupted) after SIGINT or SIGTERM, saying how to go on, and what the store throws.
+sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::path& store_file, int threads);
+
+/// Says on stderr which cells have no result, with the command that runs the first of them alone.
+void report_failures(const sweep::SweepResult& result, const std::string& chart_file);
+
+}  // namespace stridor::app

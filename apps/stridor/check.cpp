@@ -1,0 +1,85 @@
+#include "commands.hpp"
+#include "stridor/integration/simulate.hpp"
+#include "stridor/io/json.hpp"
+#include "stridor/model/frequencies.hpp"
+#include "stridor/model/rubbing_system.hpp"
+#include "stridor/parameters/field.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <memory>
+#include <numbers>
+
+namespace stridor::app {
+
+namespace {
+
+// what the beta_2 loop needs for one step on a present-day core [s]; only for the estimate that is printed
+constexpr double seconds_per_step = 25e-9;
+
+struct CheckOptions {
+    CaseOptions input;
+    bool json = false;
+};
+
+std::string fields_text(const parameters::Case& c) {
+    std::string text;
+    std::string_view section;
+    for (const parameters::Field& field : parameters::fields()) {
+        if (!field.belongs(c) || field.section.empty()) continue;
+        if (field.section != section) text += (section.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
+        section = field.section;
+        const std::string symbol = field.symbol.empty() ? "" : std::string(field.symbol) + ": ";
+        text += fmt::format("{:<20} = {:<16} ", field.name, parameters::value_text(c, field)) +
+                styled("# " + symbol + std::string(field.sentence), Style::dim, STDOUT_FILENO) + "\n";
+    }
+    return text;
+}
+
+std::string frequencies_text(const parameters::Case& c) {
+    using model::ContactState;
+    const auto structure = model::rubbing_system(c);
+    const auto row = [&](const char* name, ContactState state) {
+        std::string text = fmt::format("{:<22}", name);
+        for (const double omega : model::natural_frequencies(structure, state))
+            text += fmt::format("{:10.2f} Hz", omega / (2.0 * std::numbers::pi));
+        return text + "\n";
+    };
+    return row("sliding, mu = 0", ContactState::slip) + row("sticking", ContactState::stick) +
+           row("open (plate, joint)", ContactState::separation);
+}
+
+void check(const CheckOptions& options) {
+    const parameters::Case c = load_case(options.input);
+    const integration::Cost cost = integration::cost(c);
+    if (c.run.step > cost.step_limit)
+        throw Error(ErrorKind::input, {fmt::format("run.step = {:g} s is beyond the stability limit {:.4g} s",
+                                                   c.run.step, cost.step_limit),
+                                       "the highest open mode would grow without bound", "Shorten run.step."});
+    if (options.json) {
+        print(io::case_json(c) + "\n");
+        return;
+    }
+    print(styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n\n" + fields_text(c) + "\n" +
+          "undamped natural frequencies\n" + frequencies_text(c) +
+          fmt::format("\ncost: {:.3g} steps, about {:.2g} s of one core; largest stable step {:.4g} s\n", cost.steps,
+                      cost.steps * seconds_per_step, cost.step_limit));
+}
+
+}  // namespace
+
+void add_check(CLI::App& program) {
+    auto options = std::make_shared<CheckOptions>();
+    CLI::App* command =
+        program.add_subcommand("check", "Validate a case; print it resolved, with natural frequencies and cost.");
+    add_case_options(*command, options->input);
+    command->add_flag("--json", options->json, "print the resolved case as JSON");
+    command->footer(
+        "Examples:\n  stridor check squeal.toml\n  stridor check squeal.toml --set joint.incidence_angle=\"80 deg\"");
+    command->callback([options] { check(*options); });
+}
+
+}  // namespace stridor::app

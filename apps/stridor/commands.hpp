@@ -1,0 +1,36 @@
+#pragma once
+
+#include "stridor/parameters/case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+/// One function per command: it adds the command with its options and examples to the program.
+namespace stridor::app {
+
+void add_init(CLI::App& program);
+void add_check(CLI::App& program);
+void add_simulate(CLI::App& program);
+void add_stability(CLI::App& program);
+void add_chart(CLI::App& program);
+void add_figure(CLI::App& program);
+void add_verify(CLI::App& program);
+void add_completion(CLI::App& program);
+
+/// What every command that reads a case takes.
+struct CaseOptions {
+    std::string file;                    // "-" is stdin
+    std::vector<std::string> overrides;  // "section.key=value"
+};
+
+/// Adds the file and `--set`.
+void add_case_options(CLI::App& command, CaseOptions& options);
+
+/// Reads the case the options name.
+parameters::Case load_case(const CaseOptions& options);
+
+}  // namespace stridor::app

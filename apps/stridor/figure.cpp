@@ -1,0 +1,151 @@
+#include "chart_run.hpp"
+#include "commands.hpp"
+#include "figures.hpp"
+#include "interrupt.hpp"
+#include "stridor/chart/contact_states.hpp"
+#include "stridor/chart/friction_law.hpp"
+#include "stridor/chart/gnuplot.hpp"
+#include "stridor/chart/noise_chart.hpp"
+#include "stridor/chart/rate_map.hpp"
+#include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/paper_cases.hpp"
+#include "stridor/sweep/paper_charts.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace stridor::app {
+
+namespace {
+
+using parameters::Case;
+using parameters::PaperCase;
+
+constexpr double trace_interval = 20e-6;  // [s] 50 samples a period at 1 kHz
+
+record::Record recorded(const Case& c, const record::TraceRequest& trace, const std::stop_token& stop) {
+    integration::Motion motion = integration::simulate(c, {record::KeepHistory::yes, trace}, stop);
+    if (motion.outcome.reason == integration::Reason::cancelled)
+        throw Error(ErrorKind::interrupted,
+                    {"stopped while simulating \"" + c.title + "\"", "", "Run the same command again to go on."});
+    if (!integration::has_result(motion.outcome))
+        throw Error(ErrorKind::numerical,
+                    {"\"" + c.title + "\" has no motion to draw",
+                     std::string(integration::reason_names[static_cast<std::size_t>(motion.outcome.reason)]), ""});
+    return std::move(motion.record);
+}
+
+chart::Scene states_scene(const std::vector<std::pair<std::string, Case>>& cases, const std::stop_token& stop) {
+    std::vector<chart::StatesOfCase> states;
+    double end = 0.0;
+    for (const auto& [name, c] : cases) {
+        states.push_back({name, c, recorded(c, {}, stop).history});
+        end = std::max(end, c.run.duration);
+    }
+    return chart::contact_states(states, {0.0, end});
+}
+
+struct PaperOptions {
+    std::string out = "figures";
+    int threads = 0;
+};
+
+void announce(const std::filesystem::path& stem, const char* what) {
+    print(fmt::format("{0}.png {0}.svg  {1}\n", stem.string(), what));
+}
+
+// figures in the order of what they cost, so that something is there to look at soon
+void draw_paper(const PaperOptions& options) {
+    const std::filesystem::path out(options.out);
+    std::error_code error;
+    std::filesystem::create_directories(out, error);
+    if (error)
+        throw Error(ErrorKind::io,
+                    {"cannot make the folder " + out.string(), error.message(), "Choose another --out."});
+    {
+        const Interrupt interrupt;
+        const Case squeal = parameters::paper_case(PaperCase::squeal);
+        draw_both(chart::friction_law(squeal.contact), out / "figure-3");
+        announce(out / "figure-3", "friction law");
+        draw_both(time_history_scene(
+                      squeal, recorded(squeal, {0.0, squeal.run.duration, trace_interval}, interrupt.token()), {}),
+                  out / "figure-5");
+        announce(out / "figure-5", "time history of the squeal case with its contact states");
+        std::vector<std::pair<std::string, Case>> cases;
+        for (const PaperCase which : {PaperCase::quiet, PaperCase::squeal, PaperCase::squeak, PaperCase::creak})
+            cases.emplace_back(
+                which == PaperCase::quiet ? "no noise" : parameters::paper_case_names[static_cast<std::size_t>(which)],
+                parameters::paper_case(which));
+        draw_both(states_scene(cases, interrupt.token()), out / "figure-7");
+        announce(out / "figure-7", "contact states of the four cases of Table 1");
+    }
+    std::vector<sweep::SweepResult> maps;
+    for (const double angle : {70.0, 150.0})
+        maps.push_back(
+            compute(sweep::figure_6(angle), out / fmt::format("figure-6-{:g}.sqlite", angle), options.threads));
+    draw_both(chart::rate_map(maps), out / "figure-6");
+    announce(out / "figure-6", "contact-state rates over velocity and preload, 70 and 150 deg");
+    const sweep::SweepResult pair = compute(sweep::figure_8(), out / "figure-8.sqlite", options.threads);
+    draw_both(chart::noise_chart(pair), out / "figure-8");
+    announce(out / "figure-8", "noise charts over preload and kinetic friction");
+}
+
+struct OneFigureOptions {
+    CaseOptions input;
+    std::string output = "figure.png";
+};
+
+CLI::App* add_one(CLI::App& figure, const char* name, const char* description,
+                  const std::shared_ptr<OneFigureOptions>& options) {
+    CLI::App* command = figure.add_subcommand(name, description);
+    add_case_options(*command, options->input);
+    command->add_option("-o,--output", options->output, "FILE.png or FILE.svg")
+        ->type_name("FILE")
+        ->capture_default_str();
+    return command;
+}
+
+void draw_law(const OneFigureOptions& options) {
+    chart::draw(chart::friction_law(load_case(options.input).contact), options.output);
+}
+
+void draw_states(const OneFigureOptions& options) {
+    const Case c = load_case(options.input);
+    const Interrupt interrupt;
+    chart::draw(states_scene({{c.title.empty() ? options.input.file : c.title, c}}, interrupt.token()), options.output);
+}
+
+}  // namespace
+
+void add_figure(CLI::App& program) {
+    CLI::App* figure = program.add_subcommand("figure", "Draw the figures of the paper, or a single one of a case.");
+    figure->require_subcommand(1);
+
+    auto paper = std::make_shared<PaperOptions>();
+    CLI::App* all = figure->add_subcommand(
+        "paper", "Figures 3, 5, 6, 7 and 8 of the paper from its own cases (about two minutes on two cores).");
+    all->add_option("--out", paper->out, "folder")->type_name("DIR")->capture_default_str();
+    all->add_option("--threads", paper->threads, "number of threads (default: one per processor)")
+        ->check(CLI::Range(0, 4096));
+    all->callback([paper] { draw_paper(*paper); });
+
+    auto law = std::make_shared<OneFigureOptions>();
+    add_one(*figure, "friction-law", "Friction over relative velocity (Figure 3).", law)->callback([law] {
+        draw_law(*law);
+    });
+    auto states = std::make_shared<OneFigureOptions>();
+    add_one(*figure, "contact-states", "Contact states over time (Figure 7).", states)->callback([states] {
+        draw_states(*states);
+    });
+    figure->footer(
+        "A time history (Figure 5) is drawn by `stridor simulate CASE --figure`, a chart (Figures 6, 8) by `stridor "
+        "chart`, modes by\n"
+        "`stridor stability CASE --over ... --figure`.\n"
+        "Examples:\n  stridor figure paper --out figures\n  stridor figure contact-states creak.toml -o creak.svg");
+}
+
+}  // namespace stridor::app

@@ -1,0 +1,59 @@
+#include "figures.hpp"
+
+#include "stridor/base/quantity.hpp"
+#include "stridor/chart/gnuplot.hpp"
+#include "stridor/chart/noise_chart.hpp"
+#include "stridor/chart/stability.hpp"
+#include "stridor/chart/time_history.hpp"
+
+namespace stridor::app {
+
+namespace {
+
+// long enough for a few dozen changes of state of a squeal
+constexpr double zoom_length = 20e-3;  // [s]
+
+chart::Range zoom_range(const parameters::Case& c, const std::string& zoom) {
+    if (zoom.empty()) return chart::telling_stretch(c, zoom_length);
+    const std::size_t colon = zoom.find(':');
+    if (colon == std::string::npos)
+        throw Error(ErrorKind::input,
+                    {"--zoom \"" + zoom + "\" cannot be read", "expected FROM:TO", "For example \"230 ms:250 ms\"."});
+    const chart::Range range{base::parse_quantity(zoom.substr(0, colon), "s"),
+                             base::parse_quantity(zoom.substr(colon + 1), "s")};
+    if (!(range.from < range.to))
+        throw Error(ErrorKind::input,
+                    {"--zoom \"" + zoom + "\" is empty", "its end must come after its beginning", ""});
+    return range;
+}
+
+}  // namespace
+
+void draw_both(const chart::Scene& scene, const std::filesystem::path& stem) {
+    for (const char* extension : {".png", ".svg"})
+        chart::draw(scene, std::filesystem::path(stem) += extension);
+}
+
+chart::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom) {
+    chart::TimeHistoryOptions options;
+    options.zoom = zoom_range(c, zoom);
+    return chart::time_history(c, record, options);
+}
+
+void draw_stability(const io::StabilityScan& scan, const std::string& path) {
+    std::vector<chart::StabilityCurve> curves;
+    for (const io::DirectionScan& direction : scan.directions)
+        curves.push_back({direction.direction, direction.path});
+    chart::draw(chart::stability(scan.key, curves), path);
+}
+
+void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& folder) {
+    // the first quantity is the chart; further ones stand beside it under their own names
+    bool is_first = true;
+    for (const std::string& quantity : result.study.quantities) {
+        draw_both(chart::quantity_chart(result, quantity), folder / (is_first ? "chart" : "chart-" + quantity));
+        is_first = false;
+    }
+}
+
+}  // namespace stridor::app

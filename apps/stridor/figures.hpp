@@ -1,0 +1,27 @@
+#pragma once
+
+#include "stridor/chart/scene.hpp"
+#include "stridor/io/json.hpp"
+#include "stridor/parameters/case.hpp"
+#include "stridor/record/recorder.hpp"
+#include "stridor/sweep/cell.hpp"
+
+#include <filesystem>
+#include <string>
+
+/// Results to picture files: which scene goes where.
+namespace stridor::app {
+
+/// Draws a scene as STEM.png and STEM.svg.
+void draw_both(const chart::Scene& scene, const std::filesystem::path& stem);
+
+/// Figure 5: motion over time with the contact states, and a zoom ("from:to" with units; empty: chosen).
+chart::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom);
+
+/// Frequencies and growth rates of the sliding modes along a parameter.
+void draw_stability(const io::StabilityScan& scan, const std::string& path);
+
+/// chart.png and chart.svg of the first quantity the study asks for, chart-QUANTITY.png and .svg of each further one.
+void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& folder);
+
+}  // namespace stridor::app

@@ -1,0 +1,48 @@
+#include "commands.hpp"
+#include "stridor/io/case_schema.hpp"
+#include "stridor/io/toml_writer.hpp"
+#include "stridor/parameters/paper_cases.hpp"
+#include "stridor/sweep/paper_charts.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+namespace stridor::app {
+
+namespace {
+
+struct InitOptions {
+    std::string kind;
+    std::string output;
+};
+
+std::string text_of(const std::string& kind) {
+    if (kind == "noise-chart") return io::study_toml(sweep::figure_8());
+    if (kind == "rate-map") return io::study_toml(sweep::figure_6(70.0));
+    if (kind == "schema") return io::json_schema();
+    const auto found = std::find(parameters::paper_case_names.begin(), parameters::paper_case_names.end(), kind);
+    return io::case_toml(
+        parameters::paper_case(static_cast<parameters::PaperCase>(found - parameters::paper_case_names.begin())));
+}
+
+}  // namespace
+
+void add_init(CLI::App& program) {
+    auto options = std::make_shared<InitOptions>();
+    CLI::App* command = program.add_subcommand("init", "Write a commented case or chart file to start from.");
+    command
+        ->add_option("kind", options->kind,
+                     "squeal, squeak, creak, quiet: Table 1; noise-chart: Figure 8; rate-map: Figure 6; schema: JSON "
+                     "Schema of case files")
+        ->required()
+        ->check(CLI::IsMember({"squeal", "squeak", "creak", "quiet", "noise-chart", "rate-map", "schema"}));
+    command->add_option("-o,--output", options->output, "file to write (default: stdout)")->type_name("FILE");
+    command->footer("Examples:\n  stridor init squeal -o squeal.toml\n  stridor init quiet | stridor simulate -");
+    command->callback([options] { write_output(options->output, text_of(options->kind)); });
+}
+
+}  // namespace stridor::app

@@ -1,0 +1,54 @@
+#include "interrupt.hpp"
+
+#include "stridor/base/error.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <csignal>
+#include <mutex>
+
+namespace stridor::app {
+
+namespace {
+
+// the only state a signal handler may touch
+volatile std::sig_atomic_t signals_seen = 0;
+
+void on_signal(int) {
+    signals_seen = signals_seen + 1;
+    if (signals_seen > 1) _exit(base::exit_code(ErrorKind::interrupted));
+}
+
+void handle_signals(void (*handler)(int)) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+}  // namespace
+
+Interrupt::Interrupt()
+    : watcher_([this](const std::stop_token& done) {
+          std::mutex mutex;
+          std::condition_variable_any never;
+          std::unique_lock lock(mutex);
+          while (!done.stop_requested()) {
+              if (signals_seen > 0) source_.request_stop();
+              // nobody notifies: it wakes after its time, or at once when this object ends
+              never.wait_for(lock, done, std::chrono::milliseconds(50), [] { return false; });
+          }
+      }) {
+    signals_seen = 0;
+    handle_signals(on_signal);
+}
+
+Interrupt::~Interrupt() {
+    handle_signals(SIG_DFL);
+}
+
+}  // namespace stridor::app

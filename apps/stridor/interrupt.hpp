@@ -1,0 +1,26 @@
+#pragma once
+
+#include <stop_token>
+#include <thread>
+
+namespace stridor::app {
+
+/// Turns SIGINT (Ctrl-C) and SIGTERM into a stop request; a second one leaves the program at once with exit code 4.
+///
+/// One may live at a time. Its signal handlers only set a flag; a thread looks at it 20 times a second.
+class Interrupt {
+public:
+    Interrupt();
+    ~Interrupt();
+    Interrupt(const Interrupt&) = delete;
+    Interrupt& operator=(const Interrupt&) = delete;
+
+    std::stop_token token() const { return source_.get_token(); }
+    bool is_requested() const { return source_.stop_requested(); }
+
+private:
+    std::stop_source source_;
+    std::jthread watcher_;
+};
+
+}  // namespace stridor::app

@@ -1,0 +1,74 @@
+#include "commands.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/version.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <csignal>
+#include <exception>
+#include <new>
+
+namespace stridor::app {
+
+namespace {
+
+constexpr int bad_usage = 2;
+
+constexpr const char* footer =
+    "First steps:\n"
+    "  stridor init squeal -o squeal.toml     write a commented case file\n"
+    "  stridor simulate squeal.toml           does it squeal?\n"
+    "  stridor stability squeal.toml --over contact.kinetic_friction=0:0.8\n"
+    "  stridor init noise-chart -o pair.toml && stridor chart pair.toml --out pair\n"
+    "\n"
+    "Exit codes: 0 done, 2 bad input or usage, 3 numerical failure, 4 interrupted (run the same command again),\n"
+    "5 a file, disk or other program failed. Data goes to stdout, messages to stderr.";
+
+void build(CLI::App& program) {
+    program.set_version_flag("--version", fmt::format("stridor {} ({})", base::version(), base::commit()));
+    program.require_subcommand(1);
+    program.footer(footer);
+    add_init(program);
+    add_check(program);
+    add_simulate(program);
+    add_stability(program);
+    add_chart(program);
+    add_figure(program);
+    add_verify(program);
+    add_completion(program);
+}
+
+int run(int argc, char** argv) {
+    CLI::App program("Predicts whether a rubbing contact squeals, squeaks, creaks or stays quiet.", "stridor");
+    build(program);
+    try {
+        program.parse(argc, argv);
+        return 0;
+    } catch (const CLI::Success& asked) {  // --help, --version
+        return program.exit(asked);
+    } catch (const CLI::ParseError& error) {
+        say(std::string("stridor: ") + styled("error:", Style::red, 2) + " " + error.what());
+        say("help: `stridor --help` lists the commands, `stridor COMMAND --help` their options.");
+        return bad_usage;
+    } catch (const Error& error) {
+        say_error(error);
+        return base::exit_code(error.kind());
+    } catch (const std::bad_alloc&) {
+        say("stridor: error: out of memory");
+        return base::exit_code(ErrorKind::io);
+    } catch (const std::exception& error) {
+        say(std::string("stridor: error: ") + error.what());
+        return base::exit_code(ErrorKind::io);
+    }
+}
+
+}  // namespace
+
+}  // namespace stridor::app
+
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error return, not a silent death
+    return stridor::app::run(argc, argv);
+}

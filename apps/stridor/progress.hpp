@@ -1,0 +1,29 @@
+#pragma once
+
+#include "stridor/sweep/run.hpp"
+
+#include <string>
+
+namespace stridor::app {
+
+/// One line that says how far a sweep is: bar, cells, rate, time left, running counts. At most `columns` wide.
+std::string progress_line(const sweep::Progress& progress, int columns);
+
+/// Running counts: "none 812  squeal 340  squeak 51  creak 12  failed 3"; only those that occur.
+std::string counts_text(const sweep::Counts& counts);
+
+/// Shows a sweep's progress on stderr: a line that is redrawn in a terminal, a line per 10 % anywhere else.
+class ProgressDisplay {
+public:
+    void show(const sweep::Progress& progress);
+
+    /// Leaves the last state on the screen and moves to a fresh line.
+    void finish();
+
+private:
+    std::size_t last_tenth_ = 0;
+    bool is_started_ = false;
+    bool has_line_ = false;
+};
+
+}  // namespace stridor::app

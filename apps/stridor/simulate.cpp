@@ -1,0 +1,202 @@
+#include "stridor/integration/simulate.hpp"
+
+#include "commands.hpp"
+#include "figures.hpp"
+#include "interrupt.hpp"
+#include "stridor/analysis/evidence.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/chart/gnuplot.hpp"
+#include "stridor/classification/contact_rules.hpp"
+#include "stridor/io/csv.hpp"
+#include "stridor/io/json.hpp"
+#include "stridor/io/netcdf.hpp"
+#include "stridor/parameters/field.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <memory>
+
+namespace stridor::app {
+
+namespace {
+
+using classification::Category;
+using classification::Verdict;
+
+struct SimulateOptions {
+    CaseOptions input;
+    bool json = false;
+    std::string trace;       // file to write
+    std::string trace_from;  // with unit
+    std::string trace_to;    // with unit
+    std::string trace_interval = "20 us";
+    std::string history;  // file to write
+    std::string figure;   // file to draw
+    std::string zoom;     // "from:to" with units
+};
+
+record::Request request_for(const SimulateOptions& options, const parameters::Case& c) {
+    record::Request request;
+    const bool wants_trace = !options.trace.empty() || !options.figure.empty();
+    const bool wants_history = !options.history.empty() || !options.figure.empty() || options.trace.ends_with(".nc");
+    if (wants_history) request.history = record::KeepHistory::yes;
+    if (!wants_trace) return request;
+    request.trace.from = options.trace_from.empty() ? 0.0 : base::parse_quantity(options.trace_from, "s");
+    request.trace.to = options.trace_to.empty() ? c.run.duration : base::parse_quantity(options.trace_to, "s");
+    request.trace.interval = base::parse_quantity(options.trace_interval, "s");
+    const bool is_ordered = request.trace.interval > 0.0 && request.trace.from <= request.trace.to;
+    if (!is_ordered)
+        throw Error(ErrorKind::input, {"the trace has no samples",
+                                       "its interval must be positive and --trace-from before --trace-to", ""});
+    return request;
+}
+
+std::string drive_text(const parameters::Case& c) {
+    using parameters::DriveKind;
+    switch (c.drive.kind) {
+        case DriveKind::sinusoidal:
+            return fmt::format("sinusoidal drive of {:g} mm at {:g} Hz", 1e3 * c.drive.amplitude, c.drive.frequency);
+        case DriveKind::constant:
+            return fmt::format("constant drive of {:g} m/s", c.drive.velocity);
+        case DriveKind::sampled:
+            return "sampled drive " + c.drive.file;
+    }
+    return {};
+}
+
+std::string figure_or_dash(double value, const char* format) {
+    return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : std::string("-");
+}
+
+std::string verdict_row(const Verdict& verdict) {
+    const analysis::Evidence& e = verdict.evidence;
+    const bool is_noisy = verdict.category != Category::none;
+    // padded before it is styled: escape codes have no width
+    const std::string category = styled(fmt::format("{:<10}", classification::name(verdict.category)),
+                                        is_noisy ? Style::bold : Style::plain, STDOUT_FILENO);
+    return fmt::format(
+        "{:<8}{}{:>8}{:>8}{:>8}{:>13}{:>12}{:>12}\n", record::phase_names[static_cast<std::size_t>(e.phase)], category,
+        figure_or_dash(100.0 * e.rates.slip, "{:.1f} %"), figure_or_dash(100.0 * e.rates.stick, "{:.1f} %"),
+        figure_or_dash(100.0 * e.rates.separation, "{:.1f} %"), figure_or_dash(e.alternation.regularity, "{:.3f}"),
+        figure_or_dash(e.alternation.frequency, "{:.1f} Hz"), figure_or_dash(e.levels.joint.decibels, "{:.1f} dB"));
+}
+
+std::string report(const parameters::Case& c, const integration::Motion& motion, const std::vector<Verdict>& verdicts) {
+    std::string text = styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n";
+    text +=
+        fmt::format("{}, preload {:g} N, mu_d {:g}, mu_s {:g}, incidence angle {:g} deg\n", drive_text(c),
+                    c.contact.preload, c.contact.kinetic_friction, c.contact.static_friction, c.joint.incidence_angle);
+    text += fmt::format("engine beta_2 = {:g}, step {:g} s; start: {}; energy balance closes to {:.1e}\n\n",
+                        c.run.beta_2, c.run.step, parameters::value_text(c, *parameters::find_field("run.initial")),
+                        std::abs(motion.energy.relative_residual()));
+    text += fmt::format("{:<8}{:<10}{:>8}{:>8}{:>8}{:>13}{:>12}{:>12}\n", "phase", "category", "slip", "stick",
+                        "separ.", "regularity", "frequency", "joint");
+    for (const Verdict& verdict : verdicts)
+        text += verdict_row(verdict);
+    text += "\n";
+    for (const Verdict& verdict : verdicts) {
+        text += fmt::format("{}: ", record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)]);
+        for (std::size_t k = 0; k < verdict.reasons.size(); ++k)
+            text += (k > 0 ? "; " : "") + verdict.reasons[k];
+        text += "\n";
+        for (const classification::Margin& margin : verdict.margins)
+            if (std::isfinite(margin.figure))
+                text += styled(fmt::format("    {:<18} {:>9.4g}  threshold {:<17} {:>7.4g}  distance {:+.4g}\n",
+                                           margin.figure_name, margin.figure, margin.threshold_name, margin.threshold,
+                                           margin.distance),
+                               Style::dim, STDOUT_FILENO);
+    }
+    text +=
+        "\nshares are of the whole phase; the verdict is made from its steady part (verdict.settling, "
+        "verdict.reversal).\n"
+        "A category names a vibration pattern of the model, not a sound pressure.\n";
+    return text;
+}
+
+void require_result(const integration::Outcome& outcome, const parameters::Case& c) {
+    using integration::Reason;
+    const std::string at = fmt::format("{:.6g} s of {:g} s", outcome.time, c.run.duration);
+    switch (outcome.reason) {
+        case Reason::completed:
+        case Reason::settled:
+            return;
+        case Reason::diverged:
+            throw Error(ErrorKind::numerical,
+                        {"the motion left double precision at " + at, "the time step may be too long for this system",
+                         "Try a smaller run.step."});
+        case Reason::step_limit: {
+            const double limit = integration::cost(c).step_limit;
+            throw Error(ErrorKind::input,
+                        {fmt::format("run.step = {} s is beyond the stability limit {:.4g} s",
+                                     base::shortest(c.run.step), limit),
+                         "the highest open mode would grow without bound",
+                         fmt::format("Use at most {:.1g} s; 1e-06 s or less for rates you quote.", 0.1 * limit)});
+        }
+        case Reason::cancelled:
+            throw Error(ErrorKind::interrupted,
+                        {"stopped at " + at, "a single run keeps nothing", "Run the same command again."});
+    }
+}
+
+void write_records(const SimulateOptions& options, const parameters::Case& c, const integration::Motion& motion) {
+    if (!options.history.empty()) write_output(options.history, io::history_csv(c, motion.record.history));
+    if (options.trace.ends_with(".nc"))
+        io::write_trace_netcdf(options.trace, c, motion.record);
+    else if (!options.trace.empty())
+        write_output(options.trace, io::trace_csv(c, motion.record.trace));
+    if (!options.figure.empty()) chart::draw(time_history_scene(c, motion.record, options.zoom), options.figure);
+}
+
+void simulate(const SimulateOptions& options) {
+    const parameters::Case c = load_case(options.input);
+    const record::Request request = request_for(options, c);
+    const Interrupt interrupt;
+    const integration::Motion motion = integration::simulate(c, request, interrupt.token());
+    require_result(motion.outcome, c);
+    std::vector<Verdict> verdicts;
+    for (const record::Tally& tally : motion.record.phases)
+        verdicts.push_back(classification::classify(analysis::evidence(tally), c.verdict));
+    write_records(options, c, motion);
+    print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"
+                       : report(c, motion, verdicts));
+    if (!options.json && has_terminal())
+        say(styled(fmt::format("next: stridor stability {} --over contact.kinetic_friction=0:{:g}", options.input.file,
+                               c.contact.static_friction),
+                   Style::dim, STDERR_FILENO));
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& program) {
+    auto options = std::make_shared<SimulateOptions>();
+    CLI::App* command =
+        program.add_subcommand("simulate", "Run one case and say whether it squeals, squeaks, creaks or stays quiet.");
+    add_case_options(*command, options->input);
+    command->add_flag("--json", options->json, "print one JSON document (schema stridor.simulation/1)");
+    command->add_option("--trace", options->trace, "write the sampled motion to FILE.csv or FILE.nc")
+        ->type_name("FILE");
+    command->add_option("--trace-from", options->trace_from, "first sample (default 0)")->type_name("TIME");
+    command->add_option("--trace-to", options->trace_to, "last sample (default: the end)")->type_name("TIME");
+    command->add_option("--trace-interval", options->trace_interval, "time between samples")
+        ->type_name("TIME")
+        ->capture_default_str();
+    command->add_option("--history", options->history, "write every contact state with its times to FILE.csv")
+        ->type_name("FILE");
+    command
+        ->add_option("--figure", options->figure, "draw motion and contact states (Figure 5) to FILE.png or FILE.svg")
+        ->type_name("FILE");
+    command->add_option("--zoom", options->zoom, "time range of the figure's zoom")->type_name("FROM:TO");
+    command->footer(
+        "Examples:\n  stridor simulate squeal.toml\n  stridor simulate squeal.toml --set contact.preload=\"200 N\" "
+        "--json\n"
+        "  stridor simulate squeal.toml --figure squeal.png --zoom \"230 ms:250 ms\"\n  stridor init creak | stridor "
+        "simulate -");
+    command->callback([options] { simulate(*options); });
+}
+
+}  // namespace stridor::app

@@ -1,0 +1,70 @@
+#include "terminal.hpp"
+
+#include "stridor/io/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace stridor::app {
+
+void print(std::string_view text) {
+    const bool is_written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    if (is_written) return;
+    const int reason = errno;
+    if (reason == EPIPE) std::_Exit(0);  // the reader (head, less) has seen enough
+    throw Error(ErrorKind::io,
+                {"cannot write to standard output", std::strerror(reason), "Free some space or write elsewhere."});
+}
+
+void say(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fputc('\n', stderr);
+}
+
+void say_error(const Error& error) {
+    const base::Problem& problem = error.problem();
+    const std::string where = error.place() ? base::describe(*error.place()) + ": " : std::string("stridor: ");
+    const std::string why = problem.why.empty() ? "" : " (" + problem.why + ")";
+    say(where + styled("error:", Style::red, STDERR_FILENO) + " " + problem.what + why);
+    if (error.place() && !error.place()->source_line.empty()) {
+        const base::Place& place = *error.place();
+        say(fmt::format("{:5} | {}", place.line, place.source_line));
+        const auto before = static_cast<std::size_t>(std::max(0, place.column - 1));
+        if (place.column > 0) say(fmt::format("{:5} | {}^", "", std::string(before, ' ')));
+    }
+    if (!problem.suggestion.empty()) say("help: " + problem.suggestion);
+}
+
+bool has_terminal() {
+    return isatty(STDERR_FILENO) == 1;
+}
+
+int terminal_columns() {
+    winsize size{};
+    const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return is_known ? size.ws_col : 80;
+}
+
+std::string styled(std::string_view text, Style style, int file_descriptor) {
+    const char* no_color = std::getenv("NO_COLOR");
+    const bool is_plain = (no_color != nullptr && *no_color != '\0') || isatty(file_descriptor) != 1;
+    if (is_plain || style == Style::plain) return std::string(text);
+    const std::string_view code = style == Style::bold ? "1" : style == Style::dim ? "2" : "31;1";
+    return fmt::format("\033[{}m{}\033[0m", code, text);
+}
+
+void write_output(const std::string& path, std::string_view text) {
+    if (path.empty() || path == "-")
+        print(text);
+    else
+        io::write_file(path, text);
+}
+
+}  // namespace stridor::app

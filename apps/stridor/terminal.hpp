@@ -1,0 +1,34 @@
+#pragma once
+
+#include "stridor/base/error.hpp"
+
+#include <string>
+#include <string_view>
+
+/// The program's only doors to the terminal: data goes to stdout, messages to stderr.
+namespace stridor::app {
+
+/// Writes data to stdout; throws `Error` (io) where it cannot be written (a full disk behind a redirection).
+void print(std::string_view text);
+
+/// Writes a message to stderr, with a line end.
+void say(std::string_view text);
+
+/// "file:line:col: error: what (why)", the line with a caret, and "help: ...".
+void say_error(const Error& error);
+
+/// Is stderr a terminal a person looks at?
+bool has_terminal();
+
+/// Columns of the terminal behind stderr; 80 where unknown.
+int terminal_columns();
+
+enum class Style { plain, bold, dim, red };
+
+/// The text in a style for stdout or stderr, plain where it is no terminal or NO_COLOR is set.
+std::string styled(std::string_view text, Style style, int file_descriptor);
+
+/// Writes a file the user asked for, or stdout for an empty name or "-".
+void write_output(const std::string& path, std::string_view text);
+
+}  // namespace stridor::app

@@ -1,0 +1,91 @@
+#include "support/process.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+using stridor::test::Finished;
+using stridor::test::Launch;
+using stridor::test::Process;
+using stridor::test::read_text;
+using stridor::test::run;
+using stridor::test::TemporaryFolder;
+using stridor::test::write_text;
+
+namespace {
+
+// 8 by 8 cells in two directions, about a second of work on one core
+std::vector<std::string> sweep(const std::string& out, const std::string& threads) {
+    return {"chart",     "chart.toml",
+            "--out",     out,
+            "--threads", threads,
+            "--set",     "chart.x.points=8",
+            "--set",     "chart.y.points=8",
+            "--set",     "run.duration=0.2",
+            "--set",     "run.window=0.1",
+            "--set",     "run.step=2e-6"};
+}
+
+class Resume : public testing::Test {
+protected:
+    void SetUp() override { write_text(folder_ / "chart.toml", run({"init", "noise-chart"}).out); }
+
+    std::string csv(const std::string& out) const { return read_text(folder_.path() / out / "chart.csv"); }
+
+    TemporaryFolder folder_;
+};
+
+void pause(int milliseconds) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+}
+
+}  // namespace
+
+TEST_F(Resume, AKilledSweepEndsWithTheSameBytesAsAnUninterruptedOne) {
+    ASSERT_EQ(run(sweep("whole", "2"), folder_.path()).exit_code, 0);
+    ASSERT_FALSE(csv("whole").empty());
+    // ten kills after fixed, irregular waits: start-up, first cells, late cells, whatever the machine's speed makes of them
+    int kills = 0;
+    for (const int wait : {3, 11, 23, 37, 61, 83, 127, 151, 197, 251}) {
+        Process process(Launch{sweep("killed", kills % 2 == 0 ? "1" : "2"), folder_.path(), {}, std::nullopt, {}});
+        pause(wait);
+        process.send(SIGKILL);
+        process.wait();
+        ++kills;
+    }
+    const Finished last = run(sweep("killed", "1"), folder_.path());
+    ASSERT_EQ(last.exit_code, 0) << last.err;
+    EXPECT_EQ(csv("killed"), csv("whole"));
+}
+
+TEST_F(Resume, TheNumberOfThreadsChangesNoByte) {
+    ASSERT_EQ(run(sweep("one", "1"), folder_.path()).exit_code, 0);
+    ASSERT_EQ(run(sweep("four", "4"), folder_.path()).exit_code, 0);
+    EXPECT_EQ(csv("one"), csv("four"));
+}
+
+TEST_F(Resume, AnInterruptStopsWithinASecondSaysHowToGoOnAndResumes) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        std::vector<std::string> slow = sweep("stopped", "2");
+        slow.insert(slow.end(), {"--set", "run.duration=4", "--set", "chart.x.points=4", "--set", "chart.y.points=4"});
+        Process process(Launch{slow, folder_.path(), {}, std::nullopt, {}});
+        pause(400);
+        const auto asked = std::chrono::steady_clock::now();
+        process.send(signal);
+        while (process.is_running() && std::chrono::steady_clock::now() - asked < std::chrono::seconds(20))
+            pause(5);
+        const Finished finished = process.wait();
+        EXPECT_EQ(finished.exit_code, 4) << finished.err;
+        EXPECT_NE(finished.err.find("same command again"), std::string::npos) << finished.err;
+    }
+}
+
+TEST_F(Resume, AFinishedSweepRunAgainComputesNothingAndGivesTheSameFiles) {
+    ASSERT_EQ(run(sweep("out", "2"), folder_.path()).exit_code, 0);
+    const std::string first = csv("out");
+    const Finished again = run(sweep("out", "2"), folder_.path());
+    EXPECT_EQ(again.exit_code, 0);
+    EXPECT_EQ(csv("out"), first);
+}

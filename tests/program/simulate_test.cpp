@@ -1,0 +1,115 @@
+#include "support/process.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+
+using nlohmann::json;
+using stridor::test::Finished;
+using stridor::test::run;
+using stridor::test::TemporaryFolder;
+using stridor::test::write_text;
+
+namespace {
+
+json simulated(const std::string& kind, const std::vector<std::string>& more = {}) {
+    const TemporaryFolder folder;
+    write_text(folder / "case.toml", run({"init", kind}).out);
+    std::vector<std::string> arguments{"simulate", "case.toml", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Finished finished = run(arguments, folder.path());
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    return json::parse(finished.out);
+}
+
+std::map<std::string, std::string> categories(const json& document) {
+    std::map<std::string, std::string> found;
+    for (const json& phase : document["phases"])
+        found[phase["phase"]] = phase["verdict"]["category"];
+    return found;
+}
+
+}  // namespace
+
+TEST(Simulate, GivesTheFourCategoriesOfThePaper) {
+    using Categories = std::map<std::string, std::string>;
+    EXPECT_EQ(categories(simulated("quiet")), (Categories{{"going", "none"}, {"coming", "none"}}));
+    EXPECT_EQ(categories(simulated("squeal")), (Categories{{"going", "squeal"}, {"coming", "none"}}));
+    EXPECT_EQ(categories(simulated("squeak"))["going"], "squeak");
+    EXPECT_EQ(categories(simulated("creak")), (Categories{{"going", "creak"}, {"coming", "creak"}}));
+}
+
+TEST(Simulate, DocumentHoldsWhatTheContractSays) {
+    const json document = simulated("squeal", {"--set", "run.step=2e-6"});
+    EXPECT_EQ(document["schema"], "stridor.simulation/1");
+    EXPECT_EQ(document["case"]["contact"]["preload"], 20.0);
+    EXPECT_EQ(document["engine"]["name"], "beta_2");
+    EXPECT_EQ(document["engine"]["step"], 2e-6);
+    EXPECT_LT(std::abs(document["energy"]["relative_residual"].get<double>()), 1e-9);
+    ASSERT_EQ(document["phases"].size(), 2U);
+    for (const json& phase : document["phases"]) {
+        const json& verdict = phase["verdict"];
+        const json& rates = verdict["rates"];
+        EXPECT_NEAR(rates["slip"].get<double>() + rates["stick"].get<double>() + rates["separation"].get<double>(), 1.0,
+                    1e-9);
+        for (const char* key : {"category", "regularity", "period", "frequency", "levels", "margins"})
+            EXPECT_TRUE(verdict.contains(key)) << key;
+        EXPECT_TRUE(phase.contains("window"));
+        EXPECT_GE(verdict["margins"].size(), 3U);
+    }
+}
+
+TEST(Simulate, AConstantDriveHasOnePhaseCalledAll) {
+    const json document =
+        simulated("squeal", {"--set", "drive.kind=constant", "--set", "drive.velocity=0.1", "--set", "run.step=2e-6"});
+    ASSERT_EQ(document["phases"].size(), 1U);
+    EXPECT_EQ(document["phases"][0]["phase"], "all");
+    EXPECT_EQ(document["phases"][0]["verdict"]["category"], "squeal");
+}
+
+TEST(Simulate, ReadsACaseFromStandardInput) {
+    const Finished finished = run({"simulate", "-", "--set", "run.step=2e-6"}, {}, run({"init", "quiet"}).out);
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_NE(finished.out.find("none"), std::string::npos);
+}
+
+TEST(Simulate, DataGoesToStdoutAndMessagesToStderr) {
+    const Finished finished =
+        run({"simulate", "-", "--json", "--set", "run.step=2e-6"}, {}, run({"init", "quiet"}).out);
+    EXPECT_EQ(finished.err, "");
+    EXPECT_NO_THROW(json::parse(finished.out));
+}
+
+TEST(Cases, ShippedFilesAreWhatInitPrints) {
+    for (const std::string kind : {"squeal", "squeak", "creak", "quiet", "noise-chart", "rate-map"})
+        EXPECT_EQ(stridor::test::read_text(std::string(STRIDOR_SOURCE_DIR) + "/cases/" + kind + ".toml"),
+                  run({"init", kind}).out)
+            << kind;
+}
+
+TEST(Completion, ShippedScriptIsWhatTheProgramPrints) {
+    EXPECT_EQ(stridor::test::read_text(std::string(STRIDOR_SOURCE_DIR) + "/completions/stridor.bash"),
+              run({"completion", "bash"}).out);
+}
+
+TEST(Check, PrintsTheResolvedCaseFrequenciesAndCost) {
+    const Finished finished = run({"check", "-"}, {}, run({"init", "squeal"}).out);
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    for (const char* words : {"incidence_angle", "70 deg", "429.17", "1591.55", "largest stable step"})
+        EXPECT_NE(finished.out.find(words), std::string::npos) << words;
+}
+
+TEST(Stability, FindsTheFlutterOnset) {
+    const TemporaryFolder folder;
+    write_text(folder / "case.toml", run({"init", "squeal"}).out);
+    const Finished finished =
+        run({"stability", "case.toml", "--over", "contact.kinetic_friction=0:0.8", "--json"}, folder.path());
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    const json document = json::parse(finished.out);
+    const json& boundaries = document["directions"][0]["boundaries"];
+    ASSERT_EQ(boundaries.size(), 1U) << document.dump(1);
+    EXPECT_NEAR(boundaries[0]["value"].get<double>(), 0.44942, 5e-4);
+    EXPECT_TRUE(document["directions"][1]["boundaries"].empty());
+}
