@@ -129,8 +129,27 @@ void collect(const toml::table& table, const std::string& prefix, const Places& 
     }
 }
 
+// Well-formed UTF-8: no stray or missing bytes, no code point spelt longer than needed, no surrogates. The parser checks
+// files; overrides come straight from the command line.
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const auto lead = static_cast<unsigned char>(text.front());
+        const std::size_t length = lead < 0x80U ? 1 : lead < 0xC2U ? 0 : lead < 0xE0U ? 2 : lead < 0xF0U ? 3 : 4;
+        if (length == 0 || lead > 0xF4U || length > text.size()) return false;
+        for (std::size_t k = 1; k < length; ++k)
+            if ((static_cast<unsigned char>(text[k]) & 0xC0U) != 0x80U) return false;
+        const auto second = length > 1 ? static_cast<unsigned char>(text[1]) : 0U;
+        const bool is_out_of_range = (lead == 0xE0U && second < 0xA0U) || (lead == 0xEDU && second > 0x9FU) ||
+                                     (lead == 0xF0U && second < 0x90U) || (lead == 0xF4U && second > 0x8FU);
+        if (is_out_of_range) return false;
+        text.remove_prefix(length);
+    }
+    return true;
+}
+
 TomlEntry override_entry(const std::string& text) {
     const base::Place place{"--set", 0, 0, text};
+    if (!is_utf8(text)) throw Error(ErrorKind::input, {"an override is not UTF-8 text", "", ""}, place);
     const std::size_t equals = text.find('=');
     const std::string key(base::trimmed(std::string_view(text).substr(0, equals)));
     if (equals == std::string::npos || key.empty())

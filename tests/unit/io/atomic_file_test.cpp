@@ -1,0 +1,107 @@
+#include "stridor/io/atomic_file.hpp"
+
+#include "io_support.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+
+namespace stridor::io {
+namespace {
+
+/// Files may grow to so many bytes only, as on a disk that is almost full; lifted on the way out.
+class SmallDisk {
+public:
+    explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &limit_);
+        const rlimit small{bytes, limit_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    SmallDisk(const SmallDisk&) = delete;
+    SmallDisk& operator=(const SmallDisk&) = delete;
+    ~SmallDisk() {
+        setrlimit(RLIMIT_FSIZE, &limit_);
+        std::signal(SIGXFSZ, handler_);
+    }
+
+private:
+    void (*handler_)(int);
+    rlimit limit_{};
+};
+
+TEST(AtomicFile, GivesBackWhatWasWritten) {
+    const Scratch scratch;
+    const std::string bytes("a\0b\r\n\xff", 6);
+    write_file(scratch.path("f"), bytes);
+    EXPECT_EQ(read_file(scratch.path("f")), bytes);
+    write_file(scratch.path("f"), "");
+    EXPECT_EQ(read_file(scratch.path("f")), "");
+    EXPECT_EQ(scratch.entries(), 1);
+}
+
+TEST(AtomicFile, LeavesTheOldFileWhenTheDiskIsFull) {
+    const Scratch scratch;
+    const std::string path = scratch.path("chart.csv");
+    write_file(path, "old");
+    std::optional<Error> error;
+    {
+        const SmallDisk disk(4096);
+        error = error_of([&] { write_file(path, std::string(100000, 'x')); });
+    }
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->kind(), ErrorKind::io);
+    EXPECT_NE(std::string(error->what()).find(path), std::string::npos);
+    EXPECT_EQ(read_file(path), "old");
+    EXPECT_EQ(scratch.entries(), 1) << "the temporary file is still there";
+}
+
+TEST(AtomicFile, SaysThatTheDiskIsFull) {
+    const auto error = error_of([] { write_file("/dev/full", "x"); });
+    expect_error(error, "cannot write \"/dev/full\" (the disk is full)", "");
+    EXPECT_EQ(error->kind(), ErrorKind::io);
+}
+
+TEST(AtomicFile, WritesToADeviceInsteadOfReplacingIt) {
+    write_file("/dev/null", "x");
+    struct stat status {};
+    ASSERT_EQ(stat("/dev/null", &status), 0);
+    EXPECT_TRUE(S_ISCHR(status.st_mode));
+}
+
+TEST(AtomicFile, KeepsPermissionsAndFollowsLinks) {
+    const Scratch scratch;
+    write_file(scratch.path("target"), "old");
+    ASSERT_EQ(chmod(scratch.path("target").c_str(), 0640), 0);
+    std::filesystem::create_symlink("target", scratch.path("link"));
+    write_file(scratch.path("link"), "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(scratch.path("link")));
+    EXPECT_EQ(read_file(scratch.path("target")), "new");
+    struct stat status {};
+    ASSERT_EQ(stat(scratch.path("target").c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777U, 0640U);
+}
+
+TEST(AtomicFile, TakesTheLongestNameAFolderAllows) {
+    const Scratch scratch;
+    const std::string path = scratch.path(std::string(255, 'n'));
+    write_file(path, "x");
+    EXPECT_EQ(read_file(path), "x");
+}
+
+TEST(AtomicFile, NamesWhatIsWrongWithThePath) {
+    const Scratch scratch;
+    write_file(scratch.path("file"), "x");
+    const std::string missing = scratch.path("missing/f");
+    const std::string below_file = scratch.path("file/f");
+    const std::string folder = scratch.path(".");
+    expect_error(error_of([&] { write_file(missing, "x"); }), "no such file or folder", "");
+    expect_error(error_of([&] { write_file(below_file, "x"); }), "a part of its path is not a folder", "");
+    expect_error(error_of([&] { write_file(folder, "x"); }), "it is a folder", "");
+    expect_error(error_of([&] { read_file(missing); }), "cannot read \"" + missing + "\" (no such file or folder)", "");
+    expect_error(error_of([&] { read_file(folder); }), "it is a folder", "");
+}
+
+}  // namespace
+}  // namespace stridor::io

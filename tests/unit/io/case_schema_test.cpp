@@ -1,0 +1,58 @@
+#include "stridor/io/case_schema.hpp"
+
+#include "stridor/parameters/field.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace stridor::io {
+namespace {
+
+using Json = nlohmann::json;
+
+bool lists(const Json& array, const std::string& name) {
+    return std::find(array.begin(), array.end(), name) != array.end();
+}
+
+TEST(CaseSchema, DescribesEveryFieldOnce) {
+    const Json schema = Json::parse(json_schema());
+    EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    EXPECT_EQ(schema["additionalProperties"], false);
+    std::size_t described = 0;
+    for (const auto& [name, section] : schema["properties"].items())
+        if (name != "chart" && name != "title") described += section["properties"].size();
+    EXPECT_EQ(described + 1, parameters::fields().size());
+    const Json& preload = schema["properties"]["contact"]["properties"]["preload"];
+    EXPECT_EQ(preload["exclusiveMinimum"], 0.0);
+    EXPECT_NE(preload["description"].get<std::string>().find("(F); N, above 0"), std::string::npos);
+}
+
+TEST(CaseSchema, RequiresWhatTheReaderRequires) {
+    const Json schema = Json::parse(json_schema());
+    for (const char* section : {"joint", "plate", "contact", "drive"})
+        EXPECT_TRUE(lists(schema["required"], section)) << section;
+    EXPECT_FALSE(lists(schema["required"], "run"));
+    EXPECT_TRUE(lists(schema["properties"]["contact"]["required"], "preload"));
+    EXPECT_FALSE(lists(schema["properties"]["contact"]["required"], "impact"));
+    const Json& drive = schema["properties"]["drive"];
+    EXPECT_EQ(drive["required"], Json::array({"kind"}));
+    ASSERT_EQ(drive["allOf"].size(), 3U);
+    EXPECT_EQ(drive["allOf"][1]["if"]["properties"]["kind"]["const"], "constant");
+    EXPECT_EQ(drive["allOf"][1]["then"]["required"], Json::array({"kind", "velocity"}));
+}
+
+TEST(CaseSchema, OffersNamesForChoicesAndAxes) {
+    const Json schema = Json::parse(json_schema());
+    EXPECT_EQ(schema["properties"]["drive"]["properties"]["kind"]["enum"],
+              Json::array({"sinusoidal", "constant", "sampled"}));
+    const Json& axis = schema["properties"]["chart"]["properties"]["x"];
+    EXPECT_TRUE(lists(axis["properties"]["parameter"]["enum"], "contact.preload"));
+    EXPECT_FALSE(lists(axis["properties"]["parameter"]["enum"], "drive.kind"));
+}
+
+}  // namespace
+}  // namespace stridor::io

@@ -1,0 +1,156 @@
+#include "stridor/io/csv.hpp"
+
+#include "io_support.hpp"
+#include "stridor/base/version.hpp"
+#include "stridor/integration/simulate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <map>
+#include <sstream>
+
+namespace stridor::io {
+namespace {
+
+// RFC 4180 taken by its word; an independent reading of what the writer wrote
+std::vector<std::string> split(const std::string& row) {
+    std::vector<std::string> fields(1);
+    bool is_quoted = false;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        const bool is_escaped_quote = is_quoted && row[k] == '"' && k + 1 < row.size() && row[k + 1] == '"';
+        if (is_escaped_quote) {
+            fields.back() += '"';
+            ++k;
+        } else if (row[k] == '"') {
+            is_quoted = !is_quoted;
+        } else if (row[k] == ',' && !is_quoted) {
+            fields.emplace_back();
+        } else {
+            fields.back() += row[k];
+        }
+    }
+    return fields;
+}
+
+struct Table {
+    std::map<std::string, std::string> comments;
+    std::vector<std::string> names;
+    std::vector<std::string> units;
+    std::vector<std::vector<std::string>> rows;
+
+    std::string at(std::size_t row, const std::string& name) const {
+        const auto column = std::find(names.begin(), names.end(), name);
+        return column == names.end() ? "no such column" : rows[row][static_cast<std::size_t>(column - names.begin())];
+    }
+};
+
+Table parse(const std::string& text) {
+    Table table;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("# ")) {
+            const std::size_t colon = line.find(": ");
+            table.comments[line.substr(2, colon - 2)] = line.substr(colon + 2);
+        } else if (table.names.empty()) {
+            table.names = split(line);
+        } else if (table.units.empty()) {
+            table.units = split(line);
+        } else {
+            table.rows.push_back(split(line));
+            EXPECT_EQ(table.rows.back().size(), table.names.size()) << line;
+        }
+    }
+    EXPECT_EQ(table.units.size(), table.names.size());
+    return table;
+}
+
+double number(const std::string& text) {
+    double value = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+TEST(ChartCsv, HasTheColumnsOfTheContract) {
+    const Table table = parse(chart_csv(small_chart(), "c.toml"));
+    const std::vector<std::string> first(table.names.begin(), table.names.begin() + 8);
+    EXPECT_EQ(first,
+              (std::vector<std::string>{"x", "y", "direction", "status", "category", "slip", "stick", "separation"}));
+    EXPECT_EQ(table.names.back(), "reproduce");
+    EXPECT_EQ(table.names.size(), 5 + sweep::cell_figures().size() + 2);
+    EXPECT_EQ(table.units[0], "N");
+    EXPECT_EQ(table.units[1], "1");
+    EXPECT_EQ(table.units[2], "-");
+}
+
+TEST(ChartCsv, SaysWhereItComesFrom) {
+    const Table table = parse(chart_csv(small_chart(), "c.toml"));
+    EXPECT_EQ(table.comments.at("schema"), "stridor.chart/1");
+    EXPECT_EQ(table.comments.at("version"), base::version());
+    EXPECT_EQ(table.comments.at("commit"), base::commit());
+    EXPECT_EQ(table.comments.at("x"), "contact.preload");
+    EXPECT_EQ(table.comments.at("y"), "contact.kinetic_friction");
+    EXPECT_EQ(table.comments.at("joint.mass"), "0.1 kg");
+    EXPECT_EQ(table.comments.at("run.engine"), "beta_2");
+    EXPECT_EQ(table.comments.at("chart.directions"), "going coming");
+}
+
+TEST(ChartCsv, HasARowPerCellInIndexOrderWithNumbersThatReadBack) {
+    const sweep::SweepResult chart = small_chart();
+    const Table table = parse(chart_csv(chart, "c.toml"));
+    ASSERT_EQ(table.rows.size(), chart.cells.size());
+    for (std::size_t index = 0; index < chart.cells.size(); ++index) {
+        const sweep::CellPlace place = sweep::place_of(chart.study, index);
+        EXPECT_EQ(number(table.at(index, "x")), sweep::value_at(chart.study.x, place.ix));
+        EXPECT_EQ(number(table.at(index, "y")), sweep::value_at(chart.study.y, place.iy));
+        EXPECT_EQ(table.at(index, "direction"), place.direction == 0 ? "going" : "coming");
+        EXPECT_EQ(table.at(index, "status"), sweep::status_names[static_cast<std::size_t>(chart.cells[index].status)]);
+        if (chart.cells[index].status != sweep::Status::done) continue;
+        EXPECT_EQ(number(table.at(index, "joint_rms")), chart.cells[index].joint_rms);
+    }
+}
+
+TEST(ChartCsv, GivesCategoriesToDoneCellsAndCommandsToTheOthers) {
+    const sweep::SweepResult chart = small_chart();
+    const Table table = parse(chart_csv(chart, "my chart.toml"));
+    EXPECT_EQ(table.at(5, "category"), "squeal");
+    EXPECT_EQ(table.at(5, "reproduce"), "");
+    EXPECT_EQ(table.at(5, "frequency"), "") << "NaN is an empty field";
+    EXPECT_EQ(table.at(6, "category"), "");
+    EXPECT_EQ(table.at(6, "slip"), "");
+    EXPECT_EQ(table.at(6, "message"), "cell \"6\", not done");
+    EXPECT_EQ(table.at(6, "reproduce"),
+              sweep::reproduce_command(chart.study, sweep::place_of(chart.study, 6), "my chart.toml"));
+}
+
+TEST(ChartCsv, KeepsATitleOfSeveralLinesInOneComment) {
+    sweep::SweepResult chart = small_chart();
+    chart.study.base.title = "one\n2,3";
+    EXPECT_EQ(parse(chart_csv(chart, "c.toml")).comments.at("title"), "one 2,3");
+}
+
+TEST(TraceCsv, HoldsEverySampleOfARun) {
+    parameters::Case c = parameters::paper_case(parameters::PaperCase::squeal);
+    c.run.step = 1e-6;
+    c.run.duration = 0.1;
+    c.run.window = 0.1;
+    record::Request request;
+    request.history = record::KeepHistory::yes;
+    request.trace = {0.0, 0.01, 1e-3};
+    const integration::Motion motion = integration::simulate(c, request);
+    const Table trace = parse(trace_csv(c, motion.record.trace));
+    ASSERT_EQ(trace.rows.size(), motion.record.trace.time.size());
+    ASSERT_GT(trace.rows.size(), 5U);
+    EXPECT_EQ(trace.comments.at("schema"), "stridor.trace/1");
+    EXPECT_EQ(number(trace.at(5, "displacement_y2")), motion.record.trace.displacement[2][5]);
+    EXPECT_EQ(number(trace.at(5, "friction_force")), motion.record.trace.friction_force[5]);
+    EXPECT_EQ(trace.at(5, "state"), model::contact_state_names[model::index_of(motion.record.trace.state[5])]);
+
+    const Table history = parse(history_csv(c, motion.record.history));
+    ASSERT_EQ(history.rows.size(), motion.record.history.size());
+    EXPECT_EQ(history.names, (std::vector<std::string>{"state", "from", "to", "slip_velocity", "gap_velocity"}));
+    EXPECT_EQ(number(history.at(1, "from")), motion.record.history[1].from);
+}
+
+}  // namespace
+}  // namespace stridor::io

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "stridor/base/error.hpp"
+#include "stridor/io/toml_writer.hpp"
+#include "stridor/parameters/paper_cases.hpp"
+#include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/paper_charts.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace stridor::io {
+
+/// A folder of a test's own, removed with all that is in it.
+class Scratch {
+public:
+    Scratch() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "stridor-io-XXXXXX").string();
+        if (mkdtemp(pattern.data()) != nullptr) folder_ = pattern;
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    ~Scratch() { std::filesystem::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    int entries() const {
+        int count = 0;
+        for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_))
+            ++count;
+        return count;
+    }
+
+private:
+    std::filesystem::path folder_;
+};
+
+/// The error an action ends in; nothing, and a failed test, if it does not.
+template <typename Action>
+std::optional<Error> error_of(Action&& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error;
+    }
+    ADD_FAILURE() << "nothing was thrown";
+    return std::nullopt;
+}
+
+/// What an error must be: a part of its message and where it points ("case.toml:28:11").
+inline void expect_error(const std::optional<Error>& error, const std::string& part, const std::string& place) {
+    ASSERT_TRUE(error);
+    EXPECT_NE(std::string(error->what()).find(part), std::string::npos) << error->what();
+    EXPECT_EQ(error->place() ? base::describe(*error->place()) : std::string(), place) << error->what();
+}
+
+/// Text with the first `from` replaced.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t position = text.find(from);
+    EXPECT_NE(position, std::string::npos) << from;
+    return text.replace(position, from.size(), to);
+}
+
+/// The squeal case without comments: short, and its lines are easily counted.
+inline std::string squeal_toml() {
+    return case_toml(parameters::paper_case(parameters::PaperCase::squeal),
+                     {.comments = Comments::none, .heading = ""});
+}
+
+/// A small chart with a cell of every status; numbers tell the cell they belong to.
+inline sweep::SweepResult small_chart() {
+    sweep::SweepResult result;
+    result.study = sweep::figure_8();
+    result.study.x.points = 4;
+    result.study.y.points = 3;
+    result.cells.resize(sweep::cell_count(result.study));
+    for (std::size_t index = 0; index < result.cells.size(); ++index) {
+        sweep::Cell& cell = result.cells[index];
+        cell.status = static_cast<sweep::Status>(index % sweep::status_names.size());
+        if (cell.status != sweep::Status::done) {
+            cell.message = "cell \"" + std::to_string(index) + "\", not done";
+            continue;
+        }
+        cell.category = static_cast<classification::Category>(index / 5 % classification::category_names.size());
+        for (const sweep::CellFigure& figure : sweep::cell_figures())
+            cell.*figure.member = 0.1 * static_cast<double>(index);
+        cell.frequency = sweep::Cell::unknown;
+    }
+    return result;
+}
+
+}  // namespace stridor::io

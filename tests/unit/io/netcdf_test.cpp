@@ -1,0 +1,207 @@
+#include "stridor/io/netcdf.hpp"
+
+#include "io_support.hpp"
+#include "stridor/base/hash.hpp"
+#include "stridor/base/version.hpp"
+#include "stridor/io/atomic_file.hpp"
+#include "stridor/io/toml_study.hpp"
+
+#include <gtest/gtest.h>
+#include <netcdf.h>
+
+#include <cmath>
+
+namespace stridor::io {
+namespace {
+
+/// A file opened with the C library, for reading.
+class Opened {
+public:
+    explicit Opened(const std::string& path) { check(nc_open(path.c_str(), NC_NOWRITE, &id_)); }
+    Opened(const Opened&) = delete;
+    Opened& operator=(const Opened&) = delete;
+    ~Opened() { nc_close(id_); }
+
+    int variable(const std::string& name) const {
+        int number = -1;
+        check(nc_inq_varid(id_, name.c_str(), &number));
+        return number;
+    }
+    std::string text(int variable, const std::string& name) const {
+        std::size_t size = 0;
+        check(nc_inq_attlen(id_, variable, name.c_str(), &size));
+        std::string value(size, '\0');
+        check(nc_get_att_text(id_, variable, name.c_str(), value.data()));
+        return value;
+    }
+    std::string text(const std::string& variable_name, const std::string& name) const {
+        return text(variable(variable_name), name);
+    }
+    std::string global(const std::string& name) const { return text(NC_GLOBAL, name); }
+
+    // "direction kinetic_friction preload"
+    std::string dimensions(const std::string& name) const {
+        int count = 0;
+        check(nc_inq_varndims(id_, variable(name), &count));
+        std::vector<int> numbers(static_cast<std::size_t>(count));
+        check(nc_inq_vardimid(id_, variable(name), numbers.data()));
+        std::string names;
+        for (const int number : numbers) {
+            char dimension[NC_MAX_NAME + 1] = {};
+            check(nc_inq_dimname(id_, number, dimension));
+            names += (names.empty() ? "" : " ") + std::string(dimension);
+        }
+        return names;
+    }
+    std::vector<double> doubles(const std::string& name, std::size_t size) const {
+        std::vector<double> values(size);
+        check(nc_get_var_double(id_, variable(name), values.data()));
+        return values;
+    }
+    std::vector<signed char> bytes(const std::string& name, std::size_t size) const {
+        std::vector<signed char> values(size);
+        check(nc_get_var_schar(id_, variable(name), values.data()));
+        return values;
+    }
+    std::vector<signed char> byte_attribute(const std::string& variable_name, const std::string& name) const {
+        std::size_t size = 0;
+        check(nc_inq_attlen(id_, variable(variable_name), name.c_str(), &size));
+        std::vector<signed char> values(size);
+        check(nc_get_att_schar(id_, variable(variable_name), name.c_str(), values.data()));
+        return values;
+    }
+    std::vector<std::string> words(const std::string& name, std::size_t size) const {
+        std::vector<char*> pointers(size);
+        check(nc_get_var_string(id_, variable(name), pointers.data()));
+        std::vector<std::string> values(pointers.begin(), pointers.end());
+        check(nc_free_string(size, pointers.data()));
+        return values;
+    }
+
+private:
+    static void check(int code) { EXPECT_EQ(code, NC_NOERR) << nc_strerror(code); }
+    int id_ = -1;
+};
+
+// equal bits, or both NaN
+void expect_same(const std::vector<double>& found, const std::vector<double>& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        EXPECT_TRUE(found[k] == expected[k] || (std::isnan(found[k]) && std::isnan(expected[k]))) << k;
+}
+
+TEST(ChartNetcdf, HoldsEveryFigureOfEveryCell) {
+    const Scratch scratch;
+    const sweep::SweepResult chart = small_chart();
+    write_chart_netcdf(scratch.path("chart.nc"), chart);
+    const Opened file(scratch.path("chart.nc"));
+    for (const sweep::CellFigure& figure : sweep::cell_figures()) {
+        const std::string name(figure.name);
+        std::vector<double> expected;
+        for (const sweep::Cell& cell : chart.cells)
+            expected.push_back(cell.*figure.member);
+        expect_same(file.doubles(name, chart.cells.size()), expected);
+        EXPECT_EQ(file.text(name, "units"), figure.unit);
+        EXPECT_EQ(file.text(name, "long_name"), figure.sentence);
+        EXPECT_EQ(file.dimensions(name), "direction kinetic_friction preload");
+    }
+}
+
+TEST(ChartNetcdf, NamesItsAxesByTheirParameters) {
+    const Scratch scratch;
+    const sweep::SweepResult chart = small_chart();
+    write_chart_netcdf(scratch.path("chart.nc"), chart);
+    const Opened file(scratch.path("chart.nc"));
+    std::vector<double> preloads;
+    for (int ix = 0; ix < chart.study.x.points; ++ix)
+        preloads.push_back(sweep::value_at(chart.study.x, ix));
+    expect_same(file.doubles("preload", preloads.size()), preloads);
+    EXPECT_EQ(file.text("preload", "units"), "N");
+    EXPECT_EQ(file.text("preload", "axis"), "X");
+    EXPECT_EQ(file.dimensions("preload"), "preload");
+    EXPECT_EQ(file.words("direction", 2), (std::vector<std::string>{"going", "coming"}));
+    EXPECT_EQ(file.global("x"), "contact.preload");
+    EXPECT_EQ(file.global("y"), "contact.kinetic_friction");
+}
+
+TEST(ChartNetcdf, KeepsCategoriesAsFlags) {
+    const Scratch scratch;
+    const sweep::SweepResult chart = small_chart();
+    write_chart_netcdf(scratch.path("chart.nc"), chart);
+    const Opened file(scratch.path("chart.nc"));
+    const std::vector<signed char> categories = file.bytes("category", chart.cells.size());
+    for (std::size_t index = 0; index < chart.cells.size(); ++index) {
+        const bool is_done = chart.cells[index].status == sweep::Status::done;
+        EXPECT_EQ(categories[index], is_done ? static_cast<int>(chart.cells[index].category) : -1);
+    }
+    EXPECT_EQ(file.text("category", "flag_meanings"), "none squeal squeak creak undecided");
+    EXPECT_EQ(file.byte_attribute("category", "flag_values"), (std::vector<signed char>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(file.byte_attribute("category", "_FillValue"), std::vector<signed char>{-1});
+    EXPECT_EQ(file.text("status", "flag_meanings"), "done invalid step_limit diverged failed");
+    EXPECT_EQ(file.bytes("status", chart.cells.size())[1], 1);
+}
+
+TEST(ChartNetcdf, CarriesTheStudyThatMadeIt) {
+    const Scratch scratch;
+    const sweep::SweepResult chart = small_chart();
+    const std::string canonical = sweep::canonical_text(chart.study);
+    write_chart_netcdf(scratch.path("chart.nc"), chart);
+    const Opened file(scratch.path("chart.nc"));
+    EXPECT_EQ(file.global("Conventions"), "CF-1.10");
+    EXPECT_EQ(file.global("source"),
+              "stridor " + std::string(base::version()) + " (" + std::string(base::commit()) + ")");
+    EXPECT_EQ(file.global("study"), canonical);
+    EXPECT_EQ(file.global("study_hash"), base::hash_text(canonical));
+    const sweep::Study again = read_study(TomlSource{file.global("case"), "attribute", {}});
+    EXPECT_EQ(sweep::canonical_text(again), canonical);
+}
+
+TEST(ChartNetcdf, KeepsNamesApartThatWouldBeAlike) {
+    const Scratch scratch;
+    sweep::SweepResult chart = small_chart();
+    chart.study.base = parameters::paper_case(parameters::PaperCase::squeal);
+    chart.study.x.parameter = "drive.frequency";  // there is a figure "frequency"
+    chart.study.y.parameter = "joint.mass";
+    write_chart_netcdf(scratch.path("a.nc"), chart);
+    EXPECT_EQ(Opened(scratch.path("a.nc")).dimensions("category"), "direction mass drive_frequency");
+    chart.study.x.parameter = "plate.mass";
+    write_chart_netcdf(scratch.path("b.nc"), chart);
+    EXPECT_EQ(Opened(scratch.path("b.nc")).dimensions("category"), "direction joint_mass plate_mass");
+}
+
+TEST(ChartNetcdf, HasTheSameBytesForTheSameChart) {
+    const Scratch scratch;
+    write_chart_netcdf(scratch.path("a.nc"), small_chart());
+    write_chart_netcdf(scratch.path("b.nc"), small_chart());
+    EXPECT_EQ(read_file(scratch.path("a.nc")), read_file(scratch.path("b.nc")));
+}
+
+TEST(ChartNetcdf, SaysWhyItCannotBeWritten) {
+    const Scratch scratch;
+    const auto error = error_of([&] { write_chart_netcdf(scratch.path("no/chart.nc"), small_chart()); });
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->kind(), ErrorKind::io);
+}
+
+TEST(TraceNetcdf, HoldsTraceAndHistory) {
+    const Scratch scratch;
+    const parameters::Case c = parameters::paper_case(parameters::PaperCase::squeal);
+    record::Record record;
+    record.trace.time = {0.0, 0.5};
+    record.trace.displacement = record.trace.velocity = record.trace.acceleration = {{1, 2}, {3, 4}, {5, 6}};
+    record.trace.surface_velocity = record.trace.normal_force = record.trace.friction_force = record.trace.gap = {7, 8};
+    record.trace.state = {model::ContactState::slip, model::ContactState::separation};
+    record.history = {{model::ContactState::stick, 0.0, 0.25, 0.1, -0.2}};
+    write_trace_netcdf(scratch.path("t.nc"), c, record);
+    const Opened file(scratch.path("t.nc"));
+    EXPECT_EQ(file.dimensions("velocity"), "dof time");
+    EXPECT_EQ(file.words("dof", 3), (std::vector<std::string>{"x1", "y1", "y2"}));
+    EXPECT_EQ(file.doubles("velocity", 6), (std::vector<double>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(file.bytes("state", 2), (std::vector<signed char>{0, 2}));
+    EXPECT_EQ(file.text("state", "flag_meanings"), "slip stick separation");
+    EXPECT_EQ(file.doubles("interval_gap_velocity", 1), std::vector<double>{-0.2});
+    EXPECT_EQ(file.bytes("interval_state", 1), std::vector<signed char>{1});
+}
+
+}  // namespace
+}  // namespace stridor::io

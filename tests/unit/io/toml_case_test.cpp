@@ -1,0 +1,160 @@
+#include "stridor/io/toml_case.hpp"
+
+#include "io_support.hpp"
+#include "stridor/io/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+
+namespace stridor::io {
+namespace {
+
+using parameters::Case;
+
+Case read(const std::string& text, std::vector<std::string> overrides = {}) {
+    return read_case(TomlSource{text, "case.toml", std::move(overrides)});
+}
+
+std::optional<Error> refusal(const std::string& text, std::vector<std::string> overrides = {}) {
+    const auto error = error_of([&] { read(text, std::move(overrides)); });
+    EXPECT_TRUE(!error || error->kind() == ErrorKind::input) << error->what();
+    return error;
+}
+
+// what `refusal` says of the squeal case with one piece of text replaced
+std::optional<Error> refusal_with(const std::string& from, const std::string& to) {
+    return refusal(replaced(squeal_toml(), from, to));
+}
+
+constexpr const char* minimal =
+    "[joint]\nmass = 0.1\naxial_stiffness = 1e7\nflexural_stiffness = 1e6\naxial_damping = 1\n"
+    "flexural_damping = 1\nincidence_angle = 70\n[plate]\nmass = 0.4\nstiffness = 1e6\ndamping = 1\n"
+    "[contact]\npreload = 20\nstatic_friction = 0.8\nkinetic_friction = 0.6\n"
+    "[drive]\nkind = \"constant\"\nvelocity = -0.1\n";
+
+TEST(TomlCase, TakesNumbersInSiAndTextWithUnits) {
+    std::string text = replaced(minimal, "preload = 20", "preload = \"0.02 kN\"");
+    text = replaced(text, "incidence_angle = 70", "incidence_angle = 45.5");
+    text = replaced(text, "velocity = -0.1", "velocity = \"-40 mm/s\"");
+    const Case c = read(text);
+    EXPECT_EQ(c.contact.preload, 20.0);
+    EXPECT_EQ(c.joint.incidence_angle, 45.5);
+    EXPECT_EQ(c.drive.velocity, -0.04);
+    EXPECT_EQ(c.drive.kind, parameters::DriveKind::constant);
+}
+
+TEST(TomlCase, DefaultsRunAndVerdict) {
+    const Case c = read(minimal);
+    const Case defaults;
+    EXPECT_EQ(c.run.step, defaults.run.step);
+    EXPECT_EQ(c.verdict.creak_stick, defaults.verdict.creak_stick);
+    EXPECT_EQ(c.contact.impact, parameters::ImpactLaw::plastic);
+}
+
+TEST(TomlCase, ListsAllMissingKeysAtOnce) {
+    std::string text = replaced(minimal, "preload = 20\n", "");
+    text = replaced(text, "velocity = -0.1\n", "");
+    expect_error(refusal(text), "missing keys contact.preload, drive.velocity", "case.toml");
+    expect_error(refusal(replaced(minimal, "preload = 20\n", "")), "missing key contact.preload (", "case.toml");
+    expect_error(refusal(""), "missing keys joint.mass, joint.axial_stiffness,", "case.toml");
+    expect_error(refusal(replaced(minimal, "kind = \"constant\"\n", "")), "missing key drive.kind (", "case.toml");
+}
+
+TEST(TomlCase, SuggestsTheKeyThatWasMeant) {
+    expect_error(refusal_with("preload", "prelaod"), "unknown key contact.prelaod. Did you mean contact.preload?",
+                 "case.toml:17:1");
+    expect_error(refusal_with("[contact]", "[contac]"), "unknown section [contac]. Did you mean [contact]?",
+                 "case.toml:16:2");
+    expect_error(refusal_with("title", "preload = 1\ntitle"), "unknown key preload. Did you mean contact.preload?",
+                 "case.toml:1:1");
+    expect_error(refusal_with("[plate]", "[plate]\npreload = 1"), "Did you mean contact.preload?", "case.toml:12:1");
+    expect_error(refusal(squeal_toml(), {"contact.colour=red"}), "unknown key contact.colour", "--set");
+    EXPECT_EQ(refusal_with("preload", "prelaod")->place()->source_line, "prelaod = \"20 N\"");
+}
+
+TEST(TomlCase, NamesBothDimensionsOfAWrongUnit) {
+    expect_error(refusal_with("\"20 N\"", "\"20 mm\""),
+                 "contact.preload = \"20 mm\" is a length (m) (expected a force (N))", "case.toml:17:11");
+    expect_error(refusal_with("\"20 N\"", "\"20 Nm\""), "contact.preload: unknown unit \"Nm\"", "case.toml:17:11");
+    expect_error(refusal_with("\"20 N\"", "\"much\""), "contact.preload = \"much\" is not a number", "case.toml:17:11");
+    expect_error(refusal(squeal_toml(), {"contact.preload=5 mm"}), "contact.preload = \"5 mm\" is a length", "--set");
+}
+
+TEST(TomlCase, RefusesWrongTypes) {
+    expect_error(refusal_with("\"20 N\"", "true"), "contact.preload is a boolean (expected a number in N",
+                 "case.toml:17:11");
+    expect_error(refusal_with("\"20 N\"", "[\"20 N\"]"), "contact.preload is a list", "case.toml:17:11");
+    expect_error(refusal_with("\"20 N\"", "{}"), "contact.preload is a section", "case.toml:17:11");
+    expect_error(refusal_with("preload = \"20 N\"", "preload.x = 1"), "unknown key contact.preload.x",
+                 "case.toml:17:9");
+    expect_error(refusal_with("\"sinusoidal\"", "5"), "drive.kind is a number (expected one of \"sinusoidal\"",
+                 "case.toml:23:8");
+    expect_error(refusal_with("title = \"", "title = 5 # \""), "title is a number (expected text)", "case.toml:1:9");
+    expect_error(refusal("contact = 5\n"), "contact is a number (expected a section", "case.toml:1:1");
+}
+
+TEST(TomlCase, RefusesNumbersThatMakeNoSense) {
+    expect_error(refusal_with("\"20 N\"", "nan"), "contact.preload = nan is out of range (it must be finite)",
+                 "case.toml:17:11");
+    expect_error(refusal_with("\"20 N\"", "inf"), "it must be finite", "case.toml:17:11");
+    expect_error(refusal_with("\"20 N\"", "\"-20 N\""), "contact.preload = -20 is out of range", "case.toml:17:11");
+    expect_error(refusal_with("\"sinusoidal\"", "\"sinsoidal\""), "Did you mean \"sinusoidal\"?", "case.toml:23:8");
+}
+
+TEST(TomlCase, RefusesKeysThatMeanNothingForTheCase) {
+    expect_error(refusal_with("[run]", "velocity = 1\n\n[run]"),
+                 "drive.velocity means nothing for this case (it belongs to drive.kind = \"constant\")",
+                 "case.toml:27:1");
+    expect_error(refusal(squeal_toml(), {"drive.velocity=1"}), "drive.velocity means nothing", "--set");
+    expect_error(refusal(minimal, {"verdict.settling=0.1"}),
+                 "it belongs to drive.kind = \"sinusoidal\" or drive.kind = \"sampled\"", "--set");
+}
+
+TEST(TomlCase, OverridesOfTheDriveLeaveOutKeysOfTheFileThatLostTheirMeaning) {
+    const Case c = read(squeal_toml(), {"drive.kind=constant", "drive.velocity=0.1"});
+    EXPECT_EQ(c.drive.kind, parameters::DriveKind::constant);
+    EXPECT_EQ(c.drive.velocity, 0.1);
+    expect_error(refusal(squeal_toml(), {"drive.kind=constant"}), "missing key drive.velocity", "case.toml");
+}
+
+TEST(TomlCase, PointsAtValuesThatContradictEachOther) {
+    const auto error = refusal_with("kinetic_friction = 0.6", "kinetic_friction = 0.9");
+    expect_error(error, "mu_d = 0.9 exceeds mu_s = 0.8", "case.toml:19:20");
+    EXPECT_EQ(error->problem().suggestion, "Swap them?");
+    expect_error(refusal(squeal_toml(), {"contact.kinetic_friction=0.9"}), "mu_d = 0.9 exceeds", "--set");
+    expect_error(refusal(squeal_toml(), {"contact.kinetic_friction=0.9", "run.window=3"}), "Also: run.window = 3",
+                 "--set");
+    expect_error(refusal(minimal, {"run.duration=0.5"}), "run.window = 1 s is longer", "case.toml");
+}
+
+TEST(TomlCase, DoesNotLookAtAChart) {
+    EXPECT_NO_THROW(read(squeal_toml() + "[chart]\nx = 5\nnonsense = true\n"));
+}
+
+TEST(TomlCase, FindsTheSampledDriveBesideTheFile) {
+    const Scratch scratch;
+    std::filesystem::create_directory(scratch.path("in"));
+    write_file(scratch.path("in/drive.csv"), "time,velocity\ns,mm/s\n0,100\n2,-100\n");
+    std::string text = replaced(minimal, "kind = \"constant\"", "kind = \"sampled\"");
+    text = replaced(text, "velocity = -0.1", "file = \"drive.csv\"");
+    write_file(scratch.path("in/case.toml"), text);
+    const Case c = read_case(scratch.path("in/case.toml"));
+    EXPECT_EQ(c.drive.times, (std::vector<double>{0.0, 2.0}));
+    EXPECT_EQ(c.drive.velocities, (std::vector<double>{0.1, -0.1}));
+    EXPECT_EQ(c.drive.file, "drive.csv");
+
+    write_file(scratch.path("in/drive.csv"), "time,velocity\n0,1\n2,x\n");
+    const auto error = error_of([&] { read_case(scratch.path("in/case.toml")); });
+    expect_error(error, "velocity = \"x\" is not a number", scratch.path("in/drive.csv") + ":3:3");
+
+    std::filesystem::remove(scratch.path("in/drive.csv"));
+    expect_error(error_of([&] { read_case(scratch.path("in/case.toml")); }), "drive.file: cannot read",
+                 scratch.path("in/case.toml") + ":18:8");
+}
+
+TEST(TomlCase, NeedsTheFileOfASampledDrive) {
+    const std::string text = replaced(minimal, "kind = \"constant\"\nvelocity = -0.1\n", "kind = \"sampled\"\n");
+    expect_error(refusal(text), "missing key drive.file", "case.toml");
+}
+
+}  // namespace
+}  // namespace stridor::io

@@ -1,0 +1,98 @@
+#include "stridor/io/toml_document.hpp"
+
+#include "io_support.hpp"
+#include "stridor/io/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <variant>
+
+namespace stridor::io {
+namespace {
+
+TomlDocument parse(const std::string& text, std::vector<std::string> overrides = {}) {
+    return parse_toml({text, "case.toml", std::move(overrides)});
+}
+
+std::optional<Error> refusal(const std::string& text, std::vector<std::string> overrides = {}) {
+    return error_of([&] { parse(text, std::move(overrides)); });
+}
+
+TEST(TomlDocument, ListsKeysFromTopToBottomWithTheirPlaces) {
+    const TomlDocument document = parse("title = \"t\"\n[plate]\nmass = 1\n[joint]\nmass = 2.5\n");
+    std::string keys;
+    for (const TomlEntry& entry : document.entries)
+        keys += entry.key + " ";
+    EXPECT_EQ(keys, "title plate plate.mass joint joint.mass ");
+    const TomlEntry* mass = document.find("joint.mass");
+    ASSERT_NE(mass, nullptr);
+    EXPECT_EQ(std::get<double>(mass->value), 2.5);
+    EXPECT_EQ(base::describe(mass->key_place), "case.toml:5:1");
+    EXPECT_EQ(base::describe(mass->value_place), "case.toml:5:8");
+    EXPECT_EQ(mass->value_place.source_line, "mass = 2.5");
+    EXPECT_EQ(document.find("joint.colour"), nullptr);
+}
+
+TEST(TomlDocument, LaterOverridesWinOverEarlierOnesAndTheFile) {
+    const TomlDocument document = parse("[plate]\nmass = 1\n", {"plate.mass = 2 kg", "plate.mass=\"3 kg\""});
+    const TomlEntry* mass = document.find("plate.mass");
+    EXPECT_EQ(std::get<std::string>(mass->value), "3 kg");
+    EXPECT_EQ(mass->origin, TomlOrigin::override);
+    EXPECT_EQ(base::describe(mass->value_place), "--set");
+    EXPECT_EQ(mass->value_place.source_line, "plate.mass=\"3 kg\"");
+}
+
+TEST(TomlDocument, KnowsTypesThatNoKeyTakes) {
+    const TomlDocument document = parse("a = true\nb = 1979-05-27\nc = [1, 2]\nd = [\"x\"]\n");
+    EXPECT_EQ(type_name(document.find("a")->value), "a boolean");
+    EXPECT_EQ(type_name(document.find("b")->value), "a date or time");
+    EXPECT_EQ(type_name(document.find("c")->value), "a list of other things than text");
+    EXPECT_EQ(type_name(document.find("d")->value), "a list");
+}
+
+TEST(TomlDocument, PointsAtWhatIsNotToml) {
+    expect_error(refusal("[a]\nb = 20 N\n"), "Put a value with a unit in quotes", "case.toml:2:8");
+    expect_error(refusal("b = 0,5\n"), "Numbers are written with a point", "case.toml:1:6");
+    expect_error(refusal("b = sinusoidal\n"), "Put text in quotes", "case.toml:1:5");
+    expect_error(refusal("b = \"open\n"), "the file is not valid TOML", "case.toml:1:10");
+    expect_error(refusal("[a\n"), "expected ']'", "case.toml:1:3");
+    EXPECT_EQ(refusal("[a\n")->place()->source_line, "[a");
+}
+
+TEST(TomlDocument, PointsAtDuplicates) {
+    expect_error(refusal("[a]\nmass = 1\nmass = 2\n"), "duplicate key mass (it is set once already)", "case.toml:3:1");
+    expect_error(refusal("[a]\nb = 1\n[a]\n"), "duplicate section [a]", "case.toml:3:1");
+    expect_error(refusal("x = { b = 1, b = 2 }\n"), "duplicate key b", "case.toml:1:7");
+}
+
+TEST(TomlDocument, RefusesOverridesThatSetNothing) {
+    expect_error(refusal("", {"contact.preload"}), "\"contact.preload\" sets nothing", "--set");
+    expect_error(refusal("", {"=5"}), "an override reads section.key=value", "--set");
+    expect_error(refusal("", {std::string("title=\xff")}), "not UTF-8", "--set");
+}
+
+TEST(TomlDocument, RefusesTextThatWouldOverflowTheStack) {
+    std::string nested;
+    for (int k = 0; k < 100000; ++k)
+        nested += "a.";
+    expect_error(refusal(nested + "a = 1\n"), "this is no case file", "case.toml");
+    expect_error(refusal("# " + std::string(70000, 'x') + "\n"), "this is no case file", "case.toml");
+}
+
+TEST(TomlDocument, ReadsByteOrderMarksAndWindowsLineEnds) {
+    const TomlDocument document = parse("\xEF\xBB\xBF[plate]\r\nmass = 1\r\n");
+    EXPECT_EQ(std::get<double>(document.find("plate.mass")->value), 1.0);
+    EXPECT_EQ(document.find("plate.mass")->value_place.source_line, "mass = 1");
+}
+
+TEST(TomlDocument, LoadsAFileUnderItsOwnName) {
+    const Scratch scratch;
+    write_file(scratch.path("a.toml"), "title = \"t\"\n");
+    const TomlSource source = load_toml(scratch.path("a.toml"), {"title=u"});
+    EXPECT_EQ(source.name, scratch.path("a.toml"));
+    EXPECT_EQ(source.text, "title = \"t\"\n");
+    EXPECT_EQ(source.overrides.size(), 1U);
+}
+
+}  // namespace
+}  // namespace stridor::io

@@ -1,0 +1,129 @@
+#include "stridor/io/toml_study.hpp"
+
+#include "io_support.hpp"
+#include "stridor/io/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+
+namespace stridor::io {
+namespace {
+
+using sweep::Study;
+
+constexpr const char* axes =
+    "[chart]\n"
+    "x = { parameter = \"contact.preload\", from = \"1 N\", to = \"3 kN\", points = 40, scale = \"log\" }\n"
+    "y = { parameter = \"contact.kinetic_friction\", from = 0.1, to = 0.8, points = 8 }\n";
+
+Study read(const std::string& chart, std::vector<std::string> overrides = {}) {
+    return read_study(
+        TomlSource{chart + squeal_toml().substr(squeal_toml().find('[')), "chart.toml", std::move(overrides)});
+}
+
+std::optional<Error> refusal(const std::string& chart, std::vector<std::string> overrides = {}) {
+    const auto error = error_of([&] { read(chart, std::move(overrides)); });
+    EXPECT_TRUE(!error || error->kind() == ErrorKind::input) << error->what();
+    return error;
+}
+
+std::optional<Error> refusal_with(const std::string& from, const std::string& to) {
+    return refusal(replaced(axes, from, to));
+}
+
+TEST(TomlStudy, ReadsAxesInTheUnitOfTheirParameter) {
+    const Study study = read(axes);
+    EXPECT_EQ(study.x.parameter, "contact.preload");
+    EXPECT_EQ(study.x.from, 1.0);
+    EXPECT_EQ(study.x.to, 3000.0);
+    EXPECT_EQ(study.x.points, 40);
+    EXPECT_EQ(study.x.scale, sweep::Scale::logarithmic);
+    EXPECT_EQ(study.y.points, 8);
+    EXPECT_EQ(study.y.scale, sweep::Scale::linear);
+    EXPECT_EQ(study.directions.size(), 2U);
+    EXPECT_EQ(study.quantities, std::vector<std::string>{"category"});
+}
+
+TEST(TomlStudy, ReadsDirectionsAndQuantities) {
+    const Study study = read(std::string(axes) + "directions = [\"coming\"]\nquantities = [\"slip\", \"category\"]\n");
+    EXPECT_EQ(study.directions, std::vector{parameters::Direction::coming});
+    EXPECT_EQ(study.quantities, (std::vector<std::string>{"slip", "category"}));
+}
+
+TEST(TomlStudy, TakesSectionsInsteadOfInlineTables) {
+    const Study study = read(
+        "[chart.x]\nparameter = \"contact.preload\"\nfrom = 1\nto = 2\npoints = 3\n"
+        "[chart.y]\nparameter = \"joint.incidence_angle\"\nfrom = \"0 deg\"\nto = 90\npoints = 2\n");
+    EXPECT_EQ(study.x.points, 3);
+    EXPECT_EQ(study.y.to, 90.0);
+}
+
+TEST(TomlStudy, IsOverriddenKeyByKey) {
+    const Study study = read(axes, {"chart.x.points=5", "chart.x.to=0.1 kN", "chart.y.scale=log",
+                                    "chart.directions=going", "chart.quantities=[\"slip\", \"stick\"]"});
+    EXPECT_EQ(study.x.points, 5);
+    EXPECT_EQ(study.x.to, 100.0);
+    EXPECT_EQ(study.y.scale, sweep::Scale::logarithmic);
+    EXPECT_EQ(study.directions, std::vector{parameters::Direction::going});
+    EXPECT_EQ(study.quantities, (std::vector<std::string>{"slip", "stick"}));
+    EXPECT_EQ(read(axes, {"chart.y.parameter=plate.mass", "chart.y.to=300 g"}).y.parameter, "plate.mass");
+}
+
+TEST(TomlStudy, MayHaveBaseValuesThatItsAxesReplace) {
+    // mu_d of the file is above mu_s, but the axis ends below
+    const Study study = read(axes, {"contact.kinetic_friction=0.85"});
+    EXPECT_EQ(study.base.contact.kinetic_friction, 0.85);
+    expect_error(refusal(axes, {"run.window=2"}), "run.window = 2 s is longer", "--set");
+}
+
+TEST(TomlStudy, SuggestsAChartWhereThereIsNone) {
+    expect_error(refusal(""), "there is no section [chart]", "chart.toml");
+    EXPECT_NE(refusal("")->problem().suggestion.find("stridor init noise-chart"), std::string::npos);
+}
+
+TEST(TomlStudy, ListsWhatAnAxisLacks) {
+    expect_error(refusal_with(", points = 8", ""), "missing in [chart]: chart.y.points", "chart.toml:1:2");
+    expect_error(refusal("[chart]\n"), "chart.x.parameter, chart.x.from, chart.x.to, chart.x.points, chart.y.parameter",
+                 "chart.toml:1:2");
+}
+
+TEST(TomlStudy, PointsAtWhatAnAxisGetsWrong) {
+    expect_error(refusal_with("contact.preload", "contact.prelaod"), "Did you mean \"contact.preload\"?",
+                 "chart.toml:2:19");
+    expect_error(refusal_with("contact.preload", "drive.kind"), "chart.x.parameter = \"drive.kind\" is no quantity",
+                 "chart.toml:2:19");
+    expect_error(refusal_with("contact.kinetic_friction", "drive.velocity"), "changes nothing", "chart.toml:3:19");
+    expect_error(refusal_with("\"1 N\"", "\"1 mm\""), "chart.x.from = \"1 mm\" is a length (m) (expected a force (N))",
+                 "chart.toml:2:45");
+    expect_error(refusal_with("\"1 N\"", "0"), "chart.x.from", "chart.toml:2:45");
+    expect_error(refusal_with("to = 0.8", "to = -1"), "chart.y.to: contact.kinetic_friction = -1 is out of range",
+                 "chart.toml:3:64");
+    expect_error(refusal_with("points = 8", "points = 1"), "chart.y.points = 1", "chart.toml:3:78");
+    expect_error(refusal_with("points = 8", "points = 2.5"), "must be a whole number", "chart.toml:3:78");
+    expect_error(refusal_with("points = 8", "points = 1e300"), "must be a whole number", "chart.toml:3:78");
+    expect_error(refusal_with("points = 8", "points = true"), "chart.y.points is a boolean", "chart.toml:3:78");
+    expect_error(refusal_with("\"log\"", "\"lg\""), "Did you mean \"log\"?", "chart.toml:2:86");
+    expect_error(refusal_with("scale", "scael"), "unknown key chart.x.scael. Did you mean chart.x.scale?",
+                 "chart.toml:2:78");
+    expect_error(refusal_with("contact.kinetic_friction", "contact.preload"), "chart.x and chart.y are both",
+                 "chart.toml:2:5");
+    expect_error(refusal("[chart]\nx = 5\n"), "chart.x is a number (expected an axis", "chart.toml:2:5");
+}
+
+TEST(TomlStudy, PointsAtUnknownDirectionsAndQuantities) {
+    const std::string text(axes);
+    expect_error(refusal(text + "directions = [\"gonig\"]\n"), "Did you mean \"going\"?", "chart.toml:4:14");
+    expect_error(refusal(text + "directions = []\n"), "chart.directions is empty", "chart.toml:4:14");
+    expect_error(refusal(text + "quantities = [\"slipp\"]\n"), "chart.quantities names \"slipp\"", "chart.toml:4:14");
+    expect_error(refusal(text + "quantities = [5]\n"), "chart.quantities is a list of other things than text",
+                 "chart.toml:4:14");
+    expect_error(refusal(text + "colour = 1\n"), "unknown key chart.colour", "chart.toml:4:1");
+}
+
+TEST(TomlStudy, ReadsAFile) {
+    const Scratch scratch;
+    write_file(scratch.path("c.toml"), study_toml(sweep::figure_8()));
+    EXPECT_EQ(sweep::canonical_text(read_study(scratch.path("c.toml"))), sweep::canonical_text(sweep::figure_8()));
+}
+
+}  // namespace
+}  // namespace stridor::io

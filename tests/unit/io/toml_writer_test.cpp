@@ -1,0 +1,103 @@
+#include "stridor/io/toml_writer.hpp"
+
+#include "io_support.hpp"
+#include "stridor/io/toml_case.hpp"
+#include "stridor/io/toml_study.hpp"
+#include "stridor/parameters/check.hpp"
+#include "support/property.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stridor::io {
+namespace {
+
+using parameters::Case;
+using parameters::Field;
+using parameters::Quantity;
+
+// a value with 53 random bits, within its range, of any size
+double random_value(const Quantity& quantity) {
+    const double fraction = *support::signed_fraction();
+    if (std::isfinite(quantity.range.low) && std::isfinite(quantity.range.high))
+        return std::clamp(quantity.range.low + std::abs(fraction) * (quantity.range.high - quantity.range.low),
+                          quantity.range.low, quantity.range.high);
+    const double value = fraction * std::pow(10.0, *support::whole_between(-12, 12));
+    return quantity.range.low == 0.0 ? std::abs(value) + 1e-15 : value;
+}
+
+// any values at all, then those that must fit together are made to
+Case random_case() {
+    Case c;
+    for (const Field& field : parameters::fields()) {
+        if (const auto* choice = std::get_if<parameters::Choice>(&field.kind))
+            choice->set(c, *support::whole_between(0, static_cast<int>(choice->names.size()) - 1));
+        if (const auto* quantity = std::get_if<Quantity>(&field.kind)) quantity->set(c, random_value(*quantity));
+    }
+    if (c.drive.kind == parameters::DriveKind::sampled) c.drive.kind = parameters::DriveKind::constant;
+    c.contact.kinetic_friction = c.contact.static_friction * 0.7;
+    c.run.duration = 0.3 + 1.0 / c.drive.frequency;
+    c.run.window = c.run.duration / 3.0;
+    c.run.step = c.run.duration / 7e5;
+    c.verdict.settling *= 0.4;
+    c.verdict.reversal *= 0.4;
+    c.verdict.squeal_beats = std::floor(c.verdict.squeal_beats);
+    c.title = *rc::gen::container<std::string>(rc::gen::inRange('\x01', '\x7f'));
+    return c;
+}
+
+RC_GTEST_PROP(TomlWriter, WritesCasesThatReadBackTheSame, ()) {
+    const Case c = random_case();
+    RC_PRE(parameters::findings(c).empty());
+    const Comments comments = *rc::gen::element(Comments::none, Comments::full);
+    const Case back = read_case(TomlSource{case_toml(c, {.comments = comments, .heading = "a\n\nb"}), "back.toml", {}});
+    RC_ASSERT(parameters::canonical_text(back) == parameters::canonical_text(c));
+    RC_ASSERT(back.title == c.title);
+}
+
+RC_GTEST_PROP(TomlWriter, WritesChartsThatReadBackTheSame, ()) {
+    sweep::Study study = sweep::figure_8();
+    study.x.from = 1.0 + *support::signed_fraction();
+    study.x.to = 1e4 * (2.0 + *support::signed_fraction());
+    study.x.points = *support::whole_between(2, 100);
+    study.y.to = 0.4 * (1.0 + *support::signed_fraction());
+    study.y.from = 0.5 * study.y.to;
+    RC_PRE(study.y.to > study.y.from);
+    if (*rc::gen::arbitrary<bool>()) study.directions.pop_back();
+    study.quantities = {"slip", "category"};
+    const sweep::Study back = read_study(TomlSource{study_toml(study), "back.toml", {}});
+    RC_ASSERT(sweep::canonical_text(back) == sweep::canonical_text(study));
+    RC_ASSERT(parameters::canonical_text(back.base) == parameters::canonical_text(study.base));
+    RC_ASSERT(back.quantities == study.quantities);
+}
+
+TEST(TomlWriter, WritesThePapersCasesAndCharts) {
+    for (const auto which : {parameters::PaperCase::squeal, parameters::PaperCase::squeak, parameters::PaperCase::creak,
+                             parameters::PaperCase::quiet}) {
+        const Case c = parameters::paper_case(which);
+        const Case back = read_case(TomlSource{case_toml(c), "back.toml", {}});
+        EXPECT_EQ(parameters::canonical_text(back), parameters::canonical_text(c));
+        EXPECT_EQ(back.title, c.title);
+    }
+    for (const sweep::Study& study : {sweep::figure_8(), sweep::figure_6(70.0), sweep::figure_6(150.0)})
+        EXPECT_EQ(sweep::canonical_text(read_study(TomlSource{study_toml(study), "back.toml", {}})),
+                  sweep::canonical_text(study));
+}
+
+TEST(TomlWriter, ExplainsEveryKeyWithSymbolUnitAndRange) {
+    const std::string text = case_toml(parameters::paper_case(parameters::PaperCase::squeal));
+    for (const Field& field : parameters::fields())
+        EXPECT_EQ(text.find("# " + std::string(field.sentence)) != std::string::npos, field.belongs({})) << field.name;
+    EXPECT_NE(text.find("# mass of the joint (m1) [kg, above 0]\nmass = \"0.1 kg\"\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("# how the motion starts: \"rest\", \"stuck\" or \"sliding\"\n"), std::string::npos) << text;
+}
+
+TEST(TomlWriter, PutsTheHeadingOnTop) {
+    const Case c;
+    EXPECT_TRUE(case_toml(c, {.comments = Comments::none, .heading = "one\n\ntwo"}).starts_with("# one\n#\n# two\n\n"));
+}
+
+}  // namespace
+}  // namespace stridor::io
