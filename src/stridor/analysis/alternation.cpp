@@ -11,6 +11,8 @@ namespace {
 
 // a kind of beat must be present over this share of the judged time to speak for the motion
 constexpr double least_cover = 0.8;
+// and come at least once in four of the most frequent kind: a change that is rare says nothing about a tone
+constexpr double least_share = 0.25;
 // lags whose mismatch lies this close to the best one repeat as well: the smallest of them is the period
 constexpr double same_mismatch = 0.01;
 // a best mismatch above this is no repetition, and a "period" of several intervals would be chance
@@ -76,7 +78,7 @@ double variation(const Beat& beat) {
     return std::sqrt(squares / static_cast<double>(beat.intervals)) / beat.mean;
 }
 
-// kinds of beat that speak for the motion; where none covers enough, the one that covers most
+// kinds of beat that speak for the motion
 std::vector<Beat> speaking_beats(const record::Tally& tally) {
     std::vector<Beat> all;
     for (std::size_t from = 0; from < model::contact_states; ++from)
@@ -86,10 +88,55 @@ std::vector<Beat> speaking_beats(const record::Tally& tally) {
                 all.push_back(*std::move(beat));
     if (all.empty()) return all;
     // old instants are dropped, so cover is held against the longest record of any kind
-    const double longest =
-        std::max_element(all.begin(), all.end(), [](const Beat& a, const Beat& b) { return a.cover < b.cover; })->cover;
-    std::erase_if(all, [&](const Beat& beat) { return beat.cover < least_cover * longest; });
-    return all;
+    double longest = 0.0;
+    long most = 0;
+    for (const Beat& beat : all) {
+        longest = std::max(longest, beat.cover);
+        most = std::max(most, beat.intervals);
+    }
+    std::vector<Beat> speaking;
+    for (const Beat& beat : all) {
+        const bool is_rare = static_cast<double>(beat.intervals) < least_share * static_cast<double>(most);
+        if (!is_rare && beat.cover >= least_cover * longest) speaking.push_back(beat);
+    }
+    // a frequent kind in bursts beside a rare one throughout: neither is a tone, the frequent one says so
+    if (speaking.empty())
+        speaking.push_back(
+            *std::find_if(all.begin(), all.end(), [&](const Beat& beat) { return beat.intervals == most; }));
+    return speaking;
+}
+
+// of beats alike in regularity the more frequent one is named, so that a few rounding errors do not choose
+const Beat& most_regular(const std::vector<Beat>& beats) {
+    const auto more_regular = [](const Beat& a, const Beat& b) {
+        const double difference = a.mismatch[0] - b.mismatch[0];
+        return std::abs(difference) > same_mismatch ? difference < 0.0 : a.intervals > b.intervals;
+    };
+    const Beat* first = &beats.front();
+    for (const Beat& beat : beats)
+        if (more_regular(beat, *first)) first = &beat;
+    return *first;
+}
+
+// fills in the mismatch at each lag and what follows from it
+void find_repetition(Alternation& result, const std::vector<Beat>& beats) {
+    std::array<const Beat*, largest_lag> best_at{};
+    for (std::size_t lag = 0; lag < largest_lag; ++lag)
+        for (const Beat& beat : beats)
+            if (beat.mismatch[lag] < result.mismatch[lag]) {
+                result.mismatch[lag] = beat.mismatch[lag];
+                best_at[lag] = &beat;
+            }
+    const double best = *std::min_element(result.mismatch.begin(), result.mismatch.end());
+    if (!std::isfinite(best)) return;
+    if (std::isfinite(result.mismatch[0])) result.regularity = std::max(0.0, 1.0 - result.mismatch[0]);
+    result.repetition = std::max(0.0, 1.0 - best);
+    if (best > no_repetition) return;
+    const auto repeats = std::find_if(result.mismatch.begin(), result.mismatch.end(),
+                                      [&](double m) { return m <= best + same_mismatch; });
+    const auto lag = static_cast<std::size_t>(repeats - result.mismatch.begin());
+    result.lag = static_cast<int>(lag) + 1;
+    result.period = static_cast<double>(lag + 1) * best_at[lag]->mean;
 }
 
 }  // namespace
@@ -99,39 +146,14 @@ Alternation alternation(const record::Tally& tally) {
     result.mismatch.fill(infinity);
     const std::vector<Beat> beats = speaking_beats(tally);
     if (beats.empty()) return result;
-
-    // of beats alike in regularity the more frequent one is named, so that a few rounding errors do not choose
-    const auto more_regular = [](const Beat& a, const Beat& b) {
-        const double difference = a.mismatch[0] - b.mismatch[0];
-        return std::abs(difference) > same_mismatch ? difference < 0.0 : a.intervals > b.intervals;
-    };
-    const Beat* first = &beats.front();
-    for (const Beat& beat : beats)
-        if (more_regular(beat, *first)) first = &beat;
-    result.from = first->from;
-    result.to = first->to;
-    result.intervals = first->intervals;
-    result.variation = variation(*first);
-    result.frequency = 1.0 / first->mean;
-    result.period = first->mean;
-
-    std::array<const Beat*, largest_lag> best_at{};
-    for (std::size_t lag = 0; lag < largest_lag; ++lag)
-        for (const Beat& beat : beats)
-            if (beat.mismatch[lag] < result.mismatch[lag]) {
-                result.mismatch[lag] = beat.mismatch[lag];
-                best_at[lag] = &beat;
-            }
-    const double best = *std::min_element(result.mismatch.begin(), result.mismatch.end());
-    if (!std::isfinite(best)) return result;
-    if (std::isfinite(result.mismatch[0])) result.regularity = std::max(0.0, 1.0 - result.mismatch[0]);
-    result.repetition = std::max(0.0, 1.0 - best);
-    if (best > no_repetition) return result;
-    const auto repeats = std::find_if(result.mismatch.begin(), result.mismatch.end(),
-                                      [&](double m) { return m <= best + same_mismatch; });
-    const auto lag = static_cast<std::size_t>(repeats - result.mismatch.begin());
-    result.lag = static_cast<int>(lag) + 1;
-    result.period = static_cast<double>(lag + 1) * best_at[lag]->mean;
+    const Beat& named = most_regular(beats);
+    result.from = named.from;
+    result.to = named.to;
+    result.intervals = named.intervals;
+    result.variation = variation(named);
+    result.frequency = 1.0 / named.mean;
+    result.period = named.mean;
+    find_repetition(result, beats);
     return result;
 }
 
