@@ -1,0 +1,200 @@
+#include "stridor/chart/noise_chart.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/chart/field_axis.hpp"
+#include "stridor/chart/layout.hpp"
+#include "stridor/chart/palette.hpp"
+#include "stridor/chart/region_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace stridor::chart {
+
+namespace {
+
+using classification::Category;
+
+constexpr std::array all_categories{Category::none, Category::squeak, Category::squeal, Category::creak,
+                                    Category::undecided};
+constexpr std::size_t failed_kind = all_categories.size();
+
+// the kind of a cell: its category's place in `all_categories`, or `failed_kind`
+std::size_t kind_of(const sweep::Cell& cell) {
+    if (cell.status != sweep::Status::done) return failed_kind;
+    const auto* const found = std::find(all_categories.begin(), all_categories.end(), cell.category);
+    return static_cast<std::size_t>(found - all_categories.begin());
+}
+
+std::span<const sweep::Cell> cells_of(const sweep::SweepResult& result, std::size_t direction) {
+    const std::size_t count =
+        static_cast<std::size_t>(result.study.x.points) * static_cast<std::size_t>(result.study.y.points);
+    STRIDOR_EXPECT(result.cells.size() == count * result.study.directions.size());
+    return std::span(result.cells).subspan(direction * count, count);
+}
+
+// "failed (invalid, diverged)": which ways to fail occur; empty if none does
+std::string failures(const sweep::SweepResult& result) {
+    std::string list;
+    for (std::size_t status = 1; status < sweep::status_names.size(); ++status) {
+        const bool occurs = std::any_of(result.cells.begin(), result.cells.end(), [&](const sweep::Cell& cell) {
+            return static_cast<std::size_t>(cell.status) == status;
+        });
+        if (!occurs) continue;
+        std::string name(sweep::status_names[status]);
+        std::replace(name.begin(), name.end(), '_', ' ');
+        list += (list.empty() ? "" : ", ") + name;
+    }
+    return list.empty() || list == "failed" ? list : "failed (" + list + ")";
+}
+
+Scene empty_chart(const sweep::SweepResult& result, const Text& title) {
+    const sweep::Study& study = result.study;
+    const std::array<std::string_view, 2> varied{study.x.parameter, study.y.parameter};
+    Scene scene;
+    scene.title = title;
+    scene.caption = {conditions(study.base, varied)};
+    scene.column_widths.assign(study.directions.size(), 1.0);
+    scene.height = study.directions.size() == 1 ? 110.0 : 92.0;
+    for (std::size_t d = 0; d < study.directions.size(); ++d) {
+        const bool is_going = study.directions[d] == parameters::Direction::going;
+        const Text name = Text(is_going ? "going (" : "coming (") + symbol("V") + (is_going ? " > 0)" : " < 0)");
+        Panel panel;
+        panel.title = study.directions.size() == 1 ? name : lettered(d, name);
+        panel.column = d;
+        panel.frame = Frame::closed;
+        panel.x = field_axis(study.x);
+        panel.y = field_axis(study.y);
+        if (d > 0) panel.y.text = AxisText::hidden;
+        scene.panels.push_back(std::move(panel));
+    }
+    return scene;
+}
+
+std::vector<Text> category_texts() {
+    std::vector<Text> names;
+    for (const Category category : all_categories)
+        names.emplace_back(classification::name(category));
+    names.emplace_back("failed");
+    return names;
+}
+
+// which values the colours of a figure begin and end with: a few odd cells do not wash out all others
+Range value_range(const sweep::SweepResult& result, const sweep::CellFigure& figure) {
+    constexpr double odd_share = 0.02;    // usual 0.02; 0 lets a single value take half of the colours
+    constexpr double level_span = 100.0;  // [dB] what lies lower is rest, and would take all colours
+    std::vector<double> values;
+    for (const sweep::Cell& cell : result.cells)
+        if (cell.status == sweep::Status::done && std::isfinite(cell.*figure.member))
+            values.push_back(cell.*figure.member);
+    std::sort(values.begin(), values.end());
+    const bool is_share = figure.unit == "1" && (values.empty() || (values.front() >= 0.0 && values.back() <= 1.0));
+    if (is_share || values.empty()) return {0.0, 1.0};
+    const auto skipped = static_cast<std::size_t>(odd_share * static_cast<double>(values.size()));
+    Range range{values[skipped], values[values.size() - 1 - skipped]};
+    if (figure.unit.substr(0, 2) == "dB") range.from = std::max(range.from, range.to - level_span);
+    return range.from < range.to ? range : Range{range.from - 0.5, range.from + 0.5};
+}
+
+bool reaches_beyond(const sweep::SweepResult& result, const sweep::CellFigure& figure, const Range& range) {
+    return std::any_of(result.cells.begin(), result.cells.end(), [&](const sweep::Cell& cell) {
+        const double value = cell.*figure.member;
+        return cell.status == sweep::Status::done && std::isfinite(value) && (value < range.from || value > range.to);
+    });
+}
+
+std::string spelled(std::string_view name) {
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
+}  // namespace
+
+Scene noise_chart(const sweep::SweepResult& result) {
+    const std::string& title = result.study.base.title;
+    Scene scene = empty_chart(result, title.empty() ? Text("Noise chart") : Text(title));
+    std::vector<Fill> fills;
+    for (const Category category : all_categories)
+        fills.push_back(category_fill(category));
+    fills.push_back(failed_fill());
+    std::vector<Text> names = category_texts();
+    std::vector<CategoryCells> maps;
+    for (std::size_t d = 0; d < scene.panels.size(); ++d) {
+        CategoryCells map{cell_edges(result.study.x), cell_edges(result.study.y), {}, fills};
+        for (const sweep::Cell& cell : cells_of(result, d))
+            map.kinds.push_back(kind_of(cell));
+        maps.push_back(std::move(map));
+    }
+    const auto occurs = [&](std::size_t kind) {
+        return std::any_of(result.cells.begin(), result.cells.end(),
+                           [&](const sweep::Cell& cell) { return kind_of(cell) == kind; });
+    };
+    for (std::size_t kind = 0; kind < fills.size(); ++kind) {
+        const bool is_category = kind < 4;
+        if (kind == failed_kind && occurs(kind))
+            scene.legend.push_back({failures(result), fills[kind]});
+        else if (is_category || occurs(kind))
+            scene.legend.push_back({names[kind], fills[kind]});
+    }
+    // names need to know how large their regions become on paper
+    const Layout layout = arrange(scene);
+    for (std::size_t d = 0; d < maps.size(); ++d) {
+        Panel& panel = scene.panels[d];
+        std::vector<Note> notes = region_names(maps[d], names, panel, layout.panels[d].area, scene.font_size);
+        panel.layers.emplace_back(std::move(maps[d]));
+        for (Note& note : notes)
+            panel.layers.emplace_back(std::move(note));
+    }
+    return scene;
+}
+
+Scene figure_chart(const sweep::SweepResult& result, std::string_view name) {
+    const sweep::CellFigure* figure = sweep::find_cell_figure(name);
+    if (figure == nullptr) {
+        std::vector<std::string_view> known{"category"};
+        for (const sweep::CellFigure& each : sweep::cell_figures())
+            known.push_back(each.name);
+        const std::string_view near = base::nearest_name(name, known);
+        throw Error(ErrorKind::input, {"\"" + std::string(name) + "\" is no figure of a cell",
+                                       "it is neither \"category\" nor a column of the results",
+                                       near.empty() ? "" : "Did you mean \"" + std::string(near) + "\"?"});
+    }
+    const std::string& title = result.study.base.title;
+    Scene scene = empty_chart(result, (title.empty() ? "" : title + ": ") + spelled(figure->name));
+    const ColourScale colours{value_range(result, *figure), AxisScale::linear};
+    const Fill no_value{{0xD9, 0xD9, 0xD9}, Texture::none, {}};
+    if (reaches_beyond(result, *figure, colours.range))
+        scene.caption.emplace_back("Values beyond the scale have the colour of its end.");
+    bool has_gap = false;
+    for (std::size_t d = 0; d < scene.panels.size(); ++d) {
+        ValueCells map{cell_edges(result.study.x), cell_edges(result.study.y), {}, colours, no_value};
+        Boxes failed{{}, failed_fill()};
+        const std::span<const sweep::Cell> cells = cells_of(result, d);
+        const std::size_t columns = map.x_edges.size() - 1;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const bool is_done = cells[i].status == sweep::Status::done;
+            const double value = is_done ? cells[i].*figure->member : sweep::Cell::unknown;
+            map.values.push_back(std::isfinite(value) ? value : sweep::Cell::unknown);
+            has_gap = has_gap || (is_done && !std::isfinite(value));
+            if (!is_done)
+                failed.boxes.push_back({{map.x_edges[i % columns], map.x_edges[i % columns + 1]},
+                                        {map.y_edges[i / columns], map.y_edges[i / columns + 1]}});
+        }
+        scene.panels[d].layers.emplace_back(std::move(map));
+        if (!failed.boxes.empty()) scene.panels[d].layers.emplace_back(std::move(failed));
+    }
+    scene.colour_bar = ColourBar{spelled(figure->name), std::string(figure->unit), colours};
+    if (has_gap) scene.legend.push_back({"no value", no_value});
+    if (const std::string text = failures(result); !text.empty()) scene.legend.push_back({text, failed_fill()});
+    return scene;
+}
+
+Scene quantity_chart(const sweep::SweepResult& result, std::string_view quantity) {
+    return quantity == "category" ? noise_chart(result) : figure_chart(result, quantity);
+}
+
+}  // namespace stridor::chart

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "stridor/chart/scene.hpp"
+#include "stridor/sweep/cell.hpp"
+
+#include <string_view>
+
+namespace stridor::chart {
+
+/// The noise chart: which category each cell falls into, a panel per direction (Elmaian et al. 2012, Figure 8).
+///
+/// Cells are rectangles between the midpoints of their values in the axis' own scale. Cells without a result are white
+/// and crossed, undecided ones white and dotted; neither ever takes a category's colour.
+Scene noise_chart(const sweep::SweepResult& result);
+
+/// One figure of the cells as colours of a sequential map, in the same layout. Cells without a number for it (no period
+/// where nothing alternates) are grey, cells without a result white and crossed.
+/// Throws `Error` (input) for a name that is not in `sweep::cell_figures`.
+Scene figure_chart(const sweep::SweepResult& result, std::string_view figure);
+
+/// `noise_chart` for "category", else `figure_chart`: draws what a study's `quantities` ask for.
+Scene quantity_chart(const sweep::SweepResult& result, std::string_view quantity);
+
+}  // namespace stridor::chart

@@ -1,0 +1,97 @@
+#include "stridor/chart/rate_map.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/chart/field_axis.hpp"
+#include "stridor/chart/palette.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace stridor::chart {
+
+namespace {
+
+struct Rate {
+    std::string_view name;
+    double sweep::Cell::*member;
+};
+
+constexpr std::array<Rate, 3> rates{
+    {{"slip", &sweep::Cell::slip}, {"stick", &sweep::Cell::stick}, {"separation", &sweep::Cell::separation}}};
+constexpr ColourScale percent{{0.0, 100.0}, AxisScale::linear};
+
+Panel map_panel(const sweep::SweepResult& result, std::size_t direction, const Rate& rate) {
+    const sweep::Study& study = result.study;
+    const std::size_t count = static_cast<std::size_t>(study.x.points) * static_cast<std::size_t>(study.y.points);
+    STRIDOR_EXPECT(result.cells.size() == count * study.directions.size());
+    Panel panel;
+    panel.frame = Frame::closed;
+    panel.x = field_axis(study.x);
+    panel.y = field_axis(study.y);
+    ValueCells cells{cell_edges(study.x), cell_edges(study.y), {}, percent, failed_fill()};
+    for (std::size_t i = 0; i < count; ++i) {
+        const sweep::Cell& cell = result.cells[direction * count + i];
+        cells.values.push_back(cell.status == sweep::Status::done ? 100.0 * cell.*rate.member : sweep::Cell::unknown);
+    }
+    panel.layers.emplace_back(std::move(cells));
+    return panel;
+}
+
+bool has_failures(const sweep::SweepResult& result) {
+    return std::any_of(result.cells.begin(), result.cells.end(),
+                       [](const sweep::Cell& cell) { return cell.status != sweep::Status::done; });
+}
+
+// what tells one row from the next: the angle and the direction
+Text row_name(const sweep::Study& study, std::size_t direction) {
+    return setting(study.base, "joint.incidence_angle") + ", " +
+           Text(parameters::direction_names[static_cast<std::size_t>(study.directions[direction])]);
+}
+
+// the axis below the lowest map of a column serves all that share it
+void share_x_axes(Scene& scene) {
+    for (Panel& panel : scene.panels)
+        for (const Panel& other : scene.panels)
+            if (other.column == panel.column && other.row == panel.row + 1 && other.x.label == panel.x.label &&
+                other.x.range == panel.x.range && other.x.scale == panel.x.scale)
+                panel.x.text = AxisText::hidden;
+}
+
+}  // namespace
+
+Scene rate_map(std::span<const sweep::SweepResult> results) {
+    Scene scene;
+    scene.title = "Contact-state rates";
+    scene.column_widths.assign(rates.size(), 1.0);
+    scene.row_heights.clear();
+    bool is_any_failed = false;
+    for (const sweep::SweepResult& result : results) {
+        is_any_failed = is_any_failed || has_failures(result);
+        for (std::size_t d = 0; d < result.study.directions.size(); ++d) {
+            for (std::size_t column = 0; column < rates.size(); ++column) {
+                Panel panel = map_panel(result, d, rates[column]);
+                panel.row = scene.row_heights.size();
+                panel.column = column;
+                panel.title =
+                    column == 0 ? lettered(panel.row, row_name(result.study, d) + ": slip") : Text(rates[column].name);
+                if (column > 0) panel.y.text = AxisText::hidden;
+                scene.panels.push_back(std::move(panel));
+            }
+            scene.row_heights.push_back(1.0);
+        }
+    }
+    share_x_axes(scene);
+    if (!results.empty()) {
+        const sweep::Study& study = results.front().study;
+        const std::array<std::string_view, 3> varied{study.x.parameter, study.y.parameter, "joint.incidence_angle"};
+        scene.caption = {conditions(study.base, varied)};
+    }
+    if (scene.row_heights.empty()) scene.row_heights = {1.0};
+    scene.height = 22.0 + 56.0 * static_cast<double>(scene.row_heights.size());
+    scene.colour_bar = ColourBar{"share of the window", "%", percent};
+    if (is_any_failed) scene.legend.push_back({"failed", failed_fill()});
+    return scene;
+}
+
+}  // namespace stridor::chart

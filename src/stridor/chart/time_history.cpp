@@ -1,0 +1,189 @@
+#include "stridor/chart/time_history.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/chart/contact_states.hpp"
+#include "stridor/chart/field_axis.hpp"
+#include "stridor/chart/palette.hpp"
+#include "stridor/record/schedule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace stridor::chart {
+
+namespace {
+
+// one row of panels
+struct Curve {
+    Text label;
+    std::string unit;
+    const std::vector<double>* values = nullptr;  // shape [sample]
+    double cut = 0.0;                             // [1] share of the samples at either end that may lie beyond the axis
+};
+
+// Impact peaks grow without bound as the time step shrinks: an axis that shows them whole shows nothing else.
+constexpr double peak_share = 2e-3;
+
+Text body_symbol(std::string_view letter, std::string_view number) {
+    return Text(letter, TextStyle::italic) + Text(number, TextStyle::subscript);
+}
+
+// the three degrees of freedom, their letters with as many dots as derivatives
+void add_motion(std::vector<Curve>& curves, const std::vector<std::vector<double>>& motion,
+                const std::array<std::string_view, 2>& letters, const std::string& unit, double cut = 0.0) {
+    const auto& [x, y] = letters;
+    const std::array<Text, 3> names{body_symbol(x, "1"), body_symbol(y, "1"), body_symbol(y, "2")};
+    for (std::size_t dof = 0; dof < std::min(names.size(), motion.size()); ++dof)
+        curves.push_back({names[dof], unit, &motion[dof], cut});
+}
+
+void add_curves(std::vector<Curve>& curves, const record::Trace& trace, Signal signal) {
+    switch (signal) {
+        case Signal::imposed_velocity:
+            curves.push_back({symbol("V"), "m/s", &trace.surface_velocity});
+            break;
+        case Signal::displacement:
+            add_motion(curves, trace.displacement, {"x", "y"}, "m");
+            break;
+        case Signal::velocity:
+            add_motion(curves, trace.velocity, {"ẋ", "ẏ"}, "m/s");
+            break;
+        case Signal::acceleration:
+            add_motion(curves, trace.acceleration, {"ẍ", "ÿ"}, "m/s^2", peak_share);
+            break;
+        case Signal::contact_forces:
+            curves.push_back({symbol("N"), "N", &trace.normal_force, peak_share});
+            curves.push_back({symbol("T"), "N", &trace.friction_force, peak_share});
+            break;
+    }
+}
+
+// the values within a stretch of time, without the share `cut` of them at either end, with a little air
+Range extent(const record::Trace& trace, const Curve& curve, const Range& stretch) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < std::min(trace.time.size(), curve.values->size()); ++i)
+        if (trace.time[i] >= stretch.from && trace.time[i] <= stretch.to && std::isfinite((*curve.values)[i]))
+            values.push_back((*curve.values)[i]);
+    if (values.empty()) return {-1.0, 1.0};
+    const auto skipped = static_cast<std::ptrdiff_t>(curve.cut * static_cast<double>(values.size()));
+    const auto low = values.begin() + skipped;
+    std::nth_element(values.begin(), low, values.end());
+    const double from = *low;
+    const auto high = values.end() - 1 - skipped;
+    std::nth_element(values.begin(), high, values.end());
+    const double to = *high;
+    const double air = to > from ? 0.08 * (to - from) : 1.0;
+    return {from - air, to + air};
+}
+
+// the samples of a stretch and one more at either end; a zoom need not carry the whole trace
+Line line_within(const record::Trace& trace, const Curve& curve, const Range& stretch) {
+    const auto begin = trace.time.begin();
+    const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(std::min(trace.time.size(), curve.values->size()));
+    const std::ptrdiff_t from = std::lower_bound(begin, begin + last, stretch.from) - begin;
+    const std::ptrdiff_t to = std::upper_bound(begin, begin + last, stretch.to) - begin;
+    const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, from - 1);
+    const std::ptrdiff_t end = std::min(last, to + 1);
+    const auto values = curve.values->begin();
+    return {{begin + first, begin + end}, {values + first, values + end}, {accent, 0.5, Dash::solid}};
+}
+
+Panel curve_panel(const record::Trace& trace, const Curve& curve, const Range& time) {
+    Panel panel;
+    panel.grid = Grid::both;
+    panel.x.range = time;
+    panel.x.text = AxisText::hidden;
+    panel.y.label = curve.label;
+    panel.y.unit = curve.unit;
+    panel.y.range = extent(trace, curve, time);
+    panel.layers.emplace_back(line_within(trace, curve, time));
+    return panel;
+}
+
+// one column of panels: the curves, then the contact states
+void add_column(Scene& scene, const record::Record& record, const std::vector<Curve>& curves, const Range& time) {
+    const std::size_t column = scene.column_widths.size();
+    scene.column_widths.push_back(column == 0 ? 1.35 : 1.0);
+    for (std::size_t row = 0; row <= curves.size(); ++row) {
+        Panel panel =
+            row < curves.size() ? curve_panel(record.trace, curves[row], time) : state_panel(record.history, time);
+        panel.row = row;
+        panel.column = column;
+        // the same curve stands in the first column; its numbers differ, its name does not
+        if (column > 0) panel.y.label = {};
+        if (column > 0 && row == curves.size()) panel.y.text = AxisText::hidden;
+        scene.panels.push_back(std::move(panel));
+    }
+}
+
+void mark(Scene& scene, const Range& stretch) {
+    for (Panel& panel : scene.panels)
+        if (panel.column == 0)
+            panel.layers.insert(panel.layers.begin(),
+                                Boxes{{{stretch, panel.y.range}}, {highlight, Texture::none, {}}});
+}
+
+// the time the trace covers, its last sample's interval included
+Range traced(const record::Record& record) {
+    const std::vector<double>& time = record.trace.time;
+    const double last = time.size() > 1 ? 2.0 * time.back() - time[time.size() - 2] : time.back();
+    const double end = record.history.empty() ? time.back() : std::min(last, record.history.back().to);
+    return {time.front(), std::max(time.back(), end)};
+}
+
+std::string phase_name(const parameters::Case& c, const Range& stretch) {
+    for (const record::Span& span : record::schedule(c).spans)
+        if (stretch.from >= span.from && stretch.to <= span.to && span.phase != record::Phase::all)
+            return " (" + std::string(record::phase_names[static_cast<std::size_t>(span.phase)]) + ")";
+    return {};
+}
+
+}  // namespace
+
+Scene time_history(const parameters::Case& c, const record::Record& record, const TimeHistoryOptions& options) {
+    STRIDOR_EXPECT(!record.trace.time.empty());
+    std::vector<Curve> curves;
+    for (const Signal signal : options.signals)
+        add_curves(curves, record.trace, signal);
+    Range whole = options.whole;
+    if (!(whole.from < whole.to)) whole = traced(record);
+    Scene scene;
+    scene.title = c.title.empty() ? Text("Time history") : Text(c.title);
+    scene.caption = {conditions(c)};
+    if (std::any_of(curves.begin(), curves.end(), [](const Curve& curve) { return curve.cut > 0.0; }))
+        scene.caption.emplace_back("Impact peaks, whose height follows from the time step, run beyond the axes.");
+    scene.row_heights.assign(curves.size(), 1.0);
+    scene.row_heights.push_back(0.75);
+    scene.height = 30.0 + 24.0 * static_cast<double>(curves.size());
+    scene.column_widths.clear();
+    add_column(scene, record, curves, whole);
+    if (options.zoom) {
+        add_column(scene, record, curves, *options.zoom);
+        mark(scene, *options.zoom);
+        scene.panels.front().title = lettered(0, "whole run");
+        scene.panels[curves.size() + 1].title = lettered(
+            1, fmt::format("{:g} s to {:g} s{}", options.zoom->from, options.zoom->to, phase_name(c, *options.zoom)));
+    }
+    return scene;
+}
+
+Range telling_stretch(const parameters::Case& c, double length) {
+    record::Span best;
+    for (const record::Span& span : record::schedule(c).spans) {
+        if (span.use != record::Use::judged) continue;
+        // the second going phase if there is one: the first still feels the start
+        if (span.phase == record::Phase::coming && best.to > best.from) continue;
+        const bool is_better = best.phase != span.phase || best.from == 0.0 || !(best.to > best.from);
+        if (is_better || span.phase == record::Phase::all) best = span;
+    }
+    if (!(best.to > best.from)) best = {0.0, c.run.duration, record::Phase::all, record::Use::judged};
+    const double half = 0.5 * std::min(length, best.to - best.from);
+    const double middle = 0.5 * (best.from + best.to);
+    return {middle - half, middle + half};
+}
+
+}  // namespace stridor::chart
