@@ -1,0 +1,150 @@
+#include "stridor/analysis/sliding_stability.hpp"
+
+#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/rubbing_system.hpp"
+#include "support/property.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+namespace stridor::analysis {
+namespace {
+
+using parameters::Case;
+using parameters::Direction;
+
+enum class Damping { table_1, none };
+
+SlidingStability at(double kinetic_friction, double angle = 70.0, Direction direction = Direction::going,
+                    Damping damping = Damping::table_1) {
+    Case c;
+    c.joint.incidence_angle = angle;
+    c.contact.kinetic_friction = kinetic_friction;
+    c.contact.static_friction = kinetic_friction;
+    if (damping == Damping::none) c.joint.axial_damping = c.joint.flexural_damping = c.plate.damping = 0.0;
+    return sliding_stability(model::rubbing_system(c), direction);
+}
+
+// the friction at which `is_beyond` turns from false to true, to 1e-9
+template <typename Predicate>
+double bisected(double below, double above, Predicate is_beyond) {
+    EXPECT_FALSE(is_beyond(below));
+    EXPECT_TRUE(is_beyond(above));
+    while (above - below > 1e-9) {
+        const double middle = 0.5 * (below + above);
+        (is_beyond(middle) ? above : below) = middle;
+    }
+    return above;
+}
+
+double damped_onset(double angle) {
+    return bisected(0.1, 1.0, [&](double mu) { return at(mu, angle).kind == StabilityKind::flutter; });
+}
+
+// frequencies are known to five digits, onsets to the digits printed
+TEST(SlidingStability, OfFrictionlessSlidingHasTheModesOfTheClosedContact) {
+    const SlidingStability result = at(0.0);
+    EXPECT_EQ(result.kind, StabilityKind::stable);
+    ASSERT_EQ(result.modes.size(), 2U);
+    EXPECT_NEAR(result.modes[0].frequency, 429.17, 0.01);
+    EXPECT_NEAR(result.modes[1].frequency, 916.36, 0.01);
+    EXPECT_NEAR(result.normal_force, 20.0, 1e-12);
+}
+
+TEST(SlidingStability, FrictionDrawsTheModesTogetherGoingAndApartComing) {
+    const SlidingStability going = at(0.2);
+    EXPECT_NEAR(going.modes[0].frequency, 460.37, 0.01);
+    EXPECT_NEAR(going.modes[1].frequency, 833.51, 0.01);
+    const SlidingStability coming = at(0.2, 70.0, Direction::coming);
+    EXPECT_NEAR(coming.modes[0].frequency, 407.76, 0.01);
+    EXPECT_NEAR(coming.modes[1].frequency, 987.36, 0.01);
+    EXPECT_EQ(going.kind, StabilityKind::stable);
+    EXPECT_EQ(coming.kind, StabilityKind::stable);
+}
+
+TEST(Flutter, GrowthAtTheSquealCase) {
+    const SlidingStability result = at(0.6);
+    EXPECT_EQ(result.kind, StabilityKind::flutter);
+    EXPECT_NEAR(result.growth, 736.65, 0.01);
+    EXPECT_NEAR(result.frequency, 592.0, 0.05);
+}
+
+TEST(Flutter, BeginsWithTheDampingOfTable1) {
+    EXPECT_NEAR(damped_onset(70.0), 0.44942, 5e-6);
+}
+
+TEST(Flutter, BeginsByAngle) {
+    for (const auto& [angle, onset] :
+         {std::pair{60.0, 0.641}, {65.0, 0.5385}, {70.0, 0.4494}, {75.0, 0.378}, {80.0, 0.337}, {85.0, 0.404}})
+        EXPECT_NEAR(damped_onset(angle), onset, 5e-4) << angle;
+}
+
+// undamped modes meet at 607.99 Hz and grow; at 2.576 the growing pair stops oscillating and two real roots are left
+TEST(Flutter, OfTheUndampedSystemIsABandOfFriction) {
+    const auto kind = [](double mu) { return at(mu, 70.0, Direction::going, Damping::none).kind; };
+    const double onset = bisected(0.2, 0.7, [&](double mu) { return kind(mu) == StabilityKind::flutter; });
+    EXPECT_NEAR(onset, 0.48554, 5e-6);
+    // growth and detuning rise as the square root of mu - onset: 740 1/s and 17 Hz at 0.1 above it
+    EXPECT_NEAR(at(onset, 70.0, Direction::going, Damping::none).frequency, 607.99, 0.01);
+    EXPECT_NEAR(bisected(1.0, 3.0, [&](double mu) { return kind(mu) == StabilityKind::divergence; }), 2.576, 5e-4);
+}
+
+// the stiffness against the sliding force vanishes: N grows beyond all bounds, then there is no equilibrium at all
+TEST(Locking, BeginsWhereTheNormalForceHasItsPole) {
+    const double onset = bisected(3.0, 5.0, [](double mu) { return at(mu).kind == StabilityKind::locked; });
+    EXPECT_NEAR(onset, 4.167, 5e-4);
+    EXPECT_GT(at(onset - 1e-6).normal_force, 1e6);
+    EXPECT_LT(at(onset + 1e-6).normal_force, -1e6);
+    EXPECT_EQ(at(onset - 1e-6).kind, StabilityKind::divergence);
+}
+
+TEST(Coming, IsNeverUnstable) {
+    for (int k = 0; k <= 1000; ++k)
+        ASSERT_EQ(at(0.01 * k, 70.0, Direction::coming).kind, StabilityKind::stable) << 0.01 * k;
+}
+
+// without damping a stable mode has no growth at all: rounding must not call it flutter
+RC_GTEST_PROP(SlidingStability, OfAnUndampedSystemIsNotFlutterByRounding, ()) {
+    const double mu = *support::number_between(0.0, 0.48);
+    RC_ASSERT(at(mu, 70.0, Direction::going, Damping::none).kind == StabilityKind::stable);
+}
+
+RC_GTEST_PROP(SlidingStability, IsMirroredByTheIncidenceAngle, ()) {
+    const double angle = *support::whole_between(0, 180 * 16) / 16.0;
+    const double mu = *support::number_between(0.0, 1.0);
+    const SlidingStability going = at(mu, angle, Direction::going);
+    const SlidingStability coming = at(mu, 180.0 - angle, Direction::coming);
+    // rounding of eigenvalues up to 1e4 1/s, its square root where two meet
+    RC_ASSERT(std::abs(going.growth - coming.growth) < 1e-3);
+    RC_ASSERT(std::abs(going.frequency - coming.frequency) < 1e-3 || std::abs(going.growth) < 10.0);
+}
+
+TEST(BeltOscillator, SlidesSteadilyWithItsOwnDamping) {
+    // x'' + 4 x' + 100 x = T/m: -2 +- i sqrt(96)
+    const auto structure = model::mass_on_belt({2.0, 200.0, 8.0, 50.0, {0.8, 0.3}});
+    const SlidingStability result = sliding_stability(structure, Direction::going);
+    EXPECT_EQ(result.kind, StabilityKind::stable);
+    EXPECT_NEAR(result.growth, -2.0, 1e-12);
+    EXPECT_NEAR(result.frequency, std::sqrt(96.0) / (2.0 * std::numbers::pi), 1e-12);
+    EXPECT_NEAR(result.normal_force, 50.0, 1e-12);
+}
+
+TEST(ClassifyModes, ListsOneOfEachPairByRisingFrequency) {
+    using C = std::complex<double>;
+    const SlidingStability result = classify_modes({C(-1.0, 20.0), C(-1.0, -20.0), C(3.0, 10.0), C(3.0, -10.0)}, 5.0);
+    ASSERT_EQ(result.modes.size(), 2U);
+    EXPECT_LT(result.modes[0].frequency, result.modes[1].frequency);
+    EXPECT_EQ(result.growth, 3.0);
+    EXPECT_EQ(result.kind, StabilityKind::flutter);
+    EXPECT_EQ(classify_modes({C(1.0, 0.0), C(-2.0, 0.0)}, 5.0).kind, StabilityKind::divergence);
+    EXPECT_EQ(classify_modes({C(-1.0, 0.0), C(-2.0, 0.0)}, 5.0).kind, StabilityKind::stable);
+    EXPECT_EQ(classify_modes({C(-1.0, 0.0), C(-2.0, 0.0)}, -5.0).kind, StabilityKind::locked);
+    EXPECT_EQ(classify_modes({}, 5.0).kind, StabilityKind::stable);
+}
+
+}  // namespace
+}  // namespace stridor::analysis

@@ -1,0 +1,145 @@
+#include "stridor/classification/contact_rules.hpp"
+
+#include "support/property.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace stridor::classification {
+namespace {
+
+using analysis::Evidence;
+using parameters::Thresholds;
+
+// shares of the judged time, with twenty intervals of this regularity
+Evidence evidence(double slip, double stick, double regularity, long intervals = 20) {
+    Evidence figures;
+    figures.window_time = 1.0;
+    figures.judged_time = 0.4;
+    figures.judged_rates = {slip, stick, 1.0 - slip - stick};
+    figures.alternation.intervals = intervals;
+    figures.alternation.regularity = regularity;
+    figures.alternation.repetition = regularity;
+    figures.alternation.mismatch.fill(std::numeric_limits<double>::infinity());
+    figures.alternation.mismatch[0] = 1.0 - regularity;
+    return figures;
+}
+
+Category category(const Evidence& figures, const Thresholds& thresholds = {}) {
+    return classify(figures, thresholds).category;
+}
+
+const Margin& margin(const Verdict& verdict, std::string_view name) {
+    const auto found = std::find_if(verdict.margins.begin(), verdict.margins.end(),
+                                    [&](const Margin& entry) { return entry.threshold_name == name; });
+    EXPECT_NE(found, verdict.margins.end()) << name;
+    return *found;
+}
+
+TEST(ContactRules, SlipOnlyIsNone) {
+    EXPECT_EQ(category(evidence(1.0, 0.0, 0.0, 0)), Category::none);
+    EXPECT_EQ(category(evidence(0.98, 0.01, 1.0)), Category::none);
+    EXPECT_NE(category(evidence(0.979, 0.01, 1.0)), Category::none);
+}
+
+TEST(ContactRules, StuckThroughoutIsNone) {
+    EXPECT_EQ(category(evidence(0.0, 1.0, 0.0, 0)), Category::none);
+    EXPECT_EQ(category(evidence(0.0, 0.999, 0.0)), Category::creak);
+}
+
+TEST(ContactRules, StickPredominanceIsCreak) {
+    EXPECT_EQ(category(evidence(0.3, 0.7, 0.0)), Category::creak);
+    EXPECT_NE(category(evidence(0.31, 0.69, 0.0)), Category::creak);
+}
+
+TEST(ContactRules, RegularAlternationIsSqueal) {
+    EXPECT_EQ(category(evidence(0.2, 0.1, 1.0)), Category::squeal);
+    EXPECT_EQ(category(evidence(0.2, 0.1, 0.8)), Category::squeal);
+}
+
+TEST(ContactRules, IrregularAlternationIsSqueak) {
+    EXPECT_EQ(category(evidence(0.2, 0.1, 0.79)), Category::squeak);
+    EXPECT_EQ(category(evidence(0.2, 0.1, 0.0)), Category::squeak);
+}
+
+// a creak may be perfectly regular
+TEST(ContactRules, StickPredominanceComesBeforeRegularity) {
+    EXPECT_EQ(category(evidence(0.1, 0.9, 1.0)), Category::creak);
+    EXPECT_EQ(category(evidence(0.1, 0.9, std::numeric_limits<double>::quiet_NaN(), 1)), Category::creak);
+}
+
+TEST(ContactRules, ThinEvidenceIsUndecided) {
+    EXPECT_EQ(category(evidence(0.5, 0.2, 1.0, 5)), Category::undecided);
+    EXPECT_EQ(category(evidence(0.5, 0.2, 1.0, 6)), Category::squeal);
+    EXPECT_EQ(category(evidence(0.5, 0.2, std::numeric_limits<double>::quiet_NaN())), Category::undecided);
+}
+
+TEST(ContactRules, NoJudgedTimeIsUndecidedNeverNone) {
+    Evidence figures = evidence(1.0, 0.0, 1.0);
+    figures.judged_time = 0.0;
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    figures.judged_rates = {unknown, unknown, unknown};
+    EXPECT_EQ(category(figures), Category::undecided);
+}
+
+TEST(ContactRules, ObeyTheThresholdsTheyAreGiven) {
+    EXPECT_EQ(category(evidence(0.9, 0.1, 0.5), {.quiet_slip = 0.9}), Category::none);
+    EXPECT_EQ(category(evidence(0.5, 0.5, 0.5), {.creak_stick = 0.5}), Category::creak);
+    EXPECT_EQ(category(evidence(0.5, 0.2, 0.5), {.squeal_regularity = 0.5}), Category::squeal);
+    EXPECT_EQ(category(evidence(0.5, 0.2, 0.5), {.least_intervals = 30.0}), Category::undecided);
+}
+
+// a pattern of two unequal beats is squeak by default, squeal where two beats are allowed
+TEST(ContactRules, UnequalBeatsAreSquealOnlyAsFarAsAllowed) {
+    Evidence figures = evidence(0.4, 0.2, 0.3);
+    figures.alternation.mismatch[1] = 0.0;
+    figures.alternation.repetition = 1.0;
+    figures.alternation.lag = 2;
+    EXPECT_EQ(category(figures), Category::squeak);
+    EXPECT_EQ(category(figures, {.squeal_beats = 2.0}), Category::squeal);
+    const Verdict verdict = classify(figures, {});
+    EXPECT_TRUE(std::any_of(verdict.reasons.begin(), verdict.reasons.end(), [](const std::string& reason) {
+        return reason.find("after 2 unequal beats") != std::string::npos;
+    }));
+}
+
+TEST(Margins, AreFigureLessThreshold) {
+    const Verdict verdict = classify(evidence(0.4, 0.3, 0.9), {});
+    ASSERT_EQ(verdict.margins.size(), 4U);
+    EXPECT_DOUBLE_EQ(margin(verdict, "quiet_slip").distance, 0.4 - 0.98);
+    EXPECT_DOUBLE_EQ(margin(verdict, "creak_stick").distance, 0.3 - 0.7);
+    EXPECT_DOUBLE_EQ(margin(verdict, "least_intervals").distance, 20.0 - 6.0);
+    EXPECT_NEAR(margin(verdict, "squeal_regularity").distance, 0.1, 1e-15);
+    EXPECT_EQ(margin(verdict, "squeal_regularity").figure_name, "regularity");
+}
+
+// the category follows from the margins' signs alone
+RC_GTEST_PROP(Margins, SignsGiveTheCategory, ()) {
+    const double slip = *support::number_between(0.0, 1.0);
+    const double stick = *support::number_between(0.0, 1.0) * (1.0 - slip);
+    const Evidence figures = evidence(slip, stick, *support::number_between(0.0, 1.0), *support::whole_between(0, 12));
+    RC_PRE(stick < 1.0);
+    const Verdict verdict = classify(figures, {});
+    const Category expected = margin(verdict, "quiet_slip").distance >= 0.0          ? Category::none
+                              : margin(verdict, "creak_stick").distance >= 0.0       ? Category::creak
+                              : margin(verdict, "least_intervals").distance < 0.0    ? Category::undecided
+                              : margin(verdict, "squeal_regularity").distance >= 0.0 ? Category::squeal
+                                                                                     : Category::squeak;
+    RC_ASSERT(verdict.category == expected);
+    RC_ASSERT(!verdict.reasons.empty());
+}
+
+TEST(Category, HasAName) {
+    EXPECT_EQ(name(Category::none), "none");
+    EXPECT_EQ(name(Category::squeal), "squeal");
+    EXPECT_EQ(name(Category::squeak), "squeak");
+    EXPECT_EQ(name(Category::creak), "creak");
+    EXPECT_EQ(name(Category::undecided), "undecided");
+}
+
+}  // namespace
+}  // namespace stridor::classification

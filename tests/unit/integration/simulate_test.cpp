@@ -1,0 +1,62 @@
+#include "stridor/integration/simulate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace stridor::integration {
+namespace {
+
+using parameters::Case;
+
+Case short_case() {
+    Case c;
+    c.run.step = 1e-5;
+    return c;
+}
+
+TEST(Cost, IsKnownBeforeTheRun) {
+    Case c;
+    c.run.duration = 2.0;
+    c.run.step = 1e-6;
+    EXPECT_EQ(cost(c).steps, 2e6);
+    EXPECT_NEAR(cost(c).step_limit, 2e-4, 1e-12);  // the joint's axial mode, 1e4 rad/s
+    c.run.beta_2 = 1.0;
+    EXPECT_NEAR(cost(c).step_limit, 1.4142135623730951e-4, 1e-12);
+}
+
+TEST(Simulate, RecordsGoingAndComingOfAnAlternatingDrive) {
+    const Motion motion = simulate(short_case());
+    EXPECT_EQ(motion.outcome.reason, Reason::completed);
+    EXPECT_NEAR(motion.outcome.time, 1.0, 1e-12);
+    ASSERT_EQ(motion.record.phases.size(), 2U);
+    double sum = 0.0;
+    for (const record::Tally& tally : motion.record.phases)
+        sum += std::accumulate(tally.time.begin(), tally.time.end(), 0.0);
+    EXPECT_NEAR(sum, 1.0, 1e-10);  // 1e5 additions of numbers up to 1
+}
+
+TEST(Simulate, RecordsOnePhaseOfAConstantDrive) {
+    Case c = short_case();
+    c.drive.kind = parameters::DriveKind::constant;
+    const Motion motion = simulate(c);
+    ASSERT_EQ(motion.record.phases.size(), 1U);
+    EXPECT_EQ(motion.record.phases[0].phase, record::Phase::all);
+    EXPECT_NEAR(motion.record.phases[0].vibration_time, 1.0, 1e-12);
+}
+
+TEST(Simulate, DoesNotRunBeyondTheStepLimit) {
+    Case c;
+    c.run.step = 2.1e-4;
+    EXPECT_EQ(simulate(c).outcome.reason, Reason::step_limit);
+}
+
+TEST(Outcome, HasAResultOnlyWhenCompletedOrSettled) {
+    EXPECT_TRUE(has_result({Reason::completed, 1.0}));
+    EXPECT_TRUE(has_result({Reason::settled, 0.5}));
+    for (const Reason reason : {Reason::diverged, Reason::step_limit, Reason::cancelled})
+        EXPECT_FALSE(has_result({reason, 0.5}));
+}
+
+}  // namespace
+}  // namespace stridor::integration
