@@ -3,11 +3,9 @@
 #include "stridor/base/check.hpp"
 #include "stridor/sweep/workers.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <iterator>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -113,10 +111,6 @@ private:
     Clock::time_point reported_;
 };
 
-int thread_count(int asked) {
-    return asked > 0 ? asked : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
-
 }  // namespace
 
 RunReport run(const Study& study, Store& store, const RunOptions& options) {
@@ -127,7 +121,7 @@ RunReport run(const Study& study, Store& store, const RunOptions& options) {
     const std::size_t unfinished = missing.size() * study.directions.size();
     Ledger ledger(study, store, options, cell_count(study) - unfinished);
     if (!missing.empty()) {
-        Workers workers(study, missing, thread_count(options.threads), options.stop);
+        Workers workers(study, missing, options.threads, options.stop);
         while (!workers.have_ended())
             ledger.take(workers.take(options.cells_per_commit, Clock::now() + tick));
         // what was finished is kept before anybody hears of a failure

@@ -18,7 +18,7 @@ struct Progress {
 };
 
 struct RunOptions {
-    int threads = 0;                                // [1] 0: one per processor
+    int threads = 0;                                // [1] 0: one per processor this process may use
     std::stop_token stop;                           // asks for an early end
     std::function<void(const Progress&)> progress;  // called from the caller's thread, at most ten times a second
     std::size_t cells_per_commit = 256;             // [1] so many finished cells, or

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 namespace stridor::sweep {
@@ -173,6 +174,11 @@ void Store::verify() {
         throw Error(ErrorKind::input,
                     {"the store " + name + " has schema " + std::to_string(schema),
                      "this program reads and writes schema " + std::to_string(store_schema), other_out});
+    // SQLite reads the missing end of a file as zeros
+    const std::int64_t size = database_.integer("PRAGMA page_count") * database_.integer("PRAGMA page_size");
+    std::error_code unknown;
+    if (std::filesystem::file_size(file(), unknown) < static_cast<std::uintmax_t>(size))
+        throw Error(ErrorKind::io, {"the store " + name + " is damaged", "its end is missing", other_out});
     const std::string stored = meta("study");
     if (stored != study_text_)
         throw Error(ErrorKind::input,

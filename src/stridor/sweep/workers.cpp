@@ -4,6 +4,7 @@
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
@@ -27,10 +28,10 @@ Workers::~Workers() {
 void Workers::compute_all(int threads) {
     std::exception_ptr failure;
     try {
-        const auto count = static_cast<std::size_t>(threads);
+        const int count = threads > 0 ? threads : tbb::info::default_concurrency();
         // the arena has that many places, the control that many threads, even beyond the number of processors
-        tbb::global_control control(tbb::global_control::max_allowed_parallelism, count);
-        tbb::task_arena arena(threads);
+        tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
+        tbb::task_arena arena(count);
         tbb::task_group_context context;
         using Range = tbb::blocked_range<std::size_t>;
         const auto compute_range = [&](const Range& range) {

@@ -23,7 +23,8 @@ class Workers {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// Starts on the points (iy * x.points + ix) with so many threads; both arguments must outlive this.
+    /// Starts on the points (iy * x.points + ix), which must outlive this as the study must, with so many threads; 0: one
+    /// per processor this process may use.
     Workers(const Study& study, std::span<const std::size_t> points, int threads, std::stop_token stop);
     ~Workers();
     Workers(const Workers&) = delete;
