@@ -1,0 +1,158 @@
+#include "stridor/sweep/run.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/sweep/evaluate.hpp"
+#include "support/error_text.hpp"
+#include "unit/sweep/small_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <stdexcept>
+#include <thread>
+
+namespace stridor::sweep {
+namespace {
+
+using support::Thrown;
+using support::thrown_by;
+
+std::size_t sum(std::span<const std::size_t> counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+class Run : public testing::Test {
+protected:
+    std::vector<Cell> cells() { return load(study_, store_).cells; }
+
+    ScratchFolder folder_;
+    Study study_ = small_study();
+    Store store_{folder_ / "chart.sqlite", study_};
+};
+
+TEST_F(Run, StoresTheCellsOfEveryPoint) {
+    const RunReport report = run(study_, store_);
+    EXPECT_EQ(report.ending, Ending::completed);
+    EXPECT_EQ(report.computed, cell_count(study_));
+    const std::vector<Cell> stored = cells();
+    for (std::size_t index = 0; index < stored.size(); ++index) {
+        const CellPlace place = place_of(study_, index);
+        EXPECT_TRUE(same_cell(stored[index], evaluate(study_, place.ix, place.iy)[place.direction])) << index;
+    }
+}
+
+TEST_F(Run, ComputesOnlyWhatIsMissing) {
+    Cell mark;
+    mark.status = Status::failed;
+    mark.message = "not computed again";
+    // both directions of the point iy = 2, ix = 1
+    const std::vector<IndexedCell> there{{index_of(study_, {0, 2, 1}), mark}, {index_of(study_, {1, 2, 1}), mark}};
+    store_.write(there);
+    const RunReport report = run(study_, store_);
+    EXPECT_EQ(report.computed, cell_count(study_) - 2);
+    const std::vector<Cell> stored = cells();
+    for (const IndexedCell& indexed : there)
+        EXPECT_TRUE(same_cell(stored[indexed.index], mark));
+}
+
+TEST_F(Run, DoesNothingWhenAllIsThere) {
+    run(study_, store_);
+    const std::vector<Cell> before = cells();
+    const RunReport report = run(study_, store_);
+    EXPECT_EQ(report.ending, Ending::completed);
+    EXPECT_EQ(report.computed, 0U);
+    EXPECT_EQ(report.progress.done, report.progress.total);
+    EXPECT_TRUE(same_cells(cells(), before));
+}
+
+TEST_F(Run, ReportsProgressFromTheCallersThreadUpToTheEnd) {
+    std::vector<Progress> reports;
+    RunOptions options;
+    options.progress = [&, owner = std::this_thread::get_id()](const Progress& progress) {
+        EXPECT_EQ(std::this_thread::get_id(), owner);
+        reports.push_back(progress);
+    };
+    const RunReport report = run(study_, store_, options);
+    ASSERT_GE(reports.size(), 2U);
+    EXPECT_EQ(reports.front().done, 0U);
+    EXPECT_EQ(reports.back().done, cell_count(study_));
+    for (const Progress& progress : reports) {
+        EXPECT_EQ(progress.total, cell_count(study_));
+        EXPECT_EQ(sum(progress.counts.statuses), progress.done);
+        EXPECT_EQ(sum(progress.counts.categories), progress.counts.statuses[0]);
+    }
+    EXPECT_EQ(report.progress.counts.categories, store_.counts().categories);
+    EXPECT_GT(report.progress.rate, 0.0);
+}
+
+TEST_F(Run, CountsTheCellsOfEarlierRunsAsDone) {
+    run(study_, store_);
+    std::size_t first = 0;
+    RunOptions options;
+    options.progress = [&](const Progress& progress) { first = progress.done; };
+    run(study_, store_, options);
+    EXPECT_EQ(first, cell_count(study_));
+}
+
+TEST_F(Run, ComputesNothingWhenStoppedBefore) {
+    std::stop_source source;
+    source.request_stop();
+    RunOptions options;
+    options.stop = source.get_token();
+    const RunReport report = run(study_, store_, options);
+    EXPECT_EQ(report.ending, Ending::stopped);
+    EXPECT_EQ(report.computed, 0U);
+    EXPECT_TRUE(store_.read().empty());
+}
+
+TEST_F(Run, StopsRunsThatWouldTakeHours) {
+    study_.base.run.duration = 1e5;
+    ScratchFolder other;
+    Store store(other / "chart.sqlite", study_);
+    std::stop_source source;
+    RunOptions options;
+    options.stop = source.get_token();
+    // the first report comes before the work, the second amid it
+    int reports = 0;
+    options.progress = [&](const Progress&) {
+        if (++reports == 2) source.request_stop();
+    };
+    EXPECT_EQ(run(study_, store, options).ending, Ending::stopped);
+    EXPECT_TRUE(store.read().empty());
+}
+
+TEST_F(Run, PassesOnWhatAWorkerThrows) {
+    study_.base.run.initial = parameters::Initial::sliding;
+    study_.base.drive.kind = parameters::DriveKind::sampled;
+    study_.base.drive.times = {0.0, 0.02};
+    study_.base.drive.velocities = {0.0, 0.1};
+    ScratchFolder other;
+    Store store(other / "chart.sqlite", study_);
+    const Thrown thrown = thrown_by([&] { run(study_, store); });
+    EXPECT_EQ(thrown.kind, ErrorKind::input);
+    EXPECT_TRUE(thrown.says("has no direction")) << thrown.message;
+}
+
+TEST_F(Run, PassesOnWhatTheCallbackThrows) {
+    RunOptions options;
+    options.progress = [](const Progress& progress) {
+        if (progress.done > 0) throw std::logic_error("enough");
+    };
+    EXPECT_THROW(run(study_, store_, options), std::logic_error);
+}
+
+TEST_F(Run, PassesOnThatTheDiskIsFullAndGoesOnLater) {
+    RunOptions options;
+    options.cells_per_commit = 1;
+    {
+        const FullDisk full(16384);
+        const Thrown thrown = thrown_by([&] { run(study_, store_, options); });
+        EXPECT_EQ(thrown.kind, ErrorKind::io);
+        EXPECT_TRUE(thrown.says("cannot write the store")) << thrown.message;
+    }
+    EXPECT_LT(store_.read().size(), cell_count(study_));
+    EXPECT_EQ(run(study_, store_, options).ending, Ending::completed);
+}
+
+}  // namespace
+}  // namespace stridor::sweep

@@ -1,0 +1,270 @@
+#include "stridor/sweep/study.hpp"
+
+#include "stridor/parameters/field.hpp"
+#include "support/error_text.hpp"
+#include "support/property.hpp"
+#include "unit/sweep/small_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace stridor::sweep {
+namespace {
+
+using parameters::Case;
+using parameters::Direction;
+using support::number_between;
+using support::Thrown;
+using support::thrown_by;
+using support::whole_between;
+
+// up to 40 octaves or, linear, a thousand units wide
+Axis any_axis() {
+    Axis axis{"contact.preload", *number_between(1e-3, 10.0), 0.0, *whole_between(2, 60), Scale::linear};
+    axis.scale = *rc::gen::element(Scale::linear, Scale::logarithmic);
+    axis.to = axis.from + *number_between(1e-6, 1000.0);
+    return axis;
+}
+
+RC_GTEST_PROP(Axis, HasItsEndsExactly, ()) {
+    const Axis axis = any_axis();
+    RC_ASSERT(value_at(axis, 0) == axis.from);
+    RC_ASSERT(value_at(axis, axis.points - 1) == axis.to);
+}
+
+RC_GTEST_PROP(Axis, Rises, ()) {
+    const Axis axis = any_axis();
+    for (int k = 1; k < axis.points; ++k)
+        RC_ASSERT(value_at(axis, k) > value_at(axis, k - 1));
+}
+
+RC_GTEST_PROP(Axis, IsSpacedEvenly, ()) {
+    Axis axis = any_axis();
+    axis.scale = Scale::linear;
+    const double width = (axis.to - axis.from) / (axis.points - 1);
+    // a value carries the roundings of share, product and sum: 3 * 2^-53 of at most `to`
+    for (int k = 1; k < axis.points; ++k)
+        RC_ASSERT(std::abs(value_at(axis, k) - value_at(axis, k - 1) - width) <= 8.0 * 0x1p-53 * axis.to);
+}
+
+RC_GTEST_PROP(LogarithmicAxis, HasEqualRatios, ()) {
+    Axis axis = any_axis();
+    axis.scale = Scale::logarithmic;
+    const double ratio = std::pow(axis.to / axis.from, 1.0 / (axis.points - 1));
+    // the exponent, at most 40, is rounded thrice: relative error 40 ln 2 * 3 * 2^-53 = 1e-14, twice that in a ratio
+    for (int k = 1; k < axis.points; ++k)
+        RC_ASSERT(std::abs(value_at(axis, k) / value_at(axis, k - 1) / ratio - 1.0) < 3e-14);
+}
+
+RC_GTEST_PROP(Place, IsTheInverseOfTheIndex, ()) {
+    Study study = small_study();
+    study.x.points = *whole_between(2, 9);
+    study.y.points = *whole_between(2, 9);
+    std::size_t index = 0;
+    // the order that files and charts rely on
+    for (std::size_t direction = 0; direction < 2; ++direction)
+        for (int iy = 0; iy < study.y.points; ++iy)
+            for (int ix = 0; ix < study.x.points; ++ix, ++index) {
+                const CellPlace place = place_of(study, index);
+                RC_ASSERT(place.direction == direction && place.iy == iy && place.ix == ix);
+                RC_ASSERT(index_of(study, place) == index);
+            }
+    RC_ASSERT(cell_count(study) == index);
+}
+
+TEST(CaseAt, TakesTheAxesValues) {
+    const Study study = small_study();
+    const Case c = case_at(study, {0, 2, 1});
+    EXPECT_EQ(c.contact.preload, value_at(study.x, 1));
+    EXPECT_EQ(c.contact.kinetic_friction, 0.8);
+}
+
+TEST(CaseAt, TurnsAConstantDriveByTheDirection) {
+    for (const double velocity : {0.1, -0.1}) {
+        Study study = small_study();
+        study.base.drive.velocity = velocity;
+        EXPECT_EQ(case_at(study, {0, 0, 0}).drive.velocity, 0.1);
+        EXPECT_EQ(case_at(study, {1, 0, 0}).drive.velocity, -0.1);
+    }
+}
+
+TEST(CaseAt, TurnsAVelocityAxisToo) {
+    Study study = small_study();
+    study.y = {"drive.velocity", 0.01, 1.0, 3, Scale::linear};
+    EXPECT_EQ(case_at(study, {0, 2, 0}).drive.velocity, 1.0);
+    EXPECT_EQ(case_at(study, {1, 2, 0}).drive.velocity, -1.0);
+}
+
+TEST(CaseAt, LeavesADriveThatGoesBothWaysAlone) {
+    Study study = small_study();
+    study.base.drive.kind = parameters::DriveKind::sinusoidal;
+    EXPECT_EQ(case_at(study, {1, 0, 0}).drive.velocity, study.base.drive.velocity);
+    EXPECT_EQ(case_at(study, {1, 0, 0}).drive.amplitude, study.base.drive.amplitude);
+}
+
+TEST(Check, AcceptsAStudyThatCanBeComputed) {
+    EXPECT_NO_THROW(check(small_study()));
+}
+
+struct Wrong {
+    std::string name;
+    std::function<void(Study&)> spoil;
+    std::string says;
+};
+
+class CheckRefuses : public testing::TestWithParam<Wrong> {};
+
+TEST_P(CheckRefuses, WithAMessageThatNamesTheProblem) {
+    Study study = small_study();
+    GetParam().spoil(study);
+    const Thrown thrown = thrown_by([&] { check(study); });
+    EXPECT_EQ(thrown.kind, ErrorKind::input);
+    EXPECT_EQ(thrown.message, GetParam().says);
+}
+
+const Wrong wrongs[] = {
+    {"AMisspeltAxis", [](Study& s) { s.x.parameter = "contact.preloat"; },
+     "chart.x.parameter = \"contact.preloat\" is no quantity (a case has no such key). Did you mean "
+     "\"contact.preload\"?"},
+    {"AnAxisOfWords", [](Study& s) { s.y.parameter = "run.initial"; },
+     "chart.y.parameter = \"run.initial\" is no quantity (it has no numbers an axis could run through)"},
+    {"AnAxisTheCaseDoesNotUse", [](Study& s) { s.x.parameter = "drive.amplitude"; },
+     "chart.x.parameter = \"drive.amplitude\" changes nothing (this case, with its kind of drive and start, does not "
+     "use it). Choose another quantity."},
+    {"AnEndOutOfRange", [](Study& s) { s.y.from = -0.1; },
+     "chart.y.from: contact.kinetic_friction = -0.1 is out of range (it must be at least 0)"},
+    {"AnEndThatIsNoNumber", [](Study& s) { s.x.to = std::nan(""); },
+     "chart.x.to: contact.preload = nan is out of range (it must be finite)"},
+    {"ASinglePoint", [](Study& s) { s.x.points = 1; },
+     "chart.x.points = 1 makes no axis (both ends belong to it, so it has two at least)"},
+    {"AMillionPoints", [](Study& s) { s.x.points = 1000000; },
+     "chart.x.points = 1000000 is too many (an axis has at most 4096 points)"},
+    {"AFallingAxis", [](Study& s) { std::swap(s.x.from, s.x.to); },
+     "chart.x.from = 400 is not below chart.x.to = 2 (an axis rises). Swap them?"},
+    {"AnAxisWithoutLength", [](Study& s) { s.x.to = s.x.from; },
+     "chart.x.from = 2 is not below chart.x.to = 2 (an axis rises)"},
+    {"ALogarithmOfZero",
+     [](Study& s) {
+         s.y.from = 0.0;
+         s.y.scale = Scale::logarithmic;
+     },
+     "chart.y.from = 0 has no logarithm (a logarithmic axis holds positive values only). Set chart.y.scale = "
+     "\"linear\"?"},
+    {"AThousandOctaves",
+     [](Study& s) {
+         s.x.from = 1e-300;
+         s.x.to = 1e300;
+     },
+     "chart.x runs from 1e-300 to 1e+300 (a logarithmic axis spans less than 1000 octaves)"},
+    {"EqualAxes", [](Study& s) { s.y = s.x; },
+     "chart.x and chart.y are both contact.preload (a chart needs two different quantities)"},
+    {"NoDirection", [](Study& s) { s.directions.clear(); },
+     "chart.directions is empty (there would be nothing to compute). Write directions = [\"going\", \"coming\"]?"},
+    {"ADirectionTwice",
+     [](Study& s) {
+         s.directions = {Direction::coming, Direction::coming};
+     },
+     "chart.directions names \"coming\" twice (each is computed once)"},
+    {"AnUnknownQuantityToDraw",
+     [](Study& s) {
+         s.quantities = {"category", "joint_levels"};
+     },
+     "chart.quantities names \"joint_levels\" (a cell has no such figure). Did you mean \"joint_level\"?"},
+    {"ACaseThatIsWrongInEveryCell", [](Study& s) { s.base.run.window = 1.0; },
+     "run.window = 1 s is longer than run.duration = 0.02 s (the window is the last part of the simulated time). "
+     "Make it at most the duration."},
+};
+
+INSTANTIATE_TEST_SUITE_P(Study, CheckRefuses, testing::ValuesIn(wrongs),
+                         [](const testing::TestParamInfo<Wrong>& wrong) { return wrong.param.name; });
+
+TEST(Check, AcceptsCellsThatContradictThemselvesInPartOfTheChart) {
+    Study study = small_study();
+    study.base.contact.static_friction = 0.5;
+    EXPECT_NO_THROW(check(study));
+}
+
+TEST(CanonicalText, IsBlindToWhatChangesNoResult) {
+    const std::string text = canonical_text(small_study());
+    Study study = small_study();
+    study.base.title = "another title";
+    study.quantities = {"frequency"};
+    study.base.contact.preload = 77.0;
+    study.base.contact.kinetic_friction = 0.77;
+    study.base.drive.velocity = -study.base.drive.velocity;
+    EXPECT_EQ(canonical_text(study), text);
+}
+
+TEST(CanonicalText, ShowsEveryOtherQuantityOfTheCase) {
+    const Study before = small_study();
+    for (const parameters::Field& field : parameters::fields()) {
+        const bool is_axis =
+            parameters::key_of(field) == before.x.parameter || parameters::key_of(field) == before.y.parameter;
+        const bool is_quantity = std::holds_alternative<parameters::Quantity>(field.kind);
+        if (is_axis || !is_quantity || !field.belongs(before.base)) continue;
+        Study study = before;
+        parameters::set_quantity(study.base, field, parameters::get_quantity(study.base, field) * (1.0 + 1e-9));
+        EXPECT_NE(canonical_text(study), canonical_text(before)) << parameters::key_of(field);
+    }
+}
+
+TEST(CanonicalText, ShowsAxesAndDirections) {
+    const std::string text = canonical_text(small_study());
+    EXPECT_NE(text.find("chart.x = contact.preload, 4 points from 2 to 400, log\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("chart.y = contact.kinetic_friction, 3 points from 0.1 to 0.8, linear\n"), std::string::npos);
+    EXPECT_NE(text.find("chart.directions = going coming\n"), std::string::npos);
+    EXPECT_EQ(text.find("contact.preload = "), std::string::npos);
+    EXPECT_EQ(text.find("contact.kinetic_friction = "), std::string::npos);
+}
+
+TEST(CanonicalText, LosesAnAxisThatStandsInItsFirstLine) {
+    Study study = small_study();
+    study.x = {"joint.mass", 0.1, 0.2, 2, Scale::linear};
+    const std::string text = canonical_text(study);
+    EXPECT_EQ(text.rfind("joint.axial_stiffness = ", 0), 0U) << text;
+    EXPECT_NE(text.find("\ncontact.preload = "), std::string::npos);
+}
+
+// what a shell would hand to the program, for a command without quotes
+Case case_of(const Study& study, std::string command) {
+    Case c = study.base;
+    const std::string option = " --set ";
+    for (std::size_t at = command.find(option); at != std::string::npos; at = command.find(option, at)) {
+        at += option.size();
+        const std::size_t equals = command.find('=', at);
+        const parameters::Field& field = *parameters::find_field(command.substr(at, equals - at));
+        parameters::set_from_text(c, field, command.substr(equals + 1, command.find(' ', equals) - equals - 1));
+    }
+    return c;
+}
+
+RC_GTEST_PROP(ReproduceCommand, GivesTheCaseOfItsCellBitForBit, ()) {
+    Study study = small_study();
+    study.x = any_axis();
+    const bool has_velocity_axis = *rc::gen::arbitrary<bool>();
+    if (has_velocity_axis) study.y.parameter = "drive.velocity";
+    const auto index = static_cast<std::size_t>(*whole_between(0, static_cast<int>(cell_count(study)) - 1));
+    const CellPlace place = place_of(study, index);
+    const Case expected = case_at(study, place);
+    const Case c = case_of(study, reproduce_command(study, place, "chart.toml"));
+    for (const std::string& key : {study.x.parameter, study.y.parameter, std::string("drive.velocity")}) {
+        const parameters::Field& field = *parameters::find_field(key);
+        RC_ASSERT(same_bits(parameters::get_quantity(c, field), parameters::get_quantity(expected, field)));
+    }
+}
+
+TEST(ReproduceCommand, NamesTheFileAndEachSettingOnce) {
+    Study study = small_study();
+    EXPECT_EQ(reproduce_command(study, {1, 2, 0}, "chart.toml"),
+              "stridor simulate chart.toml --set contact.preload=2 --set contact.kinetic_friction=0.8 --set "
+              "drive.velocity=-0.1");
+    study.base.drive.kind = parameters::DriveKind::sinusoidal;
+    EXPECT_EQ(reproduce_command(study, {1, 2, 0}, "my chart's.toml"),
+              "stridor simulate 'my chart'\\''s.toml' --set contact.preload=2 --set contact.kinetic_friction=0.8");
+}
+
+}  // namespace
+}  // namespace stridor::sweep
