@@ -116,7 +116,7 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
 
 }  // namespace
 
-std::vector<Cell> evaluate(const Study& study, int ix, int iy, std::stop_token stop) {
+std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop) {
     const bool runs_each_direction = study.base.drive.kind == parameters::DriveKind::constant;
     std::vector<Cell> cells;
     std::optional<Attempt> run;

@@ -12,6 +12,6 @@ namespace stridor::sweep {
 ///
 /// A constant drive is run once per direction, any other once, with its going and coming phases as the cells. What goes
 /// wrong with the physics or the numbers becomes the cell's status; only what concerns every cell throws `Error`.
-std::vector<Cell> evaluate(const Study& study, int ix, int iy, std::stop_token stop = {});
+std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop = {});
 
 }  // namespace stridor::sweep
