@@ -75,7 +75,7 @@ std::string mutated(std::string text, Random& random) {
 }
 
 std::uint64_t runs() {
-    std::uint64_t count = 2000;
+    std::uint64_t count = 1500;
     const char* asked = std::getenv("STRIDOR_FUZZ_RUNS");
     if (asked != nullptr) std::from_chars(asked, asked + std::strlen(asked), count);
     return count;

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,8 +21,8 @@ inline std::string text_of(const Json& document) {
     return document.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-template <typename Enumeration, std::size_t count>
-std::string_view name_of(const std::array<std::string_view, count>& names, Enumeration value) {
+template <typename Enumeration>
+std::string_view name_of(std::span<const std::string_view> names, Enumeration value) {
     return names[static_cast<std::size_t>(value)];
 }
 

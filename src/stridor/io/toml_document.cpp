@@ -119,13 +119,17 @@ TomlValue value_of(const toml::node& node) {
     }
 }
 
-void collect(const toml::table& table, const std::string& prefix, const Places& places,
+// Keys are three names long at most ("chart.x.from"); what lies deeper hangs on a key that is unknown already.
+constexpr int deepest = 4;
+
+void collect(const toml::table& table, const std::string& prefix, int depth, const Places& places,
              std::vector<TomlEntry>& entries) {
     for (const auto& [key, node] : table) {
         const std::string full = prefix + std::string(key.str());
         entries.push_back(
             {full, value_of(node), TomlOrigin::file, places.at(key.source().begin), places.at(node.source().begin)});
-        if (const toml::table* inner = node.as_table()) collect(*inner, full + ".", places, entries);
+        const toml::table* inner = depth < deepest ? node.as_table() : nullptr;
+        if (inner != nullptr) collect(*inner, full + ".", depth + 1, places, entries);
     }
 }
 
@@ -192,7 +196,7 @@ TomlDocument parse_toml(const TomlSource& source) {
     const Places places(source.text, source.name);
     TomlDocument document{source.name, {}};
     try {
-        collect(toml::parse(std::string_view(source.text)), "", places, document.entries);
+        collect(toml::parse(std::string_view(source.text)), "", 1, places, document.entries);
     } catch (const toml::parse_error& error) {
         throw parse_error(error, places);
     }

@@ -44,7 +44,8 @@ TEST(TomlStudy, ReadsAxesInTheUnitOfTheirParameter) {
 }
 
 TEST(TomlStudy, ReadsDirectionsAndQuantities) {
-    const Study study = read(std::string(axes) + "directions = [\"coming\"]\nquantities = [\"slip\", \"category\"]\n");
+    const std::string text(axes);
+    const Study study = read(text + "directions = [\"coming\"]\nquantities = [\"slip\", \"category\"]\n");
     EXPECT_EQ(study.directions, std::vector{parameters::Direction::coming});
     EXPECT_EQ(study.quantities, (std::vector<std::string>{"slip", "category"}));
 }
