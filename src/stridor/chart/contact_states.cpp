@@ -3,6 +3,7 @@
 #include "stridor/chart/field_axis.hpp"
 #include "stridor/chart/palette.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace stridor::chart {
@@ -32,8 +33,9 @@ Scene contact_states(std::span<const StatesOfCase> cases, const Range& time) {
                                                    "contact.static_friction", "contact.preload", "drive.velocity"};
     Scene scene;
     scene.title = "Contact states over time";
+    scene.caption = {"Pale lines: stays shorter than their line is wide."};
     scene.row_heights.assign(std::max<std::size_t>(1, cases.size()), 1.0);
-    scene.height = 24.0 + 23.0 * static_cast<double>(cases.size());
+    scene.height = 28.0 + 23.0 * static_cast<double>(cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) {
         Panel panel = state_panel(cases[i].history, time);
         panel.title = lettered(i, Text(cases[i].name) + ": " + settings(cases[i].c, told));

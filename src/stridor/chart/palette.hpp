@@ -4,12 +4,12 @@
 #include "stridor/classification/category.hpp"
 #include "stridor/model/contact_state.hpp"
 
-#include <string_view>
+#include <string>
 
 /// The one place of colours.
 ///
-/// Categories keep a CIEDE2000 distance of 21 for normal, protanopic, deuteranopic and tritanopic eyes and 19 L* in
-/// grey; contact states keep 32 among themselves and 15 from every category, so that a reader never takes a state for
+/// Categories keep a CIEDE2000 distance of 21 for normal, protanopic, deuteranopic and tritanopic eyes and 18.5 L* in
+/// grey; contact states keep 30 among themselves and 14.5 from every category, so that a reader never takes a state for
 /// a verdict. Colour is never alone: every category but `none` has its own texture.
 namespace stridor::chart {
 

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace stridor::chart {
 
@@ -104,8 +103,8 @@ public:
         const std::string place = note.anchor == Anchor::panel
                                       ? fmt::format("graph {:.6g},graph {:.6g}", note.x, note.y)
                                       : fmt::format("first {},first {}", number(note.x), number(note.y));
-        commands_ += fmt::format("set label {} at {} {} font ',{:g}' tc rgb '{}' front\n", quoted(note.text), place,
-                                 alignment[static_cast<std::size_t>(note.align)],
+        commands_ += fmt::format("set label {} at {} {} font ',{:g}' tc rgb '{}' front\n", gnuplot_string(note.text),
+                                 place, alignment[static_cast<std::size_t>(note.align)],
                                  note.size > 0.0 ? note.size : font_size_, hex(note.colour));
         if (note.ground) add_ground(note);
     }
@@ -242,7 +241,7 @@ private:
 std::string tick_list(const TickSet& set, AxisText text) {
     std::string list;
     for (const Tick& tick : set.ticks) {
-        std::string label = text == AxisText::shown ? quoted(tick.label) : "''";
+        std::string label = text == AxisText::shown ? gnuplot_string(tick.label) : "''";
         // a tick's label is also a number format
         for (std::size_t at = label.find('%'); at != std::string::npos; at = label.find('%', at + 2))
             label.insert(at, 1, '%');

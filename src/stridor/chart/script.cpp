@@ -53,7 +53,7 @@ public:
 
     std::string text(const PlacedText& placed) const {
         constexpr std::string_view alignment[] = {"left", "center", "right"};
-        return fmt::format("set label {} at {} {} font ',{:g}' tc rgb '{}'{} front\n", quoted(placed.text),
+        return fmt::format("set label {} at {} {} font ',{:g}' tc rgb '{}'{} front\n", gnuplot_string(placed.text),
                            at(placed.x, placed.y), alignment[static_cast<std::size_t>(placed.align)], placed.size,
                            hex(placed.colour), placed.turn == PlacedText::Turn::quarter ? " rotate by 90" : "");
     }
@@ -113,7 +113,7 @@ Panel colour_bar_panel(const ColourBar& bar) {
 
 }  // namespace
 
-std::string quoted(const Text& text) {
+std::string gnuplot_string(const Text& text) {
     std::string result = "'";
     for (const TextRun& run : text.runs) {
         const std::string characters = escaped(run.text);

@@ -18,6 +18,6 @@ inline constexpr double png_resolution = 200.0;
 std::string script(const Scene& scene, Format format);
 
 /// A text as a gnuplot string in enhanced mode, with its quotes.
-std::string quoted(const Text& text);
+std::string gnuplot_string(const Text& text);
 
 }  // namespace stridor::chart

@@ -38,7 +38,7 @@ TickSet linear_ticks(const Range& range, double length, double spacing) {
     double step = nice_step(span * std::min(1.0, spacing / length));
     // a single number is no scale: rather a little tight
     for (int tries = 0; tries < 4 && count(step) < 2.0; ++tries)
-        step = nice_step(0.45 * step);
+        step = nice_step(0.4 * step);  // the next finer one
     TickSet set;
     set.exponent = common_exponent(std::max(std::abs(range.from), std::abs(range.to)));
     const double unit = std::pow(10.0, set.exponent);

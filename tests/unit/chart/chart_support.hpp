@@ -1,0 +1,56 @@
+#pragma once
+
+#include "stridor/chart/scene.hpp"
+#include "stridor/sweep/cell.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stridor::chart {
+
+/// The layers of one kind in a panel, in their order.
+template <typename Kind>
+std::vector<Kind> layers_of(const Panel& panel) {
+    std::vector<Kind> found;
+    for (const Layer& layer : panel.layers)
+        if (const Kind* kind = std::get_if<Kind>(&layer)) found.push_back(*kind);
+    return found;
+}
+
+/// A sweep over preload (log, 4 values) and kinetic friction (linear, 3 values), both directions, every cell quiet.
+inline sweep::SweepResult quiet_sweep() {
+    sweep::SweepResult result;
+    result.study.x = {"contact.preload", 1.0, 1000.0, 4, sweep::Scale::logarithmic};
+    result.study.y = {"contact.kinetic_friction", 0.0, 0.6, 3, sweep::Scale::linear};
+    result.cells.resize(sweep::cell_count(result.study));
+    for (sweep::Cell& cell : result.cells) {
+        cell.status = sweep::Status::done;
+        cell.category = classification::Category::none;
+        cell.slip = 1.0;
+        cell.stick = 0.0;
+        cell.separation = 0.0;
+    }
+    return result;
+}
+
+/// A folder of its own for one test, gone with it.
+class TestFolder {
+public:
+    TestFolder() {
+        std::string name = std::filesystem::temp_directory_path() / "stridor-chart-XXXXXX";
+        path_ = ::mkdtemp(name.data());
+    }
+    ~TestFolder() { std::filesystem::remove_all(path_); }
+    TestFolder(const TestFolder&) = delete;
+    TestFolder& operator=(const TestFolder&) = delete;
+
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+}  // namespace stridor::chart

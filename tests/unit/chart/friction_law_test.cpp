@@ -1,0 +1,47 @@
+#include "stridor/chart/friction_law.hpp"
+
+#include "chart_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace stridor::chart {
+namespace {
+
+// lines of the law itself, thicker than the helpers
+std::vector<Line> law_lines(const Scene& scene) {
+    std::vector<Line> lines = layers_of<Line>(scene.panels.at(0));
+    std::erase_if(lines, [](const Line& line) { return line.stroke.width < 1.0; });
+    return lines;
+}
+
+TEST(FrictionLaw, JumpsAtRestAndIsFlatElsewhere) {
+    parameters::Contact contact;
+    contact.static_friction = 0.8;
+    contact.kinetic_friction = 0.6;
+    const std::vector<Line> lines = law_lines(friction_law(contact));
+    ASSERT_EQ(lines.size(), 3U);
+    EXPECT_EQ(lines[0].y, (std::vector<double>{-0.6, -0.6}));
+    EXPECT_EQ(lines[1].x, (std::vector<double>{0.0, 0.0}));
+    EXPECT_EQ(lines[1].y, (std::vector<double>{-0.8, 0.8}));
+    EXPECT_EQ(lines[2].y, (std::vector<double>{0.6, 0.6}));
+}
+
+TEST(FrictionLaw, NamesBothCoefficients) {
+    const Scene scene = friction_law({});
+    std::vector<std::string> labels;
+    for (const Tick& tick : scene.panels.at(0).y.ticks)
+        labels.push_back(plain_text(tick.label));
+    for (const std::string label : {"μs = 0.8", "−μs = −0.8", "μd = 0.6", "−μd = −0.6"})
+        EXPECT_EQ(std::count(labels.begin(), labels.end(), label), 1) << label;
+}
+
+TEST(FrictionLaw, OfEqualCoefficientsNamesThemOnce) {
+    parameters::Contact contact;
+    contact.static_friction = 0.6;
+    EXPECT_EQ(friction_law(contact).panels.at(0).y.ticks.size(), 3U);
+}
+
+}  // namespace
+}  // namespace stridor::chart

@@ -1,0 +1,154 @@
+#include "stridor/chart/noise_chart.hpp"
+
+#include "chart_support.hpp"
+#include "stridor/chart/field_axis.hpp"
+#include "stridor/chart/palette.hpp"
+#include "support/error_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace stridor::chart {
+namespace {
+
+using classification::Category;
+
+std::vector<std::string> legend_of(const Scene& scene) {
+    std::vector<std::string> texts;
+    for (const LegendEntry& entry : scene.legend)
+        texts.push_back(plain_text(entry.text));
+    return texts;
+}
+
+const Fill& fill_of(const CategoryCells& cells, std::size_t index) {
+    return cells.fills.at(cells.kinds.at(index));
+}
+
+TEST(NoiseChart, HasAPanelPerDirectionWithTheSameAxes) {
+    const Scene scene = noise_chart(quiet_sweep());
+    ASSERT_EQ(scene.panels.size(), 2U);
+    EXPECT_NE(plain_text(scene.panels[0].title).find("going"), std::string::npos);
+    EXPECT_NE(plain_text(scene.panels[1].title).find("coming"), std::string::npos);
+    for (const Panel& panel : scene.panels) {
+        EXPECT_EQ(plain_text(panel.x.label), "preload F");
+        EXPECT_EQ(panel.x.scale, AxisScale::logarithmic);
+        EXPECT_EQ(panel.y.unit, "1");
+        const std::vector<CategoryCells> maps = layers_of<CategoryCells>(panel);
+        ASSERT_EQ(maps.size(), 1U);
+        EXPECT_EQ(maps[0].x_edges, cell_edges(quiet_sweep().study.x));
+        EXPECT_EQ(panel.x.range, (Range{maps[0].x_edges.front(), maps[0].x_edges.back()}));
+    }
+}
+
+TEST(NoiseChart, CellsStandWhereTheirIndexSays) {
+    sweep::SweepResult result = quiet_sweep();
+    // coming, third row, second column: (1 * 3 + 2) * 4 + 1
+    result.cells[21].category = Category::squeal;
+    const Scene scene = noise_chart(result);
+    const CategoryCells coming = layers_of<CategoryCells>(scene.panels[1]).at(0);
+    for (std::size_t i = 0; i < 12; ++i)
+        EXPECT_EQ(fill_of(coming, i), category_fill(i == 2 * 4 + 1 ? Category::squeal : Category::none)) << i;
+}
+
+TEST(NoiseChart, EveryCategoryHasItsFill) {
+    sweep::SweepResult result = quiet_sweep();
+    constexpr std::array all{Category::none, Category::squeal, Category::squeak, Category::creak, Category::undecided};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        result.cells[i].category = all[i];
+    const Scene scene = noise_chart(result);
+    const CategoryCells going = layers_of<CategoryCells>(scene.panels[0]).at(0);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        EXPECT_EQ(fill_of(going, i), category_fill(all[i])) << i;
+    EXPECT_EQ(legend_of(scene), (std::vector<std::string>{"none", "squeak", "squeal", "creak", "undecided"}));
+}
+
+TEST(NoiseChart, FailedCellsAreCrossedAndNeverACategory) {
+    for (const sweep::Status status :
+         {sweep::Status::invalid, sweep::Status::step_limit, sweep::Status::diverged, sweep::Status::failed}) {
+        sweep::SweepResult result = quiet_sweep();
+        result.cells[3].status = status;
+        for (const Category category : {Category::none, Category::squeal, Category::undecided}) {
+            result.cells[3].category = category;
+            const Scene scene = noise_chart(result);
+            const Fill fill = fill_of(layers_of<CategoryCells>(scene.panels[0]).at(0), 3);
+            EXPECT_EQ(fill, failed_fill());
+            EXPECT_EQ(fill.texture, Texture::crossed);
+        }
+    }
+}
+
+TEST(NoiseChart, LegendTellsHowCellsFailed) {
+    sweep::SweepResult result = quiet_sweep();
+    EXPECT_EQ(legend_of(noise_chart(result)), (std::vector<std::string>{"none", "squeak", "squeal", "creak"}));
+    result.cells[0].status = sweep::Status::failed;
+    EXPECT_EQ(legend_of(noise_chart(result)).back(), "failed");
+    result.cells[1].status = sweep::Status::step_limit;
+    result.cells[2].status = sweep::Status::invalid;
+    EXPECT_EQ(legend_of(noise_chart(result)).back(), "failed (invalid, step limit, failed)");
+}
+
+TEST(NoiseChart, LargeRegionsCarryTheirName) {
+    const std::vector<Note> notes = layers_of<Note>(noise_chart(quiet_sweep()).panels[0]);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(plain_text(notes[0].text), "none");
+}
+
+TEST(NoiseChart, OfOneDirectionIsOnePanel) {
+    sweep::SweepResult result = quiet_sweep();
+    result.study.directions = {parameters::Direction::coming};
+    result.cells.resize(sweep::cell_count(result.study));
+    EXPECT_EQ(noise_chart(result).panels.size(), 1U);
+}
+
+TEST(FigureChart, ColoursValuesAndMarksWhatHasNone) {
+    sweep::SweepResult result = quiet_sweep();
+    for (std::size_t i = 0; i < result.cells.size(); ++i)
+        result.cells[i].frequency = 400.0 + static_cast<double>(i);
+    result.cells[1].frequency = sweep::Cell::unknown;
+    result.cells[2].status = sweep::Status::diverged;
+    const Scene scene = figure_chart(result, "frequency");
+    ASSERT_TRUE(scene.colour_bar.has_value());
+    EXPECT_EQ(scene.colour_bar->unit, "Hz");
+    const ValueCells cells = layers_of<ValueCells>(scene.panels[0]).at(0);
+    EXPECT_EQ(cells.values[0], 400.0);
+    EXPECT_TRUE(std::isnan(cells.values[1]));
+    EXPECT_TRUE(std::isnan(cells.values[2])) << "a figure left behind by a failed run is not shown";
+    const std::vector<Boxes> failed = layers_of<Boxes>(scene.panels[0]);
+    ASSERT_EQ(failed.size(), 1U);
+    EXPECT_EQ(failed[0].fill, failed_fill());
+    ASSERT_EQ(failed[0].boxes.size(), 1U);
+    EXPECT_EQ(failed[0].boxes[0].x, (Range{cells.x_edges[2], cells.x_edges[3]}));
+    EXPECT_EQ(legend_of(scene), (std::vector<std::string>{"no value", "failed (diverged)"}));
+}
+
+TEST(FigureChart, SharesAreDrawnFromZeroToOne) {
+    EXPECT_EQ(figure_chart(quiet_sweep(), "slip").colour_bar->colours.range, (Range{0.0, 1.0}));
+}
+
+TEST(FigureChart, ALevelOfRestDoesNotTakeAllColours) {
+    sweep::SweepResult result = quiet_sweep();
+    for (sweep::Cell& cell : result.cells)
+        cell.joint_level = 150.0;
+    result.cells[0].joint_level = -200.0;
+    result.cells[1].joint_level = -std::numeric_limits<double>::infinity();
+    const Scene scene = figure_chart(result, "joint_level");
+    EXPECT_EQ(scene.colour_bar->colours.range, (Range{50.0, 150.0}));
+    EXPECT_TRUE(std::isnan(layers_of<ValueCells>(scene.panels[0]).at(0).values[1]));
+}
+
+TEST(FigureChart, ThatDoesNotExistIsAnError) {
+    const support::Thrown thrown = support::thrown_by([] { figure_chart(quiet_sweep(), "frequenzy"); });
+    EXPECT_EQ(thrown.kind, ErrorKind::input);
+    EXPECT_TRUE(thrown.says("Did you mean \"frequency\"?")) << thrown.message;
+}
+
+TEST(QuantityChart, DrawsCategoriesOrFigures) {
+    EXPECT_FALSE(quantity_chart(quiet_sweep(), "category").colour_bar.has_value());
+    EXPECT_TRUE(quantity_chart(quiet_sweep(), "stick").colour_bar.has_value());
+}
+
+}  // namespace
+}  // namespace stridor::chart

@@ -1,0 +1,66 @@
+#include "stridor/chart/text.hpp"
+
+#include "support/property.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace stridor::chart {
+namespace {
+
+const std::vector<TextRun>& runs(const Text& text) {
+    return text.runs;
+}
+
+TEST(Text, WhatAUserWroteStaysOnePlainRun) {
+    EXPECT_EQ(runs("mu_d^2 {x}"), (std::vector<TextRun>{{"mu_d^2 {x}", TextStyle::plain}}));
+    EXPECT_TRUE(is_empty(Text("")));
+}
+
+TEST(Symbol, SetsGreekLettersItalicAndIndicesLow) {
+    EXPECT_EQ(runs(symbol("mu_d")), (std::vector<TextRun>{{"μ", TextStyle::italic}, {"d", TextStyle::subscript}}));
+    EXPECT_EQ(runs(symbol("k1i")), (std::vector<TextRun>{{"k", TextStyle::italic}, {"1i", TextStyle::subscript}}));
+    EXPECT_EQ(runs(symbol("A_exc")), (std::vector<TextRun>{{"A", TextStyle::italic}, {"exc", TextStyle::subscript}}));
+    EXPECT_EQ(runs(symbol("alpha")), (std::vector<TextRun>{{"α", TextStyle::italic}}));
+    EXPECT_EQ(runs(symbol("F")), (std::vector<TextRun>{{"F", TextStyle::italic}}));
+}
+
+TEST(UnitText, SetsPowersHighAndProductsDotted) {
+    EXPECT_EQ(runs(unit_text("m/s^2")),
+              (std::vector<TextRun>{{"m/s", TextStyle::plain}, {"2", TextStyle::superscript}}));
+    EXPECT_EQ(plain_text(unit_text("N*s/m")), "N·s/m");
+    EXPECT_EQ(plain_text(unit_text("deg")), "°");
+    EXPECT_TRUE(is_empty(unit_text("1")));
+    EXPECT_EQ(runs(unit_text("dB re 1e-9 m/s")),
+              (std::vector<TextRun>{
+                  {"dB re 10", TextStyle::plain}, {"−9", TextStyle::superscript}, {" m/s", TextStyle::plain}}));
+}
+
+TEST(NumberText, WritesPowersOfTenAsPrinted) {
+    EXPECT_EQ(plain_text(number_text(0.004)), "0.004");
+    EXPECT_EQ(plain_text(number_text(-20.0)), "−20");
+    EXPECT_EQ(runs(number_text(1e-6)),
+              (std::vector<TextRun>{{"10", TextStyle::plain}, {"−6", TextStyle::superscript}}));
+    EXPECT_EQ(plain_text(number_text(2e7)), "2·107");
+}
+
+RC_GTEST_PROP(Wrapped, LosesNothingAndBreaksOnlyAtBlanks, ()) {
+    const auto words = *rc::gen::container<std::vector<std::string>>(
+        rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::inRange('a', 'z'))));
+    std::string sentence;
+    for (const std::string& word : words)
+        sentence += (sentence.empty() ? "" : " ") + word;
+    const double width = *support::number_between(5.0, 60.0);
+    std::string joined;
+    for (const Text& line : wrapped(sentence, 8.0, width)) {
+        const std::string characters = plain_text(line);
+        const bool is_one_word = std::count(characters.begin(), characters.end(), ' ') <= 1;
+        RC_ASSERT(text_width(line, 8.0) <= width || is_one_word);
+        joined += characters;
+    }
+    RC_ASSERT(joined == sentence);
+}
+
+}  // namespace
+}  // namespace stridor::chart

@@ -1,0 +1,108 @@
+#include "stridor/chart/time_history.hpp"
+
+#include "chart_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace stridor::chart {
+namespace {
+
+// one second of a sine of height 1 with one enormous sample, sampled a thousand times
+record::Record example() {
+    record::Record result;
+    record::Trace& trace = result.trace;
+    trace.displacement.resize(3);
+    trace.velocity.resize(3);
+    trace.acceleration.resize(3);
+    for (int i = 0; i < 1000; ++i) {
+        const double value = i == 500 ? 1e6 : std::sin(0.1 * i);
+        trace.time.push_back(i * 1e-3);
+        trace.surface_velocity.push_back(std::cos(10.0 * std::numbers::pi * i * 1e-3));
+        trace.normal_force.push_back(value);
+        trace.friction_force.push_back(value);
+        for (auto* motion : {&trace.displacement, &trace.velocity, &trace.acceleration})
+            for (std::vector<double>& dof : *motion)
+                dof.push_back(value);
+    }
+    result.history = {{model::ContactState::slip, 0.0, 1.0, 0.0, 0.0}};
+    return result;
+}
+
+TEST(TimeHistory, HasARowPerCurveAndTheContactStatesBelow) {
+    const Scene scene = time_history({}, example());
+    ASSERT_EQ(scene.panels.size(), 5U);
+    EXPECT_EQ(plain_text(scene.panels[0].y.label), "V");
+    EXPECT_EQ(plain_text(scene.panels[1].y.label), "ẍ1");
+    EXPECT_EQ(plain_text(scene.panels[2].y.label), "ÿ1");
+    EXPECT_EQ(plain_text(scene.panels[3].y.label), "ÿ2");
+    EXPECT_EQ(scene.panels[3].y.unit, "m/s^2");
+    EXPECT_EQ(layers_of<Strip>(scene.panels[4]).size(), 1U);
+    for (const Panel& panel : scene.panels)
+        EXPECT_EQ(panel.x.range, (Range{0.0, 1.0}));
+}
+
+TEST(TimeHistory, ImpactPeaksDoNotSetTheAxisButAreDrawn) {
+    const Scene scene = time_history({}, example());
+    EXPECT_LT(scene.panels[1].y.range.to, 2.0);
+    const Line line = layers_of<Line>(scene.panels[1]).at(0);
+    EXPECT_EQ(*std::max_element(line.y.begin(), line.y.end()), 1e6);
+    EXPECT_EQ(scene.caption.size(), 2U) << "the reader is told";
+}
+
+TEST(TimeHistory, PeaksOfVelocitiesSetTheirAxis) {
+    TimeHistoryOptions options;
+    options.signals = {Signal::velocity, Signal::displacement};
+    const Scene scene = time_history({}, example(), options);
+    ASSERT_EQ(scene.panels.size(), 7U);
+    EXPECT_GT(scene.panels[0].y.range.to, 1e6);
+    EXPECT_EQ(scene.caption.size(), 1U);
+}
+
+TEST(TimeHistory, ZoomStandsBesideAndIsMarked) {
+    TimeHistoryOptions options;
+    options.zoom = Range{0.2, 0.22};
+    const Scene scene = time_history({}, example(), options);
+    ASSERT_EQ(scene.panels.size(), 10U);
+    EXPECT_EQ(scene.panels[5].x.range, *options.zoom);
+    EXPECT_EQ(scene.panels[5].column, 1U);
+    const Line line = layers_of<Line>(scene.panels[5]).at(0);
+    EXPECT_LE(line.x.size(), 23U) << "only its own samples and one at either end";
+    EXPECT_LT(line.x.front(), 0.2);
+    EXPECT_GT(line.x.back(), 0.22);
+    for (std::size_t row = 0; row < 5; ++row)
+        EXPECT_EQ(layers_of<Boxes>(scene.panels[row]).at(0).boxes.at(0).x, *options.zoom);
+    EXPECT_EQ(plain_text(scene.panels[5].title), "b) 0.2 s to 0.22 s (going)");
+}
+
+TEST(TellingStretch, LiesInAGoingPhase) {
+    const parameters::Case c;
+    const Range stretch = telling_stretch(c, 0.01);
+    EXPECT_NEAR(stretch.to - stretch.from, 0.01, 1e-12);
+    for (const double time : {stretch.from, stretch.to})
+        EXPECT_GT(std::cos(2.0 * std::numbers::pi * c.drive.frequency * time), 0.0);
+}
+
+TEST(TellingStretch, IsTheMiddleOfAConstantDrivesWindow) {
+    parameters::Case c;
+    c.drive.kind = parameters::DriveKind::constant;
+    c.run.duration = 2.0;
+    c.run.window = 1.0;
+    const Range stretch = telling_stretch(c, 0.01);
+    EXPECT_NEAR(stretch.from, 1.495, 1e-12);
+    EXPECT_NEAR(stretch.to, 1.505, 1e-12);
+}
+
+TEST(TellingStretch, IsNeverLongerThanTheRun) {
+    parameters::Case c;
+    c.drive.kind = parameters::DriveKind::constant;
+    const Range stretch = telling_stretch(c, 10.0);
+    EXPECT_GE(stretch.from, 0.0);
+    EXPECT_LE(stretch.to, c.run.duration);
+}
+
+}  // namespace
+}  // namespace stridor::chart
