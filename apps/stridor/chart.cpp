@@ -8,6 +8,7 @@
 #include "stridor/io/netcdf.hpp"
 #include "stridor/io/toml_document.hpp"
 #include "stridor/io/toml_study.hpp"
+#include "stridor/io/toml_writer.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -50,9 +51,11 @@ void chart(const ChartOptions& options) {
         options.out.empty() ? std::filesystem::path(options.input.file).stem() : std::filesystem::path(options.out);
     make_folder(out);
     const sweep::SweepResult result = compute(study, out / "chart.sqlite", options.threads);
-    report_failures(result, options.input.file);
+    // the resolved chart, overrides included, stands beside its results: what a reproduce command runs
+    io::write_file((out / "chart.toml").string(), io::study_toml(study));
+    report_failures(result, (out / "chart.toml").string());
     refuse_if_nothing_is_valid(result);
-    io::write_file((out / "chart.csv").string(), io::chart_csv(result, options.input.file));
+    io::write_file((out / "chart.csv").string(), io::chart_csv(result, "chart.toml"));
     io::write_chart_netcdf((out / "chart.nc").string(), result);
     draw_charts(result, out);
     if (options.json) {
@@ -63,7 +66,8 @@ void chart(const ChartOptions& options) {
     for (const sweep::Cell& cell : result.cells)
         sweep::count(counts, cell);
     print(fmt::format("{} cells: {}\n", result.cells.size(), counts_text(counts)));
-    print(fmt::format("{0}/chart.png {0}/chart.svg {0}/chart.csv {0}/chart.nc {0}/chart.sqlite\n", out.string()));
+    print(fmt::format("{0}/chart.png {0}/chart.svg {0}/chart.csv {0}/chart.nc {0}/chart.sqlite {0}/chart.toml\n",
+                      out.string()));
 }
 
 }  // namespace

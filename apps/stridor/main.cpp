@@ -69,6 +69,8 @@ int run(int argc, char** argv) {
 }  // namespace stridor::app
 
 int main(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error return, not a silent death
+    // a closed pipe and a file beyond its size limit are error returns, not silent deaths
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     return stridor::app::run(argc, argv);
 }

@@ -54,9 +54,9 @@ std::string boundary_lines(const io::StabilityScan& scan, const io::DirectionSca
     if (direction.path.boundaries.empty())
         text += fmt::format("{:<8}{} throughout\n", name, kind_name(direction.path.points.front().stability.kind));
     for (const analysis::StabilityBoundary& boundary : direction.path.boundaries)
-        text += fmt::format("{:<8}{} -> {} at {} = {:.5g} {} ({:.2f} Hz)\n", name, kind_name(boundary.below),
-                            kind_name(boundary.above), scan.key, boundary.value, scan.unit == "1" ? "" : scan.unit,
-                            boundary.frequency);
+        text += fmt::format("{:<8}{} -> {} at {} = {:.5g}{} ({:.2f} Hz)\n", name, kind_name(boundary.below),
+                            kind_name(boundary.above), scan.key, boundary.value,
+                            scan.unit == "1" ? "" : " " + scan.unit, boundary.frequency);
     return text;
 }
 

@@ -28,17 +28,25 @@ void say(std::string_view text) {
     std::fputc('\n', stderr);
 }
 
+namespace {
+
+// the line as the user wrote it, with its number and a caret where both are known (an override has neither)
+void say_source_line(const base::Place& place) {
+    if (place.line <= 0) return say("    " + place.source_line);
+    say(fmt::format("{:5} | {}", place.line, place.source_line));
+    if (place.column <= 0) return;
+    const auto before = static_cast<std::size_t>(place.column - 1);
+    say(fmt::format("{:5} | {}^", "", std::string(before, ' ')));
+}
+
+}  // namespace
+
 void say_error(const Error& error) {
     const base::Problem& problem = error.problem();
     const std::string where = error.place() ? base::describe(*error.place()) + ": " : std::string("stridor: ");
     const std::string why = problem.why.empty() ? "" : " (" + problem.why + ")";
     say(where + styled("error:", Style::red, STDERR_FILENO) + " " + problem.what + why);
-    if (error.place() && !error.place()->source_line.empty()) {
-        const base::Place& place = *error.place();
-        say(fmt::format("{:5} | {}", place.line, place.source_line));
-        const auto before = static_cast<std::size_t>(std::max(0, place.column - 1));
-        if (place.column > 0) say(fmt::format("{:5} | {}^", "", std::string(before, ' ')));
-    }
+    if (error.place() && !error.place()->source_line.empty()) say_source_line(*error.place());
     if (!problem.suggestion.empty()) say("help: " + problem.suggestion);
 }
 

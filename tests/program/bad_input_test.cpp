@@ -5,12 +5,12 @@
 
 #include <csignal>
 
-using stridor::test::Finished;
-using stridor::test::Launch;
-using stridor::test::read_text;
-using stridor::test::run;
-using stridor::test::TemporaryFolder;
-using stridor::test::write_text;
+using stridor::support::Finished;
+using stridor::support::Launch;
+using stridor::support::read_text;
+using stridor::support::run;
+using stridor::support::TemporaryFolder;
+using stridor::support::write_text;
 
 namespace {
 

@@ -7,10 +7,10 @@
 #include <map>
 
 using nlohmann::json;
-using stridor::test::Finished;
-using stridor::test::run;
-using stridor::test::TemporaryFolder;
-using stridor::test::write_text;
+using stridor::support::Finished;
+using stridor::support::run;
+using stridor::support::TemporaryFolder;
+using stridor::support::write_text;
 
 namespace {
 
@@ -84,13 +84,13 @@ TEST(Simulate, DataGoesToStdoutAndMessagesToStderr) {
 
 TEST(Cases, ShippedFilesAreWhatInitPrints) {
     for (const std::string kind : {"squeal", "squeak", "creak", "quiet", "noise-chart", "rate-map"})
-        EXPECT_EQ(stridor::test::read_text(std::string(STRIDOR_SOURCE_DIR) + "/cases/" + kind + ".toml"),
+        EXPECT_EQ(stridor::support::read_text(std::string(STRIDOR_SOURCE_DIR) + "/cases/" + kind + ".toml"),
                   run({"init", kind}).out)
             << kind;
 }
 
 TEST(Completion, ShippedScriptIsWhatTheProgramPrints) {
-    EXPECT_EQ(stridor::test::read_text(std::string(STRIDOR_SOURCE_DIR) + "/completions/stridor.bash"),
+    EXPECT_EQ(stridor::support::read_text(std::string(STRIDOR_SOURCE_DIR) + "/completions/stridor.bash"),
               run({"completion", "bash"}).out);
 }
 

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace stridor::test {
+namespace stridor::support {
 
 namespace {
 
@@ -113,4 +113,4 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
     stream << text;
 }
 
-}  // namespace stridor::test
+}  // namespace stridor::support

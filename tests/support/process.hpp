@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The program seen from outside: start it, talk to it, end it.
-namespace stridor::test {
+namespace stridor::support {
 
 /// What a program left behind.
 struct Finished {
@@ -69,4 +69,4 @@ private:
 std::string read_text(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);
 
-}  // namespace stridor::test
+}  // namespace stridor::support

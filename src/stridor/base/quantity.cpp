@@ -202,7 +202,7 @@ double parse_quantity(std::string_view text, std::string_view unit) {
     if (!(found.dimension == wanted.dimension))
         throw Error(ErrorKind::input,
                     {quoted + " is " + describe(found.dimension), "expected " + describe(wanted.dimension),
-                     "Give it in " + std::string(unit) + "."});
+                     unit == "1" ? std::string("Give a plain number.") : "Give it in " + std::string(unit) + "."});
     const std::string_view numeral(digits.data(), result.ptr);
     const double value = scaled(numeral, number, found.factor / wanted.factor);
     if (result.ec == std::errc::result_out_of_range || !std::isfinite(value))

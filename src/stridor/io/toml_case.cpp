@@ -212,6 +212,8 @@ parameters::Case read_base_case(const TomlDocument& document) {
     check_complete(c, document);
     check_belonging(of_file, c, document);
     assign_all(c, document, Pass::the_rest, Layer::everything);
+    // a window nobody wrote is the default one or the whole run, whichever is shorter
+    if (document.find("run.window") == nullptr) c.run.window = std::min(c.run.window, c.run.duration);
     read_samples(c, document);
     return c;
 }

@@ -63,6 +63,12 @@ void check_drive(const Case& c, std::vector<Finding>& found) {
 }
 
 void check_run(const Case& c, std::vector<Finding>& found) {
+    const bool starts_still =
+        c.drive.kind == DriveKind::sampled && !c.drive.velocities.empty() && c.drive.velocities.front() == 0.0;
+    if (starts_still && c.run.initial == Initial::sliding)
+        found.push_back({"run.initial",
+                         {"run.initial = \"sliding\" has no direction", "the drive stands still at the start",
+                          "Start with \"rest\"."}});
     if (c.run.window > c.run.duration)
         found.push_back({"run.window",
                          {"run.window = " + shortest(c.run.window) +
