@@ -231,14 +231,13 @@ TEST_P(EngineContract, GivesTheSameBitsInEveryThread) {
 TEST_P(EngineContract, MovesAlikeHoweverItIsWatched) {
     rc::detail::checkGTest([&] {
         Case c = with(GetParam(), support::any_sinusoidal_case());
-        c.run.duration = 0.04;
-        c.run.window = 0.04;
+        c.run.duration = c.run.window = 0.03;
         const Motion whole = integration::simulate(c, {KeepHistory::yes, {}});
-        const Motion traced = integration::simulate(c, {KeepHistory::yes, {0.0007, 0.031, 1.3e-5}});
+        const Motion traced = integration::simulate(c, {KeepHistory::yes, {0.0007, 0.021, 1.3e-5}});
         RC_ASSERT(same_history(whole.record.history, traced.record.history));
         RC_ASSERT(same_times(whole.record, traced.record));
         RC_ASSERT(whole.energy.residual == traced.energy.residual);
-        c.run.window = *support::number_between(0.021, 0.04);
+        c.run.window = *support::number_between(0.021, 0.03);
         c.verdict.settling = *support::number_between(0.0, 0.5);
         const Motion cut = integration::simulate(c, {KeepHistory::yes, {}});
         RC_ASSERT(same_history(whole.record.history, cut.record.history));

@@ -26,7 +26,8 @@ SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenva
     result.growth = fastest->growth;
     result.frequency = fastest->frequency;
     double largest = 0.0;
-    for (const std::complex<double>& value : eigenvalues) largest = std::max(largest, std::abs(value));
+    for (const std::complex<double>& value : eigenvalues)
+        largest = std::max(largest, std::abs(value));
     if (!(normal_force > 0.0))
         result.kind = StabilityKind::locked;
     else if (fastest->growth > rounding * largest)
