@@ -4,9 +4,9 @@
 #include "interrupt.hpp"
 #include "stridor/chart/contact_states.hpp"
 #include "stridor/chart/friction_law.hpp"
-#include "stridor/chart/gnuplot.hpp"
 #include "stridor/chart/noise_chart.hpp"
 #include "stridor/chart/rate_map.hpp"
+#include "stridor/chart/time_history.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/paper_charts.hpp"
@@ -39,14 +39,13 @@ record::Record recorded(const Case& c, const record::TraceRequest& trace, const 
     return std::move(motion.record);
 }
 
-chart::Scene states_scene(const std::vector<std::pair<std::string, Case>>& cases, const std::stop_token& stop) {
+using NamedCase = std::pair<std::string, Case>;
+
+chart::Scene states_scene(const std::vector<NamedCase>& cases, const chart::Range& time, const std::stop_token& stop) {
     std::vector<chart::StatesOfCase> states;
-    double end = 0.0;
-    for (const auto& [name, c] : cases) {
+    for (const auto& [name, c] : cases)
         states.push_back({name, c, recorded(c, {}, stop).history});
-        end = std::max(end, c.run.duration);
-    }
-    return chart::contact_states(states, {0.0, end});
+    return chart::contact_states(states, time);
 }
 
 struct PaperOptions {
@@ -75,12 +74,13 @@ void draw_paper(const PaperOptions& options) {
                       squeal, recorded(squeal, {0.0, squeal.run.duration, trace_interval}, interrupt.token()), {}),
                   out / "figure-5");
         announce(out / "figure-5", "time history of the squeal case with its contact states");
-        std::vector<std::pair<std::string, Case>> cases;
+        std::vector<NamedCase> cases;
         for (const PaperCase which : {PaperCase::quiet, PaperCase::squeal, PaperCase::squeak, PaperCase::creak})
             cases.emplace_back(
                 which == PaperCase::quiet ? "no noise" : parameters::paper_case_names[static_cast<std::size_t>(which)],
                 parameters::paper_case(which));
-        draw_both(states_scene(cases, interrupt.token()), out / "figure-7");
+        // long enough for ten slips of the creak, short enough to see single stays of the squeal
+        draw_both(states_scene(cases, chart::telling_stretch(squeal, 40e-3), interrupt.token()), out / "figure-7");
         announce(out / "figure-7", "contact states of the four cases of Table 1");
     }
     std::vector<sweep::SweepResult> maps;
@@ -110,13 +110,14 @@ CLI::App* add_one(CLI::App& figure, const char* name, const char* description,
 }
 
 void draw_law(const OneFigureOptions& options) {
-    chart::draw(chart::friction_law(load_case(options.input).contact), options.output);
+    draw(chart::friction_law(load_case(options.input).contact), options.output);
 }
 
 void draw_states(const OneFigureOptions& options) {
     const Case c = load_case(options.input);
     const Interrupt interrupt;
-    chart::draw(states_scene({{c.title.empty() ? options.input.file : c.title, c}}, interrupt.token()), options.output);
+    draw(states_scene({{c.title.empty() ? options.input.file : c.title, c}}, {0.0, c.run.duration}, interrupt.token()),
+         options.output);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "stridor/chart/noise_chart.hpp"
 #include "stridor/chart/stability.hpp"
 #include "stridor/chart/time_history.hpp"
+#include "stridor/io/atomic_file.hpp"
 
 namespace stridor::app {
 
@@ -29,9 +30,13 @@ chart::Range zoom_range(const parameters::Case& c, const std::string& zoom) {
 
 }  // namespace
 
+void draw(const chart::Scene& scene, const std::filesystem::path& path) {
+    io::write_file(path.string(), chart::render(scene, chart::format_of(path)));
+}
+
 void draw_both(const chart::Scene& scene, const std::filesystem::path& stem) {
     for (const char* extension : {".png", ".svg"})
-        chart::draw(scene, std::filesystem::path(stem) += extension);
+        draw(scene, std::filesystem::path(stem) += extension);
 }
 
 chart::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom) {
@@ -44,7 +49,7 @@ void draw_stability(const io::StabilityScan& scan, const std::string& path) {
     std::vector<chart::StabilityCurve> curves;
     for (const io::DirectionScan& direction : scan.directions)
         curves.push_back({direction.direction, direction.path});
-    chart::draw(chart::stability(scan.key, curves), path);
+    draw(chart::stability(scan.key, curves), path);
 }
 
 void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& folder) {

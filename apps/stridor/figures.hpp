@@ -12,6 +12,9 @@
 /// Results to picture files: which scene goes where.
 namespace stridor::app {
 
+/// Draws a scene into a PNG or SVG file, by its extension; whoever looks sees the old file or the whole new one.
+void draw(const chart::Scene& scene, const std::filesystem::path& path);
+
 /// Draws a scene as STEM.png and STEM.svg.
 void draw_both(const chart::Scene& scene, const std::filesystem::path& stem);
 

@@ -6,7 +6,6 @@
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/chart/gnuplot.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/io/csv.hpp"
 #include "stridor/io/json.hpp"
@@ -149,7 +148,7 @@ void write_records(const SimulateOptions& options, const parameters::Case& c, co
         io::write_trace_netcdf(options.trace, c, motion.record);
     else if (!options.trace.empty())
         write_output(options.trace, io::trace_csv(c, motion.record.trace));
-    if (!options.figure.empty()) chart::draw(time_history_scene(c, motion.record, options.zoom), options.figure);
+    if (!options.figure.empty()) draw(time_history_scene(c, motion.record, options.zoom), options.figure);
 }
 
 void simulate(const SimulateOptions& options) {

@@ -16,9 +16,9 @@
 namespace stridor::sweep {
 namespace {
 
-using test::Finished;
-using test::Launch;
-using test::Process;
+using support::Finished;
+using support::Launch;
+using support::Process;
 
 void pause(int milliseconds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));

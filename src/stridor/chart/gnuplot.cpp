@@ -4,25 +4,13 @@
 #include "stridor/base/text.hpp"
 #include "stridor/chart/process.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
+#include <string>
 #include <string_view>
 
 namespace stridor::chart {
 
 namespace {
-
-Format format_of(const std::filesystem::path& path) {
-    const std::string extension = path.extension().string();
-    if (extension == ".png") return Format::png;
-    if (extension == ".svg") return Format::svg;
-    throw Error(ErrorKind::input, {"cannot draw into " + path.string(), "a picture is a .png or a .svg file",
-                                   "Give the name one of these endings."});
-}
 
 // the first line of gnuplot's complaint that says something: it shows the command and a caret first
 std::string complaint(const std::string& messages) {
@@ -48,51 +36,15 @@ std::string with_blanks_kept(const std::string& svg) {
     return result.append(svg, from);
 }
 
-[[noreturn]] void fail_to_write(const std::filesystem::path& path, int reason) {
-    throw Error(ErrorKind::io, {path.string() + " could not be written", std::strerror(reason), ""});
-}
-
-// a file under its temporary name; removed again unless it is kept
-class NewFile {
-public:
-    explicit NewFile(const std::filesystem::path& path)
-        : path_(path),
-          name_(path.string() + ".part" + std::to_string(::getpid())),
-          number_(::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
-        if (number_ < 0) fail_to_write(path_, errno);
-    }
-    ~NewFile() {
-        if (number_ < 0) return;
-        ::close(number_);
-        ::unlink(name_.c_str());
-    }
-    NewFile(const NewFile&) = delete;
-    NewFile& operator=(const NewFile&) = delete;
-
-    void write(std::string_view bytes) {
-        while (!bytes.empty()) {
-            const ssize_t count = ::write(number_, bytes.data(), bytes.size());
-            if (count >= 0)
-                bytes.remove_prefix(static_cast<std::size_t>(count));
-            else if (errno != EINTR)
-                fail_to_write(path_, errno);
-        }
-    }
-
-    // gives the file its name once its bytes are safe
-    void keep() {
-        if (::fsync(number_) != 0 || ::rename(name_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
-        ::close(number_);
-        number_ = -1;
-    }
-
-private:
-    std::filesystem::path path_;
-    std::string name_;
-    int number_;
-};
-
 }  // namespace
+
+Format format_of(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    if (extension == ".png") return Format::png;
+    if (extension == ".svg") return Format::svg;
+    throw Error(ErrorKind::input, {"cannot draw into " + path.string(), "a picture is a .png or a .svg file",
+                                   "Give the name one of these endings."});
+}
 
 bool can_draw() {
     return is_on_path("gnuplot");
@@ -108,14 +60,6 @@ std::string render(const Scene& scene, Format format) {
         throw Error(ErrorKind::io, {"gnuplot could not draw the figure", complaint(result.messages),
                                     "Version 5.4 with the pngcairo and svg terminals is needed."});
     return format == Format::svg ? with_blanks_kept(result.output) : result.output;
-}
-
-void draw(const Scene& scene, const std::filesystem::path& path) {
-    const Format format = format_of(path);
-    const std::string picture = render(scene, format);
-    NewFile file(path);
-    file.write(picture);
-    file.keep();
 }
 
 }  // namespace stridor::chart
