@@ -95,7 +95,7 @@ TEST_F(Sweep, HasTheSameBitsHoweverOftenItWasKilled) {
         expect_part_of(cells, folder_ / "disturbed");
     }
     EXPECT_GE(kills, 3);
-    const Finished last = test::run(child(2));
+    const Finished last = support::run(child(2));
     EXPECT_EQ(last.exit_code, 0) << last.err;
     Store store(folder_ / "disturbed", study_);
     EXPECT_TRUE(same_cells(load(study_, store).cells, cells));
@@ -103,7 +103,7 @@ TEST_F(Sweep, HasTheSameBitsHoweverOftenItWasKilled) {
 
 TEST_F(Sweep, RefusesTheStoreThatAnotherProcessIsFilling) {
     const Store store(folder_ / "disturbed", study_);
-    const Finished refused = test::run(child(1));
+    const Finished refused = support::run(child(1));
     EXPECT_EQ(refused.exit_code, base::exit_code(ErrorKind::io));
     EXPECT_NE(refused.err.find("is in use (another process has it open)"), std::string::npos) << refused.err;
 }
