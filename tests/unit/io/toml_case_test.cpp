@@ -123,7 +123,12 @@ TEST(TomlCase, PointsAtValuesThatContradictEachOther) {
     expect_error(refusal(squeal_toml(), {"contact.kinetic_friction=0.9"}), "mu_d = 0.9 exceeds", "--set");
     expect_error(refusal(squeal_toml(), {"contact.kinetic_friction=0.9", "run.window=3"}), "Also: run.window = 3",
                  "--set");
-    expect_error(refusal(minimal, {"run.duration=0.5"}), "run.window = 1 s is longer", "case.toml");
+    expect_error(refusal(minimal, {"run.duration=0.5", "run.window=1"}), "run.window = 1 s is longer", "--set");
+}
+
+TEST(TomlCase, AWindowNobodyWroteIsNeverLongerThanTheRun) {
+    EXPECT_EQ(read(minimal, {"run.duration=0.5"}).run.window, 0.5);
+    EXPECT_EQ(read(minimal, {"run.duration=5"}).run.window, 1.0);
 }
 
 TEST(TomlCase, DoesNotLookAtAChart) {

@@ -149,8 +149,9 @@ TEST(Evaluate, ThrowsWhatConcernsEveryCell) {
     Study study = small_study();
     study.base.run.initial = parameters::Initial::sliding;
     study.base.drive.kind = DriveKind::sampled;
-    study.base.drive.times = {0.0, 0.02};
-    study.base.drive.velocities = {0.0, 0.1};
+    // V = 0 at t = 0, between two samples: nothing before the run sees it
+    study.base.drive.times = {-0.02, 0.02};
+    study.base.drive.velocities = {-0.1, 0.1};
     EXPECT_EQ(support::thrown_by([&] { evaluate(study, 0, 0); }).kind, ErrorKind::input);
 }
 

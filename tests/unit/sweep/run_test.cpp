@@ -124,8 +124,9 @@ TEST_F(Run, StopsRunsThatWouldTakeHours) {
 TEST_F(Run, PassesOnWhatAWorkerThrows) {
     study_.base.run.initial = parameters::Initial::sliding;
     study_.base.drive.kind = parameters::DriveKind::sampled;
-    study_.base.drive.times = {0.0, 0.02};
-    study_.base.drive.velocities = {0.0, 0.1};
+    // V = 0 at t = 0, between two samples: nothing before the run sees it
+    study_.base.drive.times = {-0.02, 0.02};
+    study_.base.drive.velocities = {-0.1, 0.1};
     ScratchFolder other;
     Store store(other / "chart.sqlite", study_);
     const Thrown thrown = thrown_by([&] { run(study_, store); });
