@@ -8,6 +8,7 @@ namespace stridor::analysis {
 inline constexpr double reference_velocity = 1e-9;
 
 /// Vibration level of one body over the judged time. It is the vibration of the model's masses, not a sound pressure.
+/// A contact that only slides ends at rest: its level is then -infinity or that of rounding, hundreds of dB below any other.
 struct Level {
     double rms = 0.0;            // [m/s] root mean square of the velocity vector
     double peak = 0.0;           // [m/s] largest single component of the velocity

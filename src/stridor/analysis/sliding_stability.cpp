@@ -1,4 +1,13 @@
+// Not a template: eigenvalue solvers are slow to compile, so one instance serves structures of all sizes.
+
 #include "stridor/analysis/sliding_stability.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
 
 namespace stridor::analysis {
 
@@ -13,6 +22,21 @@ bool slower(const Mode& a, const Mode& b) {
 }
 
 }  // namespace
+
+std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion) {
+    using Eigen::MatrixXd;
+    const Eigen::Index free = motion.mass.rows() - 1;
+    const MatrixXd basis = motion.normal.householderQr().householderQ();
+    const MatrixXd right = basis.rightCols(free);
+    const MatrixXd left = right - motion.normal * (motion.force.transpose() * right) / motion.normal.dot(motion.force);
+    const MatrixXd inverse_mass = (left.transpose() * motion.mass * right).inverse();
+    MatrixXd first_order = MatrixXd::Zero(2 * free, 2 * free);
+    first_order.topRightCorner(free, free) = MatrixXd::Identity(free, free);
+    first_order.bottomLeftCorner(free, free) = -inverse_mass * (left.transpose() * motion.stiffness * right);
+    first_order.bottomRightCorner(free, free) = -inverse_mass * (left.transpose() * motion.damping * right);
+    const Eigen::EigenSolver<MatrixXd> solver(first_order, false);
+    return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
+}
 
 SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenvalues, double normal_force) {
     SlidingStability result;

@@ -4,13 +4,9 @@
 #include "stridor/model/structure.hpp"
 #include "stridor/parameters/case.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <complex>
 #include <string_view>
 #include <vector>
@@ -49,34 +45,26 @@ struct SlidingStability {
 
 SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenvalues, double normal_force);
 
+/// The motion near steady sliding, M u'' + C u' + K u = b N with n.u = 0.
+struct SlidingMotion {
+    Eigen::MatrixXd mass;       // [kg] M
+    Eigen::MatrixXd damping;    // [N*s/m] C
+    Eigen::MatrixXd stiffness;  // [N/m] K
+    Eigen::VectorXd normal;     // [1] n
+    Eigen::VectorXd force;      // [1] b = n + sigma mu_d t
+};
+
+/// Its eigenvalues [1/s], 2 (dofs - 1) of them, complex ones in conjugate pairs.
+std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion);
+
 /// Stability of sliding in one direction. The static friction coefficient plays no part.
 template <int dofs>
 SlidingStability sliding_stability(const model::Structure<dofs>& structure, parameters::Direction direction) {
-    constexpr int free_dofs = dofs - 1;
     const double mu = structure.friction.kinetic_coefficient;
     const double signed_friction = direction == parameters::Direction::going ? mu : -mu;
-    using Vector = typename model::Structure<dofs>::Vector;
-    using Tall = Eigen::Matrix<double, dofs, free_dofs>;
-    using Small = Eigen::Matrix<double, free_dofs, free_dofs>;
-    using State = Eigen::Matrix<double, 2 * free_dofs, 2 * free_dofs>;
-
-    const Vector force = structure.normal + signed_friction * structure.tangent;
-    const Eigen::Matrix<double, dofs, 1> normal = structure.normal;
-    const typename model::Structure<dofs>::Matrix basis = normal.householderQr().householderQ();
-    const Tall right = basis.template rightCols<free_dofs>();
-    const Tall left = right - normal * (force.transpose() * right) / normal.dot(force);
-    const Small inverse_mass = (left.transpose() * structure.mass * right).inverse();
-    State first_order = State::Zero();
-    first_order.template topRightCorner<free_dofs, free_dofs>() = Small::Identity();
-    first_order.template bottomLeftCorner<free_dofs, free_dofs>() =
-        -inverse_mass * (left.transpose() * structure.stiffness * right);
-    first_order.template bottomRightCorner<free_dofs, free_dofs>() =
-        -inverse_mass * (left.transpose() * structure.damping * right);
-    const Eigen::EigenSolver<State> solver(first_order, false);
-    std::vector<std::complex<double>> eigenvalues;
-    for (const std::complex<double>& value : solver.eigenvalues())
-        eigenvalues.push_back(value);
-    return classify_modes(eigenvalues, model::equilibrium(structure, signed_friction).normal_force);
+    const SlidingMotion motion{structure.mass, structure.damping, structure.stiffness, structure.normal,
+                               structure.normal + signed_friction * structure.tangent};
+    return classify_modes(eigenvalues(motion), model::equilibrium(structure, signed_friction).normal_force);
 }
 
 }  // namespace stridor::analysis

@@ -16,6 +16,7 @@ struct SineCosine {
 SineCosine sine_cosine_of_turns(double turns);
 
 /// Sine and cosine of an angle in degrees; the same properties, reduced in degrees so that 180 - a mirrors a exactly.
+/// One more rounding: absolute error below 3.2e-16.
 SineCosine sine_cosine_of_degrees(double degrees);
 
 /// Logarithm to base 2 of a positive finite number, the same bits on every machine; relative error below 1e-15.

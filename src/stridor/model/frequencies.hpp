@@ -3,14 +3,17 @@
 #include "stridor/model/contact_state.hpp"
 #include "stridor/model/structure.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include <Eigen/Core>
 
-#include <cmath>
 #include <vector>
 
 namespace stridor::model {
+
+/// Undamped natural angular frequencies [rad/s], rising, of M u'' + K u = 0 with the motions along `blocked` held still.
+///
+/// The columns of `blocked` [1] are the constraints, shape [dof][constraint]; none may be zero or depend on the others.
+std::vector<double> natural_frequencies(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
+                                        const Eigen::MatrixXd& blocked);
 
 /// Undamped natural angular frequencies [rad/s], rising, of the structure with its contact held in one state.
 ///
@@ -18,22 +21,10 @@ namespace stridor::model {
 /// tangential position fixed. The constraints are n.u = 0 and t.u = 0; the rest is a symmetric eigenvalue problem.
 template <int dofs>
 std::vector<double> natural_frequencies(const Structure<dofs>& structure, ContactState state) {
-    using Dynamic = Eigen::MatrixXd;
-    const int constraints = state == ContactState::separation ? 0 : state == ContactState::slip ? 1 : 2;
-    // the last columns of Q in [n t] = Q R span the motions the contact leaves free
-    Eigen::Matrix<double, dofs, 2> blocked;
+    Eigen::MatrixXd blocked(dofs, 2);
     blocked << structure.normal, structure.tangent;
-    const Dynamic all = Dynamic(blocked.leftCols(constraints == 0 ? 1 : constraints).householderQr().householderQ());
-    const Dynamic free =
-        constraints == 0 ? Dynamic(Dynamic::Identity(dofs, dofs)) : Dynamic(all.rightCols(dofs - constraints));
-    const Dynamic mass = free.transpose() * structure.mass * free;
-    const Dynamic stiffness = free.transpose() * structure.stiffness * free;
-    if (mass.rows() == 0) return {};
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Dynamic> solver(stiffness, mass, Eigen::EigenvaluesOnly);
-    std::vector<double> frequencies;
-    for (const double squared : solver.eigenvalues())
-        frequencies.push_back(std::sqrt(squared > 0.0 ? squared : 0.0));
-    return frequencies;
+    const int constraints = state == ContactState::separation ? 0 : state == ContactState::slip ? 1 : 2;
+    return natural_frequencies(structure.mass, structure.stiffness, blocked.leftCols(constraints));
 }
 
 }  // namespace stridor::model

@@ -30,7 +30,7 @@ struct Vibration {
     double peak_square = 0.0;  // [m^2/s^2] largest v^2
 };
 
-/// What one phase of a run leaves behind: of fixed size, whatever the simulated time.
+/// What one phase of a run leaves behind: of bounded size (1.2 MB at most), whatever the simulated time.
 struct Tally {
     Phase phase = Phase::all;
     std::array<double, model::contact_states> time{};         // [s] in each state, whole phase
