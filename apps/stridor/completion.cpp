@@ -82,7 +82,7 @@ void add_completion(CLI::App& program) {
     auto shell = std::make_shared<std::string>("bash");
     command->add_option("shell", *shell, "bash")->check(CLI::IsMember({"bash"}))->capture_default_str();
     command->footer("Example:\n  stridor completion bash > ~/.local/share/bash-completion/completions/stridor");
-    command->callback([&program] { print(bash_script(program)); });
+    command->callback([&program, shell] { print(bash_script(program)); });
 }
 
 }  // namespace stridor::app
