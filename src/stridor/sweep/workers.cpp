@@ -26,7 +26,6 @@ Workers::~Workers() {
 }
 
 void Workers::compute_all(int threads) {
-    std::exception_ptr failure;
     try {
         const int count = threads > 0 ? threads : tbb::info::default_concurrency();
         // the arena has that many places, the control that many threads, even beyond the number of processors
@@ -43,12 +42,16 @@ void Workers::compute_all(int threads) {
         arena.execute(
             [&] { tbb::parallel_for(Range(0, points_.size(), 1), compute_range, tbb::simple_partitioner(), context); });
     } catch (...) {
-        failure = std::current_exception();
+        keep_failure(std::current_exception());
     }
     const std::lock_guard lock(mutex_);
-    failure_ = failure;
     is_over_ = true;
     changed_.notify_one();
+}
+
+void Workers::keep_failure(std::exception_ptr failure) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = std::move(failure);
 }
 
 void Workers::compute(std::size_t point) {
@@ -59,9 +62,11 @@ void Workers::compute(std::size_t point) {
     try {
         cells = evaluate(study_, ix, iy, halt_.get_token());
     } catch (...) {
+        // kept here: TBB drops an exception that comes after another worker has cancelled the group
+        keep_failure(std::current_exception());
         // the others need not finish what will not be used
         halt_.request_stop();
-        throw;
+        return;
     }
     const std::lock_guard lock(mutex_);
     for (std::size_t direction = 0; direction < cells.size(); ++direction)

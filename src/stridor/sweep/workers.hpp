@@ -42,6 +42,7 @@ public:
 private:
     void compute_all(int threads);
     void compute(std::size_t point);
+    void keep_failure(std::exception_ptr failure);  // the first one counts
 
     const Study& study_;
     std::span<const std::size_t> points_;
