@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <optional>
 #include <ostream>
 #include <string>
 
@@ -13,9 +12,9 @@ namespace stridor::contract {
 /// An engine as the contract suite sees it; every run goes through `integration::simulate`, the one door to all engines.
 struct EngineUnderTest {
     std::string name;
-    void (*choose)(parameters::Case&);    // sets the engine and settings that make 20 ms of motion cheap
-    double energy_tolerance = 0.0;        // [1] largest relative residual of the energy balance: rounding, derived
-    std::optional<double> unstable_step;  // [s] a time step no run may be made with; nothing for engines without steps
+    void (*choose)(parameters::Case&);  // sets the engine and settings that make 20 ms of motion cheap
+    double energy_tolerance = 0.0;      // [1] largest relative residual of the energy balance: rounding, derived
+    double unstable_step = 0.0;         // [s] a time step no run may be made with
 };
 
 inline void PrintTo(const EngineUnderTest& engine, std::ostream* out) {
