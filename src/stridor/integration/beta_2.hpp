@@ -1,9 +1,8 @@
 #pragma once
 
-#include "stridor/integration/energy_balance.hpp"
 #include "stridor/integration/imposed_motion.hpp"
 #include "stridor/integration/initial_state.hpp"
-#include "stridor/integration/outcome.hpp"
+#include "stridor/integration/motion.hpp"
 #include "stridor/model/structure.hpp"
 #include "stridor/record/recorder.hpp"
 
@@ -20,13 +19,6 @@ struct Beta2 {
 
 /// Largest stable time step [s] of the scheme for an angular frequency [rad/s]: h = sqrt(2 / beta_2) / omega.
 double stable_step(double beta_2, double angular_frequency);
-
-/// A run: how it ended, its energy balance and what was kept of it.
-struct Motion {
-    Outcome outcome;
-    EnergyBalance energy;
-    record::Record record;
-};
 
 /// Integrates a structure with a contact by the explicit beta_2 scheme with kinematic contact.
 ///

@@ -12,10 +12,11 @@ enum class Reason {
     diverged,    // a number left double precision
     step_limit,  // the time step lies beyond the scheme's stability limit: not run
     cancelled,   // stopped on request
+    chattering,  // events pile up without time going on
 };
 
-inline constexpr std::array<std::string_view, 5> reason_names{"completed", "settled", "diverged", "step_limit",
-                                                              "cancelled"};
+inline constexpr std::array<std::string_view, 6> reason_names{"completed",  "settled",   "diverged",
+                                                              "step_limit", "cancelled", "chattering"};
 
 struct Outcome {
     Reason reason = Reason::completed;

@@ -1,5 +1,7 @@
 #include "stridor/integration/simulate.hpp"
 
+#include "stridor/integration/beta_2.hpp"
+#include "stridor/integration/exact.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/record/schedule.hpp"
@@ -17,6 +19,9 @@ Cost cost(const parameters::Case& c) {
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop) {
     record::Recorder recorder(record::schedule(c), request, model::rubbing_system_dofs);
     switch (c.run.engine) {
+        case parameters::Engine::exact:
+            return integrate_exact(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
+                                   {c.contact.impact, c.contact.restitution}, std::move(recorder), std::move(stop));
         case parameters::Engine::beta_2:
             return integrate_beta_2(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
                                     {c.run.step, c.run.beta_2}, std::move(recorder), std::move(stop));

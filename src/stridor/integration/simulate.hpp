@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/beta_2.hpp"
+#include "stridor/integration/motion.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"
 

@@ -30,7 +30,9 @@ struct Plate {
 
 /// What happens when a separation ends.
 enum class ImpactLaw {
-    plastic,  // no rebound; the tangential impulse obeys the same friction cone as the forces
+    plastic,      // no rebound; the tangential impulse obeys the same friction cone as the forces
+    normal_only,  // no rebound and no tangential impulse
+    restitution,  // rebound with a share of the closing velocity; the tangential impulse as in plastic
 };
 
 /// The contact between joint and plate: Coulomb friction with two coefficients (Figure 3).
@@ -39,6 +41,7 @@ struct Contact {
     double static_friction = 0.8;   // [1] mu_s
     double kinetic_friction = 0.6;  // [1] mu_d, independent of the slip velocity, at most mu_s
     ImpactLaw impact = ImpactLaw::plastic;
+    double restitution = 0.5;  // [1] impact = restitution: velocity after over velocity before an impact
 };
 
 enum class DriveKind { sinusoidal, constant, sampled };
@@ -65,7 +68,10 @@ enum class Initial {
     sliding,  // the steady-sliding equilibrium, with mass 1 pushed by `perturbation`
 };
 
-enum class Engine { beta_2 };
+enum class Engine {
+    exact,   // from event to event, without time-discretisation error
+    beta_2,  // the paper's time stepping
+};
 
 /// How long the system is watched and how its motion is computed.
 struct Run {
@@ -73,9 +79,9 @@ struct Run {
     double window = 1.0;    // [s] the last part of it, from which figures are taken
     Initial initial = Initial::rest;
     double perturbation = 1e-3;  // [m/s] initial = sliding: tangential velocity added to mass 1
-    Engine engine = Engine::beta_2;
-    double step = 1e-6;   // [s] h, time step of the beta_2 engine
-    double beta_2 = 0.5;  // [1] 0.5 central difference, second order; above it damps, first order
+    Engine engine = Engine::exact;
+    double step = 1e-6;   // [s] h, beta_2: time step
+    double beta_2 = 0.5;  // [1] beta_2: 0.5 central difference, second order; above it damps, first order
 };
 
 /// Where one category ends and the next begins. The paper chose its values by judgement and does not print them;

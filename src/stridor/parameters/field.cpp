@@ -20,10 +20,10 @@ constexpr Range positive{0.0, infinity, Range::Low::open};
 constexpr Range not_negative{0.0, infinity, Range::Low::closed};
 constexpr Range share{0.0, 1.0, Range::Low::closed};
 
-constexpr std::array<std::string_view, 1> impact_names{"plastic"};
+constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
 constexpr std::array<std::string_view, 3> drive_names{"sinusoidal", "constant", "sampled"};
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
-constexpr std::array<std::string_view, 1> engine_names{"beta_2"};
+constexpr std::array<std::string_view, 2> engine_names{"exact", "beta_2"};
 
 bool always(const Case&) {
     return true;
@@ -39,6 +39,12 @@ bool is_sampled(const Case& c) {
 }
 bool has_phases(const Case& c) {
     return !is_constant(c);
+}
+bool rebounds(const Case& c) {
+    return c.contact.impact == ImpactLaw::restitution;
+}
+bool has_steps(const Case& c) {
+    return c.run.engine == Engine::beta_2;
 }
 bool starts_sliding(const Case& c) {
     return c.run.initial == Initial::sliding;
@@ -90,6 +96,8 @@ const std::array table{
           quantity<&Case::contact, &Contact::kinetic_friction>("1", not_negative), always},
     Field{"contact", "impact", "", "what happens when a separation ends",
           choice<&Case::contact, &Contact::impact, ImpactLaw>(impact_names), always},
+    Field{"contact", "restitution", "e", "velocity after an impact over that before it, impact = restitution",
+          quantity<&Case::contact, &Contact::restitution>("1", share), rebounds},
 
     Field{"drive", "kind", "", "how the plate is moved", choice<&Case::drive, &Drive::kind, DriveKind>(drive_names),
           always},
@@ -110,9 +118,10 @@ const std::array table{
           quantity<&Case::run, &Run::perturbation>("m/s", any), starts_sliding},
     Field{"run", "engine", "", "how the motion is computed", choice<&Case::run, &Run::engine, Engine>(engine_names),
           always},
-    Field{"run", "step", "h", "time step", quantity<&Case::run, &Run::step>("s", positive), always},
+    Field{"run", "step", "h", "time step of the beta_2 engine", quantity<&Case::run, &Run::step>("s", positive),
+          has_steps},
     Field{"run", "beta_2", "beta_2", "0.5: central difference, second order; above it numerical damping, first order",
-          quantity<&Case::run, &Run::beta_2>("1", Range{0.5, 1.0}), always},
+          quantity<&Case::run, &Run::beta_2>("1", Range{0.5, 1.0}), has_steps},
 
     Field{"verdict", "settling", "",
           "share of each going or coming phase cut at its start, while the reversal rings down",

@@ -1,0 +1,42 @@
+#include "stridor/integration/exact_kernel.hpp"
+
+#include "stridor/base/check.hpp"
+
+namespace stridor::integration {
+
+namespace baseline {
+extern const Kernel kernel_2, kernel_3;
+}
+#if STRIDOR_X86
+namespace avx2 {
+extern const Kernel kernel_2, kernel_3;
+}
+namespace avx512 {
+extern const Kernel kernel_2, kernel_3;
+}
+#endif
+
+bool is_available(InstructionSet set) {
+#if STRIDOR_X86
+    if (set == InstructionSet::avx512) return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+    if (set == InstructionSet::avx2) return __builtin_cpu_supports("avx2");
+#endif
+    return set == InstructionSet::baseline;
+}
+
+InstructionSet widest_instruction_set() {
+    for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2})
+        if (is_available(set)) return set;
+    return InstructionSet::baseline;
+}
+
+const Kernel& kernel(InstructionSet set, int dofs) {
+    STRIDOR_EXPECT(is_available(set) && (dofs == 2 || dofs == 3));
+#if STRIDOR_X86
+    if (set == InstructionSet::avx512) return dofs == 2 ? avx512::kernel_2 : avx512::kernel_3;
+    if (set == InstructionSet::avx2) return dofs == 2 ? avx2::kernel_2 : avx2::kernel_3;
+#endif
+    return dofs == 2 ? baseline::kernel_2 : baseline::kernel_3;
+}
+
+}  // namespace stridor::integration

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "stridor/integration/exact_tables.hpp"
+
+#include <string_view>
+
+namespace stridor::integration {
+
+/// Integrals over nodes, not yet weighted: sums over steps of products of the velocities z' and of powers at the contact.
+struct alignas(64) Sums {
+    Lanes product[6];              // [m^2/s^2] z'_j z'_k for (j, k) = (0,0), (0,1), (1,1), (0,2), (1,2), (2,2)
+    Lanes on_slip;                 // [N*m/s] slip: N w
+    Lanes on_surface;              // [N*m/s] slip: N V; stick: T V
+    Lanes peak[most_coordinates];  // [m^2/s^2] largest squares of u'
+};
+
+/// The inner loops of the exact engine, compiled once per instruction set. All give the same bits: each number is computed
+/// by the same additions and multiplications in the same order, only more of them at a time.
+struct Kernel {
+    /// Takes up to `steps` whole steps from s, as long as no event function comes near zero; returns their number.
+    long (*glide)(const Flow& flow, Lanes& s, long steps, Sums& sums);
+
+    /// Takes one whole step from s whatever the event functions say.
+    void (*leap)(const Flow& flow, Lanes& s, Sums& sums);
+
+    /// exp(A h tau) s.
+    void (*move)(const Flow& flow, const Lanes& s, double tau, Lanes& result);
+
+    /// y = blocks s: 8 numbers per block.
+    void (*apply)(const Matrix8* blocks, int count, const Lanes& s, Lanes* result);
+
+    /// Adds a part of a step, from tau_0 to tau_1, with the weights and lengths of the quadrature already in it.
+    void (*add_part)(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums& sums);
+};
+
+enum class InstructionSet { baseline, avx2, avx512 };
+
+/// Whether this machine has the instruction set.
+bool is_available(InstructionSet set);
+
+/// The widest this machine has.
+InstructionSet widest_instruction_set();
+
+/// The loops for a structure with so many degrees of freedom and a damped basis.
+const Kernel& kernel(InstructionSet set, int dofs);
+
+}  // namespace stridor::integration

@@ -1,0 +1,238 @@
+// One cell across the lanes of a vector: the eight numbers of its state. Compiled with STRIDOR_ISA naming the instruction set
+// and a namespace of its own, so that no inline function is shared between sets. A vector of eight numbers is one register
+// of AVX-512, two of AVX2, four of the baseline.
+
+namespace stridor::integration::STRIDOR_ISA {
+
+namespace {
+
+using Vector = double __attribute__((vector_size(64)));
+using Mask = long long __attribute__((vector_size(64)));
+
+// how near zero a Bernstein coefficient may come, as a share of the largest: far above what degree 7 misses (8e-10)
+constexpr double nearness = 1e-6;
+
+inline Vector load(const Lanes& lane) {
+    Vector v;
+    __builtin_memcpy(&v, lane.at, sizeof v);
+    return v;
+}
+
+inline void save(const Vector& v, Lanes& lane) {
+    __builtin_memcpy(lane.at, &v, sizeof v);
+}
+
+inline Vector larger(const Vector& a, const Vector& b) {
+    return a > b ? a : b;
+}
+
+inline Vector smaller(const Vector& a, const Vector& b) {
+    return a < b ? a : b;
+}
+
+// a matrix times a state; the eighth number of a state is unused
+inline Vector times(const Matrix8& m, const double* s) {
+    const Vector a = load(m.column[0]) * s[0] + load(m.column[1]) * s[1];
+    const Vector b = load(m.column[2]) * s[2] + load(m.column[3]) * s[3];
+    const Vector c = load(m.column[4]) * s[4] + load(m.column[5]) * s[5];
+    return (a + b) + (c + load(m.column[6]) * s[6]);
+}
+
+constexpr Mask swap_halves{4, 5, 6, 7, 0, 1, 2, 3};
+constexpr Mask swap_pairs{2, 3, 0, 1, 6, 7, 4, 5};
+constexpr Mask swap_neighbours{1, 0, 3, 2, 5, 4, 7, 6};
+
+inline Vector largest(Vector v) {
+    v = larger(v, __builtin_shuffle(v, swap_halves));
+    v = larger(v, __builtin_shuffle(v, swap_pairs));
+    return larger(v, __builtin_shuffle(v, swap_neighbours));
+}
+
+inline double smallest(Vector v) {
+    v = smaller(v, __builtin_shuffle(v, swap_halves));
+    v = smaller(v, __builtin_shuffle(v, swap_pairs));
+    return smaller(v, __builtin_shuffle(v, swap_neighbours))[0];
+}
+
+// what must be positive if no event function comes near zero during the step
+inline double margin(const Flow& flow, const double* s) {
+    const Vector b = times(flow.test[0].bernstein, s);
+    Vector least = b - nearness * largest(b);
+    if (flow.test_count > 1) {
+        const Vector c = times(flow.test[1].bernstein, s);
+        least = smaller(least, c - nearness * largest(c));
+    }
+    return smallest(least);
+}
+
+// velocities and powers at nodes, added up
+template <int dofs>
+class Meter {
+public:
+    explicit Meter(const Sums& sums) {
+        for (int k = 0; k < products; ++k)
+            product_[k] = load(sums.product[k]);
+        for (int i = 0; i < dofs; ++i)
+            peak_[i] = load(sums.peak[i]);
+        on_slip_ = load(sums.on_slip);
+        on_surface_ = load(sums.on_surface);
+    }
+
+    void add(const Vector* velocity, int count, const Vector& force, const Vector& surface, bool slips,
+             const Vector& weight) {
+        int k = 0;
+        for (int j = 0; j < count; ++j)
+            for (int i = 0; i <= j; ++i, ++k)
+                product_[k] += velocity[i] * velocity[j] * weight;
+        if (count == dofs) return;
+        on_surface_ += force * surface * weight;
+        if (slips) on_slip_ += force * (velocity[0] - surface) * weight;
+    }
+
+    void add(const Vector* velocity, int count, const Vector& force, const Vector& surface, bool slips) {
+        int k = 0;
+        for (int j = 0; j < count; ++j)
+            for (int i = 0; i <= j; ++i, ++k)
+                product_[k] += velocity[i] * velocity[j];
+        if (count == dofs) return;
+        on_surface_ += force * surface;
+        if (slips) on_slip_ += force * (velocity[0] - surface);
+    }
+
+    void watch(const Vector* velocity, int count, const double (&basis)[most_coordinates][most_coordinates]) {
+        for (int i = 0; i < dofs; ++i) {
+            Vector u = basis[i][0] * velocity[0];
+            for (int j = 1; j < count; ++j)
+                u += basis[i][j] * velocity[j];
+            peak_[i] = larger(peak_[i], u * u);
+        }
+    }
+
+    void save_to(Sums& sums) const {
+        for (int k = 0; k < products; ++k)
+            save(product_[k], sums.product[k]);
+        for (int i = 0; i < dofs; ++i)
+            save(peak_[i], sums.peak[i]);
+        save(on_slip_, sums.on_slip);
+        save(on_surface_, sums.on_surface);
+    }
+
+private:
+    static constexpr int products = dofs * (dofs + 1) / 2;
+    Vector product_[products];
+    Vector peak_[dofs];
+    Vector on_slip_, on_surface_;
+};
+
+template <int dofs, Mode mode>
+inline void step(const Flow& flow, double* s, Meter<dofs>& meter) {
+    constexpr int count = mode == Mode::open ? dofs : dofs - 1;
+    Vector velocity[count];
+    for (int j = 0; j < count; ++j)
+        velocity[j] = times(flow.velocity[j], s);
+    Vector force{}, surface{};
+    if constexpr (mode != Mode::open) {
+        force = times(flow.force, s);
+        surface = load(flow.surface.column[2 * dofs - 1]) * s[2 * dofs - 1] +
+                  load(flow.surface.column[2 * dofs]) * s[2 * dofs];
+    }
+    meter.add(velocity, count, force, surface, mode != Mode::stick);
+    meter.watch(velocity, count, flow.basis);
+    const Vector next = times(flow.advance, s);
+    __builtin_memcpy(s, &next, sizeof next);
+}
+
+template <int dofs, Mode mode>
+long glide_in(const Flow& flow, Lanes& s, long steps, Sums& sums) {
+    Meter<dofs> meter(sums);
+    alignas(64) double state[lanes];
+    __builtin_memcpy(state, s.at, sizeof state);
+    long taken = 0;
+    for (; taken < steps; ++taken) {
+        if (!(margin(flow, state) > 0.0)) break;
+        step<dofs, mode>(flow, state, meter);
+    }
+    __builtin_memcpy(s.at, state, sizeof state);
+    meter.save_to(sums);
+    return taken;
+}
+
+template <int dofs, Mode mode>
+void leap_in(const Flow& flow, Lanes& s, Sums& sums) {
+    Meter<dofs> meter(sums);
+    step<dofs, mode>(flow, s.at, meter);
+    meter.save_to(sums);
+}
+
+template <int dofs>
+long glide(const Flow& flow, Lanes& s, long steps, Sums& sums) {
+    if (flow.mode == Mode::open) return glide_in<dofs, Mode::open>(flow, s, steps, sums);
+    if (flow.mode == Mode::stick) return glide_in<dofs, Mode::stick>(flow, s, steps, sums);
+    return glide_in<dofs, Mode::slip_forward>(flow, s, steps, sums);
+}
+
+template <int dofs>
+void leap(const Flow& flow, Lanes& s, Sums& sums) {
+    if (flow.mode == Mode::open) return leap_in<dofs, Mode::open>(flow, s, sums);
+    if (flow.mode == Mode::stick) return leap_in<dofs, Mode::stick>(flow, s, sums);
+    return leap_in<dofs, Mode::slip_forward>(flow, s, sums);
+}
+
+// Horner's rule on the columns of the series, side by side: eight independent chains
+void move(const Flow& flow, const Lanes& s, double tau, Lanes& result) {
+    Vector column[lanes - 1];
+    for (int j = 0; j < lanes - 1; ++j)
+        column[j] = load(flow.power[terms - 1].column[j]);
+    for (int k = terms - 2; k >= 0; --k)
+        for (int j = 0; j < lanes - 1; ++j)
+            column[j] = column[j] * tau + load(flow.power[k].column[j]);
+    const Vector a = column[0] * s.at[0] + column[1] * s.at[1];
+    const Vector b = column[2] * s.at[2] + column[3] * s.at[3];
+    const Vector c = column[4] * s.at[4] + column[5] * s.at[5];
+    save((a + b) + (c + column[6] * s.at[6]), result);
+}
+
+void apply(const Matrix8* blocks, int count, const Lanes& s, Lanes* result) {
+    for (int k = 0; k < count; ++k)
+        save(times(blocks[k], s.at), result[k]);
+}
+
+// values at the nodes of a part of a step of a functional given by its series
+inline Vector series_at(const Matrix8 (&series)[term_blocks], const double* s, const Vector& tau) {
+    alignas(64) double coefficient[terms];
+    for (int block = 0; block < term_blocks; ++block) {
+        const Vector part = times(series[block], s);
+        __builtin_memcpy(coefficient + block * lanes, &part, sizeof part);
+    }
+    Vector value = Vector{} + coefficient[terms - 1];
+    for (int k = terms - 2; k >= 0; --k)
+        value = value * tau + coefficient[k];
+    return value;
+}
+
+template <int dofs>
+void add_part(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums& sums) {
+    const Vector tau = tau_0 + (tau_1 - tau_0) * load(flow.quadrature.node);
+    const Vector weight = (tau_1 - tau_0) * flow.step * load(flow.quadrature.weight);
+    const bool is_open = flow.mode == Mode::open;
+    const int count = is_open ? dofs : dofs - 1;
+    Vector velocity[dofs];
+    for (int j = 0; j < count; ++j)
+        velocity[j] = series_at(flow.velocity_series[j], s.at, tau);
+    Vector force{}, surface{};
+    if (!is_open) {
+        force = series_at(flow.force_series, s.at, tau);
+        surface = series_at(flow.surface_series, s.at, tau);
+    }
+    Meter<dofs> meter(sums);
+    meter.add(velocity, count, force, surface, flow.mode != Mode::stick, weight);
+    meter.watch(velocity, count, flow.basis);
+    meter.save_to(sums);
+}
+
+}  // namespace
+
+extern const Kernel kernel_2{glide<2>, leap<2>, move, apply, add_part<2>};
+extern const Kernel kernel_3{glide<3>, leap<3>, move, apply, add_part<3>};
+
+}  // namespace stridor::integration::STRIDOR_ISA

@@ -1,0 +1,4 @@
+#include "stridor/integration/exact_kernel.hpp"
+
+#define STRIDOR_ISA baseline
+#include "stridor/integration/exact_kernel.inl"

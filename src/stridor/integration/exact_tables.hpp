@@ -1,0 +1,103 @@
+#pragma once
+
+/// What the exact engine prepares once per structure, as plain arrays that every instruction set reads alike.
+///
+/// Within a contact state the motion is linear: with the state s in eight numbers, s' = A s and s(t) = exp(A t) s(0).
+/// The load scale F and the drive travel in the state, so that A depends on neither preload nor velocity:
+///
+///     closed:  s = (x, y, x', y', F, V, W, 0)     V' = -omega W, W' = omega V (sinusoidal);  V' = W, W' = 0 (otherwise)
+///     open:    s = (x, y, x', y', F, g, g', 0)     the drive does not act
+///
+/// (two degrees of freedom: without y). One step is h = 1/Omega, Omega an upper bound of the fastest rate of the flow,
+/// so that sums over A^k h^k / k! converge to rounding within `terms`. A row is a linear functional of s.
+namespace stridor::integration {
+
+inline constexpr int lanes = 8;
+inline constexpr int terms = 24;  // of the series: 1/24! is far below rounding
+inline constexpr int term_blocks = terms / lanes;
+inline constexpr int nodes = 8;       // of Gauss' quadrature over a step
+inline constexpr int most_tests = 2;  // event functions of a contact state
+inline constexpr int most_coordinates = 3;
+inline constexpr int most_multiplicity = 3;  // of the root an event function begins with
+
+struct alignas(64) Lanes {
+    double at[lanes];
+};
+
+/// y = sum over j of column[j] x[j].
+struct alignas(64) Matrix8 {
+    Lanes column[lanes];
+};
+
+/// Gauss' quadrature on [0, 1]: nodes and weights, exact for polynomials to degree 15.
+struct Quadrature {
+    Lanes node;    // [1]
+    Lanes weight;  // [1]
+};
+/// The contact states with the two directions of slip told apart.
+enum class Mode { open, stick, slip_forward, slip_backward };  // forward: w > 0
+inline constexpr int modes = 4;
+
+constexpr bool is_slip(Mode mode) {
+    return mode == Mode::slip_forward || mode == Mode::slip_backward;
+}
+
+/// A function that stays positive as long as the contact state lasts.
+struct EventFunction {
+    Lanes row;                    // its value
+    Matrix8 series[term_blocks];  // its coefficients over tau = t/h, rows k = 0..terms-1
+    Matrix8 bernstein;            // Bernstein coefficients of degree 7 over the step
+};
+
+/// One contact state, prepared.
+struct Flow {
+    Mode mode;
+    int test_count;                                    // [1]
+    int velocity_count;                                // [1] coordinates that move: all but g while closed
+    double step;                                       // [s] h
+    double basis[most_coordinates][most_coordinates];  // [1] u = B z
+    Quadrature quadrature;                             // over [0, 1]
+    EventFunction test[most_tests];                    // slip: N, sigma w; stick: mu_s N - T, mu_s N + T; open: g
+    Matrix8 divided[most_multiplicity];  // `bernstein` of the last test without its root at tau = 0 of order 1, 2, 3
+    Matrix8 power[terms];                // A^k h^k / k!
+    Matrix8 advance;                     // exp(A h)
+    Matrix8 velocity[most_coordinates];  // z' at the nodes
+    Matrix8 velocity_series[most_coordinates][term_blocks];
+    Matrix8 force;  // slip: N, stick: T, at the nodes
+    Matrix8 force_series[term_blocks];
+    Matrix8 surface;  // V at the nodes
+    Matrix8 surface_series[term_blocks];
+    Lanes normal_force;    // N as a row
+    Lanes friction_force;  // T as a row
+};
+
+/// All that does not change between runs that differ in preload, velocity, start or duration only.
+struct Flows {
+    int dofs;                                            // [1]
+    double basis[most_coordinates][most_coordinates];    // [1] u = B z, columns x, (y,) g
+    double mass[most_coordinates];                       // [kg] of x, (y,) g
+    double damping[most_coordinates][most_coordinates];  // [N*s/m]
+    double tangent_on_gap;                               // [1]
+    double static_friction;                              // [1]
+    double kinetic_friction;                             // [1]
+    double drive_frequency;                              // [Hz] 0 unless sinusoidal
+    Lanes stick_force;   // T that would hold the contact, as a row over the closed state
+    Lanes stick_normal;  // N with it
+    Flow flow[modes];
+};
+
+/// Positions of the numbers in a state with so many closed coordinates (dofs - 1).
+constexpr int velocity_lane(int closed, int coordinate) {
+    return closed + coordinate;
+}
+constexpr int load_lane(int closed) {
+    return 2 * closed;
+}
+constexpr int surface_lane(int closed) {
+    return 2 * closed + 1;
+}
+constexpr int gap_lane(int closed) {
+    return 2 * closed + 1;
+}
+
+}  // namespace stridor::integration
