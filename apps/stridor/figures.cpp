@@ -1,5 +1,6 @@
 #include "figures.hpp"
 
+#include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/chart/gnuplot.hpp"
 #include "stridor/chart/noise_chart.hpp"

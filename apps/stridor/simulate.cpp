@@ -85,13 +85,19 @@ std::string verdict_row(const Verdict& verdict) {
         figure_or_dash(e.alternation.frequency, "{:.1f} Hz"), figure_or_dash(e.levels.joint.decibels, "{:.1f} dB"));
 }
 
+std::string engine_text(const parameters::Case& c) {
+    if (c.run.engine == parameters::Engine::beta_2)
+        return fmt::format("beta_2 = {:g}, step {:g} s", c.run.beta_2, c.run.step);
+    return "exact, impact " + parameters::value_text(c, *parameters::find_field("contact.impact"));
+}
+
 std::string report(const parameters::Case& c, const integration::Motion& motion, const std::vector<Verdict>& verdicts) {
     std::string text = styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n";
     text +=
         fmt::format("{}, preload {:g} N, mu_d {:g}, mu_s {:g}, incidence angle {:g} deg\n", drive_text(c),
                     c.contact.preload, c.contact.kinetic_friction, c.contact.static_friction, c.joint.incidence_angle);
-    text += fmt::format("engine beta_2 = {:g}, step {:g} s; start: {}; energy balance closes to {:.1e}\n\n",
-                        c.run.beta_2, c.run.step, parameters::value_text(c, *parameters::find_field("run.initial")),
+    text += fmt::format("engine {}; start: {}; energy balance closes to {:.1e}\n\n", engine_text(c),
+                        parameters::value_text(c, *parameters::find_field("run.initial")),
                         std::abs(motion.energy.relative_residual()));
     text += fmt::format("{:<8}{:<10}{:>8}{:>8}{:>8}{:>13}{:>12}{:>12}\n", "phase", "category", "slip", "stick",
                         "separ.", "regularity", "frequency", "joint");
@@ -125,9 +131,8 @@ void require_result(const integration::Outcome& outcome, const parameters::Case&
         case Reason::settled:
             return;
         case Reason::diverged:
-            throw Error(ErrorKind::numerical,
-                        {"the motion left double precision at " + at, "the time step may be too long for this system",
-                         "Try a smaller run.step."});
+            throw Error(ErrorKind::numerical, {"the motion left double precision at " + at,
+                                               "its forces or velocities have no end", "Check the units of the case."});
         case Reason::step_limit: {
             const double limit = integration::cost(c).step_limit;
             throw Error(ErrorKind::input,
@@ -136,6 +141,10 @@ void require_result(const integration::Outcome& outcome, const parameters::Case&
                          "the highest open mode would grow without bound",
                          fmt::format("Use at most {:.1g} s; 1e-06 s or less for rates you quote.", 0.1 * limit)});
         }
+        case Reason::chattering:
+            throw Error(ErrorKind::numerical, {"events pile up without end at " + at,
+                                               "double precision cannot tell them apart, so the motion stops there",
+                                               "Change a parameter a little, or try run.engine = \"beta_2\"."});
         case Reason::cancelled:
             throw Error(ErrorKind::interrupted,
                         {"stopped at " + at, "a single run keeps nothing", "Run the same command again."});

@@ -1,5 +1,6 @@
 #include "stability_scan.hpp"
 
+#include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/field.hpp"

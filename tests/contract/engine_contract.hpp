@@ -14,7 +14,7 @@ struct EngineUnderTest {
     std::string name;
     void (*choose)(parameters::Case&);  // sets the engine and settings that make 20 ms of motion cheap
     double energy_tolerance = 0.0;      // [1] largest relative residual of the energy balance: rounding, derived
-    double unstable_step = 0.0;         // [s] a time step no run may be made with
+    double unstable_step = 0.0;         // [s] a time step no run may be made with; 0: no step is too long
 };
 
 inline void PrintTo(const EngineUnderTest& engine, std::ostream* out) {

@@ -25,6 +25,7 @@ std::vector<std::string> sweep(const std::string& out, const std::string& thread
             "--set",     "chart.y.points=8",
             "--set",     "run.duration=0.2",
             "--set",     "run.window=0.1",
+            "--set",     "run.engine=beta_2",
             "--set",     "run.step=2e-6"};
 }
 

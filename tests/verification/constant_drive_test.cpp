@@ -37,6 +37,7 @@ Case constant_case(PaperCase which, double velocity) {
     c.run.initial = parameters::Initial::stuck;
     c.run.duration = duration;
     c.run.window = duration;
+    c.run.engine = parameters::Engine::beta_2;
     c.run.step = h;
     return c;
 }
@@ -118,6 +119,7 @@ TEST(ConstantDrive, SquealIsPeriodicAt430Hertz) {
 TEST(CaptureByTheStickTrial, TurnsPureSlipIntoStickSlip) {
     Case c = constant_case(PaperCase::squeak, -0.1);
     c.run.initial = parameters::Initial::rest;
+    c.run.engine = parameters::Engine::beta_2;
     c.run.step = 1e-5;
     EXPECT_NEAR(by_beta_2(c, ContactState::stick).shares[stick], 0.33, 0.01);
     c.run.step = 1e-6;
@@ -127,6 +129,7 @@ TEST(CaptureByTheStickTrial, TurnsPureSlipIntoStickSlip) {
 TEST(CaptureByTheStickTrial, IsGoneWithASmallerStep) {
     Case c = constant_case(PaperCase::squeak, -0.1);
     c.run.initial = parameters::Initial::rest;
+    c.run.engine = parameters::Engine::beta_2;
     c.run.step = 1e-7;
     // the mass comes closest to the plate in its first vibration, within 5 ms: a tenth of the time shows it
     c.run.duration = c.run.window = support::effort(duration, 0.1 * duration);

@@ -32,6 +32,7 @@ struct Distance {
 };
 
 Distance distance(Case c, double h) {
+    c.run.engine = parameters::Engine::beta_2;
     c.run.step = h;
     constexpr double interval = 1e-5;
     const auto exact = support::event_driven(c, 1e-6, 10);

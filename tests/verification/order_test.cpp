@@ -55,6 +55,7 @@ double plate_displacement(double h, double beta_2) {
     c.drive = support::constant_drive(10.0);
     c.run.initial = parameters::Initial::sliding;
     c.run.perturbation = 0.01;
+    c.run.engine = parameters::Engine::beta_2;
     c.run.step = h;
     c.run.beta_2 = beta_2;
     constexpr double end = 5e-3;

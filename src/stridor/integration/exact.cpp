@@ -390,9 +390,11 @@ void Runner<dofs>::step() {
     double from = 0.0;
     double reach = std::min(crossing.tau, 1.0);
     pass_boundaries(from, reach, crossing);
-    const bool is_whole = reach == 1.0 && from == 0.0 && crossing.test < 0;
-    if (is_whole) {
-        kernel_.leap(flow(), s_, full_[static_cast<int>(mode_)]);
+    if (reach == 1.0 && crossing.test < 0) {
+        Sums& whole = full_[static_cast<int>(mode_)];
+        Sums elsewhere{};  // a step that a span's end parts is counted in parts
+        if (from > 0.0) kernel_.add_part(flow(), s_, from, reach, part_[static_cast<int>(mode_)]);
+        kernel_.leap(flow(), s_, from > 0.0 ? elsewhere : whole);
         ++count_;
         multiplicity_ = 0;
         return;
@@ -456,7 +458,8 @@ Outcome Runner<dofs>::run(std::stop_token stop) {
         if (count_ == 0 && piles_up()) return {Reason::chattering, time()};
     }
     if (has_pending_ && end_ > pending_.from) report();
-    return {Reason::completed, end_};
+    // velocities may still be numbers where their squares no longer are
+    return {std::isfinite(energy().residual) ? Reason::completed : Reason::diverged, end_};
 }
 
 // --- what is kept
@@ -481,8 +484,10 @@ void Runner<dofs>::sample(double tau, double time) {
     }
     const bool is_open = mode_ == Mode::open;
     trace.surface_velocity.push_back(is_open ? drive_.at(time).velocity : s.at[V]);
-    trace.normal_force.push_back(is_open ? 0.0 : std::max(0.0, dot(flow().normal_force, s)));
-    trace.friction_force.push_back(is_open ? 0.0 : dot(flow().friction_force, s));
+    const double N = is_open ? 0.0 : std::max(0.0, dot(flow().normal_force, s));
+    const double slip_friction = mode_ == Mode::slip_forward ? -flows_.kinetic_friction : flows_.kinetic_friction;
+    trace.normal_force.push_back(N);
+    trace.friction_force.push_back(mode_ == Mode::stick ? dot(flow().friction_force, s) : slip_friction * N);
     trace.gap.push_back(is_open ? std::max(0.0, s.at[G]) : 0.0);
     trace.state.push_back(contact_of(mode_));
 }

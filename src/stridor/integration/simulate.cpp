@@ -7,12 +7,15 @@
 #include "stridor/record/schedule.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace stridor::integration {
 
 Cost cost(const parameters::Case& c) {
     const double fastest = model::natural_frequencies(model::rubbing_system(c), model::ContactState::separation).back();
+    if (c.run.engine == parameters::Engine::exact)
+        return {std::ceil(c.run.duration * fastest), std::numeric_limits<double>::infinity()};
     return {std::ceil(c.run.duration / c.run.step), stable_step(c.run.beta_2, fastest)};
 }
 

@@ -10,8 +10,8 @@ namespace stridor::integration {
 
 /// What a run costs and the limits it must keep, known before it starts.
 struct Cost {
-    double steps = 0.0;       // [1] number of time steps
-    double step_limit = 0.0;  // [s] largest stable time step
+    double steps = 0.0;       // [1] number of time steps; exact: of whole steps if nothing happened
+    double step_limit = 0.0;  // [s] largest stable time step; exact: infinite
 };
 
 Cost cost(const parameters::Case& c);

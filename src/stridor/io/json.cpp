@@ -139,6 +139,14 @@ Json stability_units() {
             {"directions.modes.frequency", "Hz"}, {"directions.boundaries.frequency", "Hz"}};
 }
 
+Json engine_object(const parameters::Case& c, const integration::Cost& cost) {
+    const auto text = [&](const char* key) { return parameters::value_text(c, *parameters::find_field(key)); };
+    Json object{{"name", text("run.engine")}, {"impact", text("contact.impact")}, {"steps", cost.steps}};
+    if (c.run.engine == parameters::Engine::beta_2)
+        object.update(Json{{"step", c.run.step}, {"beta_2", c.run.beta_2}, {"step_limit", cost.step_limit}});
+    return object;
+}
+
 }  // namespace
 
 std::string case_json(const parameters::Case& c) {
@@ -148,11 +156,7 @@ std::string case_json(const parameters::Case& c) {
 std::string simulation_json(const parameters::Case& c, const integration::Motion& motion, const integration::Cost& cost,
                             std::span<const classification::Verdict> verdicts) {
     Json document = opening("simulation", c);
-    document["engine"] = {{"name", parameters::value_text(c, *parameters::find_field("run.engine"))},
-                          {"step", c.run.step},
-                          {"beta_2", c.run.beta_2},
-                          {"steps", cost.steps},
-                          {"step_limit", cost.step_limit}};
+    document["engine"] = engine_object(c, cost);
     document["outcome"] = {{"reason", name_of(integration::reason_names, motion.outcome.reason)},
                            {"time", motion.outcome.time}};
     document["energy"] = energy_object(motion.energy);

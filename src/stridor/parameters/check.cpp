@@ -74,6 +74,11 @@ void check_run(const Case& c, std::vector<Finding>& found) {
                          {"run.window = " + shortest(c.run.window) +
                               " s is longer than run.duration = " + shortest(c.run.duration) + " s",
                           "the window is the last part of the simulated time", "Make it at most the duration."}});
+    if (c.run.engine != Engine::beta_2) return;
+    if (c.contact.impact != ImpactLaw::plastic)
+        found.push_back({"contact.impact",
+                         {"the beta_2 engine knows plastic impacts only", "its impacts are what its steps make of them",
+                          "Set run.engine = \"exact\"?"}});
     if (c.run.step > c.run.duration)
         found.push_back(
             {"run.step",

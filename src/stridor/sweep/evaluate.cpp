@@ -40,6 +40,8 @@ Attempt ended(Motion motion, const Case& c) {
                     {}};
         case Reason::diverged:
             return {Status::diverged, "a number left double precision before " + time, {}};
+        case Reason::chattering:
+            return {Status::failed, "events pile up at " + time, {}};
         case Reason::completed:
         case Reason::settled:
         case Reason::cancelled:

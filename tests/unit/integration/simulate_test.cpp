@@ -18,6 +18,7 @@ Case short_case() {
 TEST(Cost, IsKnownBeforeTheRun) {
     Case c;
     c.run.duration = 2.0;
+    c.run.engine = parameters::Engine::beta_2;
     c.run.step = 1e-6;
     EXPECT_EQ(cost(c).steps, 2e6);
     EXPECT_NEAR(cost(c).step_limit, 2e-4, 1e-12);  // the joint's axial mode, 1e4 rad/s
@@ -47,6 +48,7 @@ TEST(Simulate, RecordsOnePhaseOfAConstantDrive) {
 
 TEST(Simulate, DoesNotRunBeyondTheStepLimit) {
     Case c;
+    c.run.engine = parameters::Engine::beta_2;
     c.run.step = 2.1e-4;
     EXPECT_EQ(simulate(c).outcome.reason, Reason::step_limit);
 }

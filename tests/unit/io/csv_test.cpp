@@ -91,7 +91,7 @@ TEST(ChartCsv, SaysWhereItComesFrom) {
     EXPECT_EQ(table.comments.at("x"), "contact.preload");
     EXPECT_EQ(table.comments.at("y"), "contact.kinetic_friction");
     EXPECT_EQ(table.comments.at("joint.mass"), "0.1 kg");
-    EXPECT_EQ(table.comments.at("run.engine"), "beta_2");
+    EXPECT_EQ(table.comments.at("run.engine"), "exact");
     EXPECT_EQ(table.comments.at("chart.directions"), "going coming");
 }
 

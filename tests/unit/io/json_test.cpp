@@ -47,7 +47,7 @@ TEST(SimulationJson, HasTheKeysOfTheContract) {
     EXPECT_EQ(document["schema"], "stridor.simulation/1");
     EXPECT_EQ(document["version"], base::version());
     EXPECT_EQ(document["commit"], base::commit());
-    for (const char* key : {"name", "step", "beta_2", "steps", "step_limit"})
+    for (const char* key : {"name", "impact", "steps"})
         EXPECT_TRUE(document["engine"].contains(key)) << key;
     EXPECT_EQ(document["outcome"]["reason"], "completed");
     for (const char* key : {"stored", "preload_work", "drive_work", "dashpot_loss", "friction_loss", "impact_loss",

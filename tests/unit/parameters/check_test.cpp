@@ -70,6 +70,7 @@ TEST(Findings, AWindowFitsIntoTheDuration) {
 
 TEST(Findings, AStepFitsIntoTheDuration) {
     Case c = constant_case();
+    c.run.engine = Engine::beta_2;
     c.run.step = 2.0;
     expect_finding(c, "run.step", "longer than run.duration");
     c.run.step = 1e-13;

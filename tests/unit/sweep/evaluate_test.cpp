@@ -112,6 +112,7 @@ TEST(Evaluate, CallsACellInvalidWhoseValuesContradictEachOther) {
 
 TEST(Evaluate, SaysWhatStepWouldBeStable) {
     Study study = small_study();
+    study.base.run.engine = parameters::Engine::beta_2;
     study.base.run.step = 1e-3;
     const std::string limit = base::shortest(integration::cost(case_at(study, {0, 0, 0})).step_limit);
     for (const Cell& cell : evaluate(study, 0, 0)) {
