@@ -1,6 +1,6 @@
 // Bernstein's polynomials are positive and add up to 1: a polynomial lies between its smallest and largest coefficient, has
 // no more roots than its coefficients have changes of sign, and rises where they rise. So an interval either has no root, or one,
-// or is halved (de Casteljau). The form of degree 7 misses the series by 1e-9 of its amplitude: whatever it says about a
+// or is halved (de Casteljau). The form of degree 7 misses the series by 2e-7 of its amplitude: whatever it says about a
 // sign is confirmed on the series itself.
 
 #include "stridor/integration/event_root.hpp"
@@ -16,42 +16,47 @@ constexpr int degree = 7;
 // below this width an interval holds dips no deeper than rounding
 constexpr double narrowest = 0x1p-27;
 // what the form of degree 7 may miss, as a share of its largest coefficient
-constexpr double missed = 1e-9;
+constexpr double missed = 1e-6;
 
-// a series and its derivative, summed in four interleaved chains
+// the series without its known root, and its slope; four interleaved chains each
 class Quotient {
 public:
     Quotient(const Lanes (&series)[term_blocks], int multiplicity) {
-        for (int k = multiplicity; k < terms; ++k) {
-            const double c = series[k / lanes].at[k % lanes];
-            c_[k - multiplicity] = c;
-            if (k > multiplicity) d_[k - multiplicity - 1] = c * (k - multiplicity);
-        }
+        for (int k = 0; k < terms; ++k)
+            c_[k] = series[k / lanes].at[k % lanes];
+        a_ = c_ + multiplicity;
     }
 
-    double value(double x) const { return sum(c_, x); }
-    double slope(double x) const { return sum(d_, x); }
+    double value(double x) const {
+        const double x2 = x * x;
+        const double x4 = x2 * x2;
+        double p[4] = {a_[terms - 4], a_[terms - 3], a_[terms - 2], a_[terms - 1]};
+        for (int k = terms - 8; k >= 0; k -= 4)
+            for (int i = 0; i < 4; ++i)
+                p[i] = p[i] * x4 + a_[k + i];
+        return (p[0] + p[1] * x) + (p[2] + p[3] * x) * x2;
+    }
+
+    // to 1e-4, which is enough for Newton's steps
+    double slope(double x) const {
+        const double x2 = x * x;
+        const double x4 = x2 * x2;
+        double p[4];
+        for (int i = 0; i < 4; ++i)
+            p[i] = ((9 + i) * a_[9 + i] * x4 + (5 + i) * a_[5 + i]) * x4 + (1 + i) * a_[1 + i];
+        return (p[0] + p[1] * x) + (p[2] + p[3] * x) * x2;
+    }
 
     // sign just after 0: that of the first coefficient that is not zero
     double first() const {
-        for (const double c : c_)
-            if (c != 0.0) return c;
+        for (int k = 0; k < terms; ++k)
+            if (a_[k] != 0.0) return a_[k];
         return 0.0;
     }
 
 private:
-    static double sum(const double (&a)[terms], double x) {
-        const double x2 = x * x;
-        const double x4 = x2 * x2;
-        double p[4] = {a[terms - 4], a[terms - 3], a[terms - 2], a[terms - 1]};
-        for (int k = terms - 8; k >= 0; k -= 4)
-            for (int i = 0; i < 4; ++i)
-                p[i] = p[i] * x4 + a[k + i];
-        return (p[0] + p[1] * x) + (p[2] + p[3] * x) * x2;
-    }
-
-    double c_[terms]{};
-    double d_[terms]{};
+    double c_[terms + most_multiplicity]{};
+    const double* a_;
 };
 
 struct Interval {
@@ -91,17 +96,30 @@ void halve(const Interval& whole, Interval& left, Interval& right) {
     }
 }
 
+// where the polygon of the coefficients crosses zero: within a few per cent of the interval of the root
+double first_guess(const Interval& interval) {
+    int j = 0;
+    while (j < degree - 1 && interval.b.at[j + 1] > 0.0)
+        ++j;
+    const double drop = interval.b.at[j] - interval.b.at[j + 1];
+    const double share = drop > 0.0 ? std::clamp(interval.b.at[j] / drop, 0.0, 1.0) : 0.5;
+    return interval.from + (interval.to - interval.from) * (j + share) / degree;
+}
+
 // the root between a positive and a non-positive value: Newton's steps, halved where they leave the bracket
-double polish(const Quotient& q, double from, double to) {
-    double x = 0.5 * (from + to);
+double polish(const Quotient& q, const Interval& interval) {
+    // a step this small leaves an error of its square
+    constexpr double close = 1e-9;
+    double from = interval.from, to = interval.to;
+    double x = first_guess(interval);
     for (int k = 0; k < 80; ++k) {
         const double value = q.value(x);
         (value > 0.0 ? from : to) = x;
         double next = x - value / q.slope(x);
-        if (!(next > from && next < to)) next = 0.5 * (from + to);
+        if (!(next >= from && next <= to)) next = 0.5 * (from + to);
         const double change = std::abs(next - x);
         x = next;
-        if (change <= 0x1p-53 * x || change < 0x1p-70) break;
+        if (change <= close * x || change < 0x1p-70) break;
     }
     return x;
 }
@@ -129,7 +147,7 @@ double first_crossing(const Lanes (&series)[term_blocks], int multiplicity, cons
         if (shape == Shape::positive || shape == Shape::rising) continue;
         const bool is_last = here.to - here.from <= narrowest || depth + 2 > deepest;
         if (shape == Shape::falling || is_last) {
-            if (q.value(here.to) <= 0.0) return polish(q, here.from, here.to);
+            if (q.value(here.to) <= 0.0) return polish(q, here);
             continue;
         }
         halve(here, stack[depth + 1], stack[depth]);

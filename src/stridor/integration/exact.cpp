@@ -332,15 +332,14 @@ void Runner<dofs>::cross(int test) {
 template <int dofs>
 typename Runner<dofs>::Crossing Runner<dofs>::first_event() const {
     const Flow& f = flow();
+    Lanes bernstein[most_tests];
+    const unsigned near = kernel_.look(f, s_, multiplicity_, bernstein);
     Crossing first;
     for (int k = 0; k < f.test_count; ++k) {
-        const bool begins_at_root = multiplicity_ > 0 && k == f.test_count - 1;
-        const int order = begins_at_root ? multiplicity_ : 0;
+        if ((near >> static_cast<unsigned>(k) & 1U) == 0) continue;
         Lanes series[term_blocks];
-        Lanes bernstein;
-        kernel_.apply(begins_at_root ? &f.divided[order - 1] : &f.test[k].bernstein, 1, s_, &bernstein);
         kernel_.apply(f.test[k].series, term_blocks, s_, series);
-        const double tau = first_crossing(series, order, bernstein);
+        const double tau = first_crossing(series, k == f.test_count - 1 ? multiplicity_ : 0, bernstein[k]);
         if (tau < first.tau) first = {tau, k};
     }
     return first;

@@ -23,6 +23,10 @@ struct Kernel {
     /// Takes one whole step from s whatever the event functions say.
     void (*leap)(const Flow& flow, Lanes& s, Sums& sums);
 
+    /// Bernstein coefficients of the event functions over the step from s, without the root of the given multiplicity at the
+    /// beginning of the last one. Returns a set of bits: those of the functions that may come near zero.
+    unsigned (*look)(const Flow& flow, const Lanes& s, int multiplicity, Lanes* bernstein);
+
     /// exp(A h tau) s.
     void (*move)(const Flow& flow, const Lanes& s, double tau, Lanes& result);
 
