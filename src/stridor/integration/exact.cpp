@@ -5,16 +5,19 @@
 //     stick   mu_s N -+ T -> slip with sign(w) = -sign(T)
 //     open    g -> impact, then the contact goes on closed, or opens again at once if N < 0
 //
-// The function of the event that has just fired starts at a root of known order: w of a slip that begins 1 (2 where mu_s =
-// mu_d), g after lift-off 3, after an impact with N < 0 2, after a rebound 1. It is divided out.
-//
-// Impact in contact coordinates: P_n = -m_g g' (1 + e), P_t within the friction cone; x' += P_t / m_x.
+// Whole steps are taken as long as bounds of the event functions stay clear of zero; where they do not, the first root is
+// isolated and polished, the state moved there, and `follow` says how the contact goes on. What lies inside a step (samples,
+// ends of spans) is evaluated from the step's beginning and never changes the steps.
 
 #include "stridor/integration/exact.hpp"
 
+#include "stridor/integration/contact_transition.hpp"
 #include "stridor/integration/event_root.hpp"
+#include "stridor/integration/exact_account.hpp"
 #include "stridor/integration/exact_flow.hpp"
 #include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/limit_cycle.hpp"
+#include "stridor/integration/silence.hpp"
 #include "stridor/model/contact_forces.hpp"
 #include "stridor/model/energy.hpp"
 
@@ -31,14 +34,13 @@ namespace {
 using model::ContactState;
 using model::Structure;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // so many steps between two looks at the stop request: a millisecond
 constexpr long steps_between_checks = 65536;
+// so many between two attempts to prove silence: a try costs as much as two steps
+constexpr long steps_between_proofs = 16;
 // so many events within this share of a step are a pile-up that double precision cannot resolve
 constexpr int most_events = 1000;
 constexpr double event_window = 1e-3;
-// a rebound that flies for less than this ends in contact: the sum of all later flights is e/(1-e) of it
-constexpr double shortest_flight = 1e-9;  // [s]
 
 double dot(const Lanes& row, const Lanes& s) {
     double sum = 0.0;
@@ -53,15 +55,8 @@ ContactState contact_of(Mode mode) {
                                  : ContactState::slip;
 }
 
-// integral of a sum over nodes
-double integral(const Lanes& full, const Lanes& weight, double step, const Lanes& part) {
-    double sum = 0.0;
-    for (int i = 0; i < lanes; ++i)
-        sum += weight.at[i] * full.at[i];
-    double rest = 0.0;
-    for (const double p : part.at)
-        rest += p;
-    return sum * step + rest;
+double angular_frequency(const parameters::Drive& drive) {
+    return drive.kind == parameters::DriveKind::sinusoidal ? 6.283185307179586476925 * drive.frequency : 0.0;
 }
 
 template <int dofs>
@@ -70,11 +65,11 @@ public:
     Runner(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start, const Exact& settings,
            record::Recorder& recorder);
 
-    Outcome run(std::stop_token stop);
-    EnergyBalance energy() const;
+    Motion run(std::stop_token stop);
 
 private:
     static constexpr int closed = dofs - 1;
+    static constexpr int x_speed = velocity_lane(closed, 0);
     static constexpr int F = load_lane(closed);
     static constexpr int V = surface_lane(closed);
     static constexpr int G = gap_lane(closed);
@@ -93,63 +88,77 @@ private:
 
     const Flow& flow() const { return flows_.flow[static_cast<int>(mode_)]; }
     double time() const { return origin_ + static_cast<double>(count_) * flow().step; }
-    Position position(const Lanes& s, Mode mode) const;
+    const std::vector<record::Span>& spans() const { return recorder_.schedule().spans; }
+    double sample_time() const { return static_cast<double>(sample_) * recorder_.request().trace.interval; }
 
-    void set_surface(Lanes& s, double time) const;
-    void begin(double time);
+    void begin(const Start& start);
+    Outcome advance(std::stop_token stop);
+    Position position(const Lanes& s, Mode mode) const;
+    SurfaceNumbers surface(double time) const;
     Crossing first_event() const;
     double next_stop() const;
+    void glide();
     void step();
     void pass_boundaries(double& from, double& reach, Crossing& crossing);
+    void turn_knot();
     void sample(double tau, double time);
     void end_span();
-
-    void cross(int test);
-    void land();
-    void strike(double impulse_ratio);
-    void close_contact();
-    void enter(Mode mode, int multiplicity, double closing_speed = 0.0);
-    void settle_closed(double w, double closing_speed);
+    void vibrate(const Totals& sum);
+    void enter(const Transition& next);
     void report();
     bool is_finite() const;
     bool piles_up();
+    EnergyBalance energy() const;
+
+    void watch_for_silence();
+    void watch_for_cycle();
+    void bank();
+    void end_silently();
+    void end_in_cycle(const Totals& period);
 
     const Structure<dofs>& structure_;
     ContactCoordinates<dofs> coordinates_;
     Flows flows_;
     const Kernel& kernel_;
     Exact settings_;
-    parameters::DriveKind drive_kind_;
     double drive_rate_;  // [rad/s] of a sinusoidal drive
     ImposedMotion drive_;
     std::vector<double> knots_;  // [s] where a sampled drive changes its slope
     record::Recorder& recorder_;
+    double end_ = 0.0;  // [s] of the run
 
-    Mode mode_ = Mode::open;
+    Mode mode_ = Mode::stick;
     Lanes s_{};
     double origin_ = 0.0;   // [s] when the steps were last counted from nought
     long count_ = 0;        // [1] steps since
     int multiplicity_ = 0;  // [1] of the root at which the last event function begins, 0 after the first step
 
-    Sums full_[modes]{};  // whole steps, by mode
-    Sums part_[modes]{};  // parts of steps
+    Account account_;
+    Totals banked_;  // of this span, before the account was last cleared
     EnergyBalance energy_;
     double initial_energy_ = 0.0;  // [J]
     Vector initial_displacement_;  // [m]
 
     std::size_t span_ = 0;
-    double span_begin_ = 0.0;  // [s]
     std::size_t knot_ = 0;
     long sample_ = 0;  // number of the next sample
     long last_sample_ = -1;
-    double end_ = 0.0;  // [s] of the run
 
     record::ContactInterval pending_;  // the state since the last event; told once time has gone on
     bool has_pending_ = false;
     bool has_told_ = false;
     ContactState told_ = ContactState::slip;
-    double window_begin_ = 0.0;  // [s]
+    double window_begin_ = 0.0;  // [s] of the search for pile-ups
     int window_events_ = 0;
+
+    bool may_end_early_ = false;
+    std::optional<Sliding> sliding_;
+    Mode sliding_mode_ = Mode::slip_forward;
+    CycleWatch watch_;
+    RecentChanges recent_;
+    bool has_returned_ = false;  // the account holds the time since the watch's first return
+    std::optional<Silence> silence_;
+    std::optional<LimitCycle> cycle_;
 };
 
 template <int dofs>
@@ -161,33 +170,44 @@ Runner<dofs>::Runner(const Structure<dofs>& structure, const parameters::Drive& 
                            drive.kind == parameters::DriveKind::sinusoidal ? drive.frequency : 0.0)),
       kernel_(kernel(settings.instruction_set, dofs)),
       settings_(settings),
-      drive_kind_(drive.kind),
-      drive_rate_(drive.kind == parameters::DriveKind::sinusoidal ? 6.283185307179586476925 * drive.frequency : 0.0),
+      drive_rate_(angular_frequency(drive)),
       drive_(drive, 1.0),
-      recorder_(recorder) {
+      recorder_(recorder),
+      end_(spans().empty() ? 0.0 : spans().back().to),
+      watch_(drive.velocity, 1.0 / flows_.flow[static_cast<int>(Mode::stick)].step, closed) {
     if (drive.kind == parameters::DriveKind::sampled) knots_ = drive.times;
-    const std::vector<record::Span>& spans = recorder_.schedule().spans;
-    end_ = spans.empty() ? 0.0 : spans.back().to;
     const record::TraceRequest& trace = recorder_.request().trace;
     if (trace.interval > 0.0) {
         sample_ = static_cast<long>(std::ceil(trace.from / trace.interval - 1e-6));
         last_sample_ = static_cast<long>(std::floor(trace.to / trace.interval + 1e-6));
     }
-    const InitialState<dofs> initial = initial_state(structure, start, drive_.at(0.0).velocity);
-    const Vector z = coordinates_.basis.inverse() * initial.displacement;
-    const Vector speed = coordinates_.basis.inverse() * initial.velocity;
+    may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven && last_sample_ < sample_ &&
+                     drive.kind == parameters::DriveKind::constant && drive.velocity != 0.0;
+    sliding_mode_ = drive.velocity > 0.0 ? Mode::slip_backward : Mode::slip_forward;
+    begin(start);
+}
+
+template <int dofs>
+void Runner<dofs>::begin(const Start& start) {
+    const InitialState<dofs> initial = initial_state(structure_, start, drive_.at(0.0).velocity);
+    const auto inverse = coordinates_.basis.inverse().eval();
+    const Vector z = inverse * initial.displacement;
+    const Vector speed = inverse * initial.velocity;
     for (int i = 0; i < closed; ++i) {
         s_.at[i] = z(i);
         s_.at[velocity_lane(closed, i)] = speed(i);
     }
     s_.at[F] = coordinates_.load_scale;
-    set_surface(s_, 0.0);
-    if (start.kind == parameters::Initial::stuck) s_.at[velocity_lane(closed, 0)] = s_.at[V];
-    settle_closed(s_.at[velocity_lane(closed, 0)] - s_.at[V], 0.0);
+    s_.at[V] = surface(0.0).velocity;
+    s_.at[V + 1] = surface(0.0).partner;
+    if (start.kind == parameters::Initial::stuck) s_.at[x_speed] = s_.at[V];
+    enter(close_contact(flows_, s_, s_.at[x_speed] - s_.at[V]));
     const Position first = position(s_, mode_);
     initial_energy_ =
         model::kinetic_energy(structure_, first.velocity) + model::elastic_energy(structure_, first.displacement);
     initial_displacement_ = first.displacement;
+    while (knot_ < knots_.size() && knots_[knot_] <= 0.0)
+        ++knot_;
 }
 
 template <int dofs>
@@ -205,126 +225,39 @@ typename Runner<dofs>::Position Runner<dofs>::position(const Lanes& s, Mode mode
 }
 
 template <int dofs>
-void Runner<dofs>::set_surface(Lanes& s, double time) const {
-    const model::SurfaceMotion surface = drive_.at(time);
-    s.at[V] = surface.velocity;
-    s.at[V + 1] = drive_rate_ > 0.0 ? -surface.acceleration / drive_rate_ : surface.acceleration;
+SurfaceNumbers Runner<dofs>::surface(double time) const {
+    const model::SurfaceMotion motion = drive_.at(time);
+    return {motion.velocity, drive_rate_ > 0.0 ? -motion.acceleration / drive_rate_ : motion.acceleration};
 }
 
 // --- the contact changes its state
 
 template <int dofs>
-void Runner<dofs>::enter(Mode mode, int multiplicity, double closing_speed) {
+void Runner<dofs>::enter(const Transition& next) {
     const double now = time();
-    const double w = (mode == Mode::open ? s_.at[velocity_lane(closed, 0)] - drive_.at(now).velocity
-                                         : s_.at[velocity_lane(closed, 0)] - s_.at[V]);
-    if (mode == Mode::open && mode_ != Mode::open) s_.at[G] = s_.at[G + 1] = 0.0;
     if (has_pending_ && now > pending_.from) report();
-    pending_ = {contact_of(mode), now, 0.0, w, closing_speed};
+    pending_ = {contact_of(next.mode), now, 0.0, next.slip_velocity, next.closing_speed};
     has_pending_ = true;
     origin_ = now;
     count_ = 0;
-    mode_ = mode;
-    multiplicity_ = multiplicity;
+    mode_ = next.mode;
+    multiplicity_ = next.multiplicity;
+    s_ = next.state;
+    energy_.impact_loss += next.impact_loss;
+    energy_.friction_loss += next.friction_loss;
+    energy_.drive_work += next.drive_work;
 }
 
 // states that lasted no time were never there
 template <int dofs>
 void Runner<dofs>::report() {
-    if (!has_told_ || pending_.state != told_) recorder_.enter(pending_);
+    if (!has_told_ || pending_.state != told_) {
+        recorder_.enter(pending_);
+        recent_.add(pending_);
+    }
     has_told_ = true;
     told_ = pending_.state;
     has_pending_ = false;
-}
-
-// a closed contact with slip velocity w finds its state; at w = 0 it sticks if it can
-template <int dofs>
-void Runner<dofs>::settle_closed(double w, double closing_speed) {
-    const double friction = flows_.static_friction;
-    if (w == 0.0) {
-        const double N = dot(flows_.stick_normal, s_);
-        const double T = dot(flows_.stick_force, s_);
-        if (N >= 0.0 && std::abs(T) <= friction * N) return enter(Mode::stick, 0, closing_speed);
-        w = -T;
-        const Mode mode = w > 0.0 ? Mode::slip_forward : Mode::slip_backward;
-        if (dot(flows_.flow[static_cast<int>(mode)].normal_force, s_) >= 0.0) return enter(mode, 1, closing_speed);
-        return enter(Mode::open, 2);
-    }
-    const Mode mode = w > 0.0 ? Mode::slip_forward : Mode::slip_backward;
-    if (dot(flows_.flow[static_cast<int>(mode)].normal_force, s_) >= 0.0) return enter(mode, 0, closing_speed);
-    enter(Mode::open, 2);
-}
-
-template <int dofs>
-void Runner<dofs>::land() {
-    const double now = time();
-    const double closing = s_.at[G + 1];  // [m/s] g' <= 0
-    Lanes after = s_;
-    set_surface(after, now);
-    const double m_x = flows_.mass[0], m_g = flows_.mass[closed];
-    const double surface = after.at[V];
-    const double before = s_.at[velocity_lane(closed, 0)];
-    const double w = before - surface;
-
-    const double restitution = settings_.impact == parameters::ImpactLaw::restitution ? settings_.restitution : 0.0;
-    double P_n = -m_g * closing * (1.0 + restitution);
-    double P_t = 0.0;
-    if (settings_.impact != parameters::ImpactLaw::normal_only) {
-        const double coupling = flows_.tangent_on_gap;
-        const double stopping = -m_x * w;  // the tangential impulse that ends the slip
-        const double with_it = P_n - coupling * stopping;
-        if (std::abs(stopping) <= flows_.static_friction * with_it) {
-            P_t = stopping;
-        } else {
-            const double ratio = std::copysign(flows_.kinetic_friction, stopping);
-            P_n /= 1.0 + ratio * coupling;
-            P_t = ratio * P_n;
-        }
-    }
-    const bool stops = P_t != 0.0 && P_t == -m_x * w;
-    const double x_speed = stops ? surface : before + P_t / m_x;
-    after.at[velocity_lane(closed, 0)] = x_speed;
-
-    // kinetic energy goes into the normal impact, into friction, and over to the drive
-    energy_.impact_loss += 0.5 * m_g * closing * closing * (1.0 - restitution * restitution);
-    energy_.friction_loss -= 0.5 * P_t * (w + (x_speed - surface));
-    energy_.drive_work += P_t * surface;
-
-    const double rebound = -restitution * closing;
-    if (rebound > 0.0) {
-        const double N = dot(flows_.stick_normal, after);
-        if (N <= 0.0 || 2.0 * rebound * m_g > shortest_flight * N) {
-            s_.at[velocity_lane(closed, 0)] = x_speed;
-            s_.at[G] = 0.0;
-            s_.at[G + 1] = rebound;
-            return enter(Mode::open, 1);
-        }
-        energy_.impact_loss += 0.5 * m_g * rebound * rebound;
-    }
-    s_ = after;
-    mode_ = Mode::stick;  // closed, until the forces have been seen
-    origin_ = now;
-    count_ = 0;
-    settle_closed(x_speed - surface, closing);
-}
-
-template <int dofs>
-void Runner<dofs>::cross(int test) {
-    double& x_speed = s_.at[velocity_lane(closed, 0)];
-    switch (mode_) {
-        case Mode::open:
-            return land();
-        case Mode::stick: {
-            x_speed = s_.at[V];
-            const int order = flows_.static_friction > flows_.kinetic_friction ? 1 : 2;
-            return enter(test == 0 ? Mode::slip_backward : Mode::slip_forward, order);
-        }
-        case Mode::slip_forward:
-        case Mode::slip_backward:
-            if (test == 0) return enter(Mode::open, 3);
-            x_speed = s_.at[V];
-            return settle_closed(0.0, 0.0);
-    }
 }
 
 // --- time goes on
@@ -347,9 +280,8 @@ typename Runner<dofs>::Crossing Runner<dofs>::first_event() const {
 
 template <int dofs>
 double Runner<dofs>::next_stop() const {
-    double next = recorder_.schedule().spans[span_].to;
-    if (sample_ <= last_sample_)
-        next = std::min(next, static_cast<double>(sample_) * recorder_.request().trace.interval);
+    double next = spans()[span_].to;
+    if (sample_ <= last_sample_) next = std::min(next, sample_time());
     if (knot_ < knots_.size()) next = std::min(next, knots_[knot_]);
     return next;
 }
@@ -358,60 +290,86 @@ double Runner<dofs>::next_stop() const {
 template <int dofs>
 void Runner<dofs>::pass_boundaries(double& from, double& reach, Crossing& crossing) {
     const double now = time();
-    const double h = flow().step;
-    const std::vector<record::Span>& spans = recorder_.schedule().spans;
-    while (span_ < spans.size()) {
+    while (span_ < spans().size()) {
         const double stop = next_stop();
-        const double tau = std::max(0.0, (stop - now) / h);
+        const double tau = std::max(0.0, (stop - now) / flow().step);
         if (tau > reach) return;
-        if (sample_ <= last_sample_ && static_cast<double>(sample_) * recorder_.request().trace.interval <= stop) {
+        if (sample_ <= last_sample_ && sample_time() <= stop) {
             sample(tau, stop);
             ++sample_;
-        } else if (knot_ < knots_.size() && knots_[knot_] <= stop) {
+            continue;
+        }
+        const bool is_knot = knot_ < knots_.size() && knots_[knot_] <= stop;
+        if (!is_knot) {
+            kernel_.add_part(flow(), s_, from, tau, account_.part[static_cast<int>(mode_)]);
+            from = tau;
+            end_span();
+        }
+        if (is_knot || span_ == spans().size()) {
             reach = tau;
             crossing = {};
             return;
-        } else {
-            kernel_.add_part(flow(), s_, from, tau, part_[static_cast<int>(mode_)]);
-            from = tau;
-            end_span();
-            if (span_ == spans.size()) {
-                reach = tau;
-                crossing = {};
-            }
         }
     }
 }
 
+// whole steps far from events
+template <int dofs>
+void Runner<dofs>::glide() {
+    const bool proves = may_end_early_ && mode_ == sliding_mode_;
+    const double whole = std::floor((next_stop() - time()) / flow().step);
+    const long most = proves ? steps_between_proofs : steps_between_checks;
+    const long steps = static_cast<long>(std::min(whole, static_cast<double>(most)));
+    if (steps <= 0) return step();
+    const long taken = kernel_.glide(flow(), s_, steps, account_.full[static_cast<int>(mode_)]);
+    count_ += taken;
+    if (taken < steps) return step();
+    if (proves) watch_for_silence();
+}
+
+// one step with whatever happens in it
 template <int dofs>
 void Runner<dofs>::step() {
     Crossing crossing = first_event();
     double from = 0.0;
     double reach = std::min(crossing.tau, 1.0);
     pass_boundaries(from, reach, crossing);
+    Sums& part = account_.part[static_cast<int>(mode_)];
     if (reach == 1.0 && crossing.test < 0) {
-        Sums& whole = full_[static_cast<int>(mode_)];
         Sums elsewhere{};  // a step that a span's end parts is counted in parts
-        if (from > 0.0) kernel_.add_part(flow(), s_, from, reach, part_[static_cast<int>(mode_)]);
-        kernel_.leap(flow(), s_, from > 0.0 ? elsewhere : whole);
+        if (from > 0.0) kernel_.add_part(flow(), s_, from, reach, part);
+        kernel_.leap(flow(), s_, from > 0.0 ? elsewhere : account_.full[static_cast<int>(mode_)]);
         ++count_;
         multiplicity_ = 0;
         return;
     }
-    if (reach > from) kernel_.add_part(flow(), s_, from, reach, part_[static_cast<int>(mode_)]);
+    if (reach > from) kernel_.add_part(flow(), s_, from, reach, part);
     Lanes moved;
     kernel_.move(flow(), s_, reach, moved);
     origin_ = time() + reach * flow().step;
     count_ = 0;
     s_ = moved;
     if (reach > 0.0) multiplicity_ = 0;
-    if (crossing.test >= 0) return cross(crossing.test);
-    if (knot_ >= knots_.size() || span_ == recorder_.schedule().spans.size()) return;
-    // the drive changes its slope: the forces of a stuck contact jump
-    if (mode_ != Mode::open) set_surface(s_, knots_[knot_]);
+    if (crossing.test >= 0) {
+        const SurfaceNumbers drive = mode_ == Mode::open ? surface(origin_) : SurfaceNumbers{};
+        enter(follow(flows_, mode_, crossing.test, s_, drive, {settings_.impact, settings_.restitution}));
+        if (may_end_early_) watch_for_cycle();
+    } else if (knot_ < knots_.size() && span_ < spans().size()) {
+        turn_knot();
+    }
+}
+
+// the drive changes its slope, and the force of a stuck contact jumps
+template <int dofs>
+void Runner<dofs>::turn_knot() {
+    if (mode_ != Mode::open) {
+        const SurfaceNumbers drive = surface(knots_[knot_]);
+        s_.at[V] = drive.velocity;
+        s_.at[V + 1] = drive.partner;
+    }
     if (mode_ == Mode::stick) {
-        s_.at[velocity_lane(closed, 0)] = s_.at[V];
-        settle_closed(0.0, 0.0);
+        s_.at[x_speed] = s_.at[V];
+        enter(close_contact(flows_, s_, 0.0));
     }
     ++knot_;
 }
@@ -427,8 +385,7 @@ bool Runner<dofs>::is_finite() const {
 template <int dofs>
 bool Runner<dofs>::piles_up() {
     const double now = time();
-    const double window = event_window * flow().step;
-    if (now - window_begin_ > window) {
+    if (now - window_begin_ > event_window * flow().step) {
         window_begin_ = now;
         window_events_ = 0;
     }
@@ -436,29 +393,91 @@ bool Runner<dofs>::piles_up() {
 }
 
 template <int dofs>
-Outcome Runner<dofs>::run(std::stop_token stop) {
-    const std::vector<record::Span>& spans = recorder_.schedule().spans;
-    while (knot_ < knots_.size() && knots_[knot_] <= 0.0)
-        ++knot_;
-    while (span_ < spans.size()) {
+Outcome Runner<dofs>::advance(std::stop_token stop) {
+    while (span_ < spans().size()) {
         if (!is_finite()) return {Reason::diverged, time()};
         if (stop.stop_requested()) return {Reason::cancelled, time()};
-        if (multiplicity_ == 0) {
-            const double whole = std::floor((next_stop() - time()) / flow().step);
-            const long steps = static_cast<long>(std::min(whole, static_cast<double>(steps_between_checks)));
-            if (steps > 0) {
-                const long taken = kernel_.glide(flow(), s_, steps, full_[static_cast<int>(mode_)]);
-                count_ += taken;
-                if (taken == steps) continue;
-                if (!is_finite()) return {Reason::diverged, time()};
-            }
-        }
-        step();
+        if (multiplicity_ == 0)
+            glide();
+        else
+            step();
+        if (silence_) return {Reason::settled, silence_->time};
+        if (cycle_) return {Reason::settled, cycle_->time};
         if (count_ == 0 && piles_up()) return {Reason::chattering, time()};
     }
     if (has_pending_ && end_ > pending_.from) report();
     // velocities may still be numbers where their squares no longer are
     return {std::isfinite(energy().residual) ? Reason::completed : Reason::diverged, end_};
+}
+
+template <int dofs>
+Motion Runner<dofs>::run(std::stop_token stop) {
+    const Outcome outcome = advance(std::move(stop));
+    const bool is_filled = outcome.reason == Reason::settled;
+    return {outcome, is_filled ? energy_ : energy(), recorder_.finish(is_filled ? end_ : outcome.time), silence_,
+            cycle_};
+}
+
+// --- early endings
+
+template <int dofs>
+void Runner<dofs>::watch_for_silence() {
+    if (!sliding_) sliding_.emplace(flow(), coordinates_.load_scale, s_.at[V]);
+    silence_ = sliding_->silence(s_, time());
+    if (silence_) end_silently();
+}
+
+template <int dofs>
+void Runner<dofs>::watch_for_cycle() {
+    const CycleWatch::Finding finding = watch_.note(time(), mode_, s_);
+    if (finding == CycleWatch::Finding::nothing) return;
+    if (finding == CycleWatch::Finding::first_return) {
+        bank();
+        has_returned_ = true;
+    } else if (has_returned_) {
+        cycle_ = watch_.cycle();
+        end_in_cycle(totals(flows_, account_));
+    }
+}
+
+template <int dofs>
+void Runner<dofs>::bank() {
+    add(banked_, totals(flows_, account_), 1.0);
+    account_ = {};
+}
+
+// the rest is slip: its vibration in closed form
+template <int dofs>
+void Runner<dofs>::end_silently() {
+    if (has_pending_) report();
+    bank();
+    energy_ = energy();
+    Lanes s = s_;
+    double now = time();
+    while (span_ < spans().size()) {
+        sliding_->pass(kernel_, spans()[span_].to - now, s, account_);
+        add(banked_, totals(flows_, account_), 1.0);
+        account_ = {};
+        now = spans()[span_].to;
+        vibrate(banked_);
+        banked_ = {};
+    }
+}
+
+// the rest is the last period, again and again
+template <int dofs>
+void Runner<dofs>::end_in_cycle(const Totals& period) {
+    bank();
+    energy_ = energy();
+    const double duration = cycle_->period;
+    double now = time();
+    repeat_period(recent_.since(watch_.period_begin()), duration, end_, recorder_);
+    while (span_ < spans().size()) {
+        add(banked_, period, (spans()[span_].to - now) / duration);
+        now = spans()[span_].to;
+        vibrate(banked_);
+        banked_ = {};
+    }
 }
 
 // --- what is kept
@@ -482,51 +501,32 @@ void Runner<dofs>::sample(double tau, double time) {
         trace.acceleration[place].push_back(acceleration(dof));
     }
     const bool is_open = mode_ == Mode::open;
-    trace.surface_velocity.push_back(is_open ? drive_.at(time).velocity : s.at[V]);
     const double N = is_open ? 0.0 : std::max(0.0, dot(flow().normal_force, s));
     const double slip_friction = mode_ == Mode::slip_forward ? -flows_.kinetic_friction : flows_.kinetic_friction;
+    trace.surface_velocity.push_back(is_open ? drive_.at(time).velocity : s.at[V]);
     trace.normal_force.push_back(N);
     trace.friction_force.push_back(mode_ == Mode::stick ? dot(flow().friction_force, s) : slip_friction * N);
     trace.gap.push_back(is_open ? std::max(0.0, s.at[G]) : 0.0);
     trace.state.push_back(contact_of(mode_));
 }
 
-// integrals over the span that ends here, to the record and to the balance
 template <int dofs>
 void Runner<dofs>::end_span() {
-    std::array<record::Vibration, static_cast<std::size_t>(dofs)> vibration{};
-    for (int m = 0; m < modes; ++m) {
-        const Flow& f = flows_.flow[m];
-        const auto total = [&](Lanes Sums::*member) {
-            return integral(full_[m].*member, f.quadrature.weight, f.step, part_[m].*member);
-        };
-        int k = 0;
-        for (int j = 0; j < f.velocity_count; ++j)
-            for (int i = 0; i <= j; ++i, ++k) {
-                const double both = (i == j ? 1.0 : 2.0) *
-                                    integral(full_[m].product[k], f.quadrature.weight, f.step, part_[m].product[k]);
-                energy_.dashpot_loss += flows_.damping[i][j] * both;
-                for (int dof = 0; dof < dofs; ++dof)
-                    vibration[static_cast<std::size_t>(dof)].square_time +=
-                        flows_.basis[dof][i] * flows_.basis[dof][j] * both;
-            }
-        for (int dof = 0; dof < dofs; ++dof)
-            for (int i = 0; i < lanes; ++i) {
-                double& peak = vibration[static_cast<std::size_t>(dof)].peak_square;
-                peak = std::max({peak, full_[m].peak[dof].at[i], part_[m].peak[dof].at[i]});
-            }
-        if (f.mode == Mode::stick) energy_.drive_work += total(&Sums::on_surface);
-        if (is_slip(f.mode)) {
-            const double friction = f.mode == Mode::slip_forward ? -flows_.kinetic_friction : flows_.kinetic_friction;
-            energy_.drive_work += friction * total(&Sums::on_surface);
-            energy_.friction_loss -= friction * total(&Sums::on_slip);
-        }
-        full_[m] = {};
-        part_[m] = {};
-    }
-    for (record::Vibration& sum : vibration)
-        sum.square_time = std::max(sum.square_time, 0.0);
-    const record::Span& span = recorder_.schedule().spans[span_];
+    bank();
+    energy_.dashpot_loss += banked_.dashpot_loss;
+    energy_.friction_loss += banked_.friction_loss;
+    energy_.drive_work += banked_.drive_work;
+    vibrate(banked_);
+    banked_ = {};
+    has_returned_ = false;
+}
+
+template <int dofs>
+void Runner<dofs>::vibrate(const Totals& sum) {
+    std::array<record::Vibration, static_cast<std::size_t>(dofs)> vibration;
+    for (std::size_t dof = 0; dof < vibration.size(); ++dof)
+        vibration[dof] = {sum.square_time[dof], sum.peak_square[dof]};
+    const record::Span& span = spans()[span_];
     recorder_.vibrate(span_, span.to - span.from, vibration);
     ++span_;
 }
@@ -535,6 +535,9 @@ template <int dofs>
 EnergyBalance Runner<dofs>::energy() const {
     const Position last = position(s_, mode_);
     EnergyBalance balance = energy_;
+    balance.dashpot_loss += banked_.dashpot_loss;
+    balance.friction_loss += banked_.friction_loss;
+    balance.drive_work += banked_.drive_work;
     balance.stored = model::kinetic_energy(structure_, last.velocity) +
                      model::elastic_energy(structure_, last.displacement) - initial_energy_;
     balance.preload_work = structure_.load.dot(last.displacement - initial_displacement_);
@@ -545,8 +548,7 @@ EnergyBalance Runner<dofs>::energy() const {
 
 template <int dofs>
 void require_valid_contact(const Structure<dofs>& structure) {
-    const Eigen::Matrix<double, dofs, dofs> inverse_mass = structure.mass.inverse();
-    const typename Structure<dofs>::Vector pushed = inverse_mass * structure.normal;
+    const typename Structure<dofs>::Vector pushed = structure.mass.inverse() * structure.normal;
     model::require_no_painleve(structure.normal.dot(pushed), structure.tangent.dot(pushed),
                                structure.friction.kinetic_coefficient);
 }
@@ -558,8 +560,7 @@ Motion integrate_exact(const Structure<dofs>& structure, const parameters::Drive
                        const Exact& settings, record::Recorder recorder, std::stop_token stop) {
     require_valid_contact(structure);
     Runner<dofs> runner(structure, drive, start, settings, recorder);
-    const Outcome outcome = runner.run(std::move(stop));
-    return {outcome, runner.energy(), recorder.finish(outcome.time)};
+    return runner.run(std::move(stop));
 }
 
 template Motion integrate_exact<2>(const Structure<2>&, const parameters::Drive&, const Start&, const Exact&,

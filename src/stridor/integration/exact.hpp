@@ -14,13 +14,18 @@ namespace stridor::integration {
 struct Exact {
     parameters::ImpactLaw impact = parameters::ImpactLaw::plastic;
     double restitution = 0.0;  // [1] restitution law only: rebound velocity over impact velocity
+    parameters::EarlyEnding early_ending = parameters::EarlyEnding::proven;
     InstructionSet instruction_set = widest_instruction_set();  // changes the speed, never a bit
 };
 
 /// Solves the motion of a structure with a contact from event to event, without time-discretisation error.
 ///
 /// Within a contact state the motion is the exponential of a matrix; the instants at which the state ends are roots of
-/// linear functionals of it, found with certainty and to rounding. See docs/methods/exact.md. Returns `diverged` with the
+/// linear functionals of it, found with certainty and to rounding. See docs/methods/exact.md.
+///
+/// Under a constant drive and without a trace a run ends early, as `settled`, once silence is proven or a limit cycle found,
+/// unless the settings say never; the record is filled to the end all the same. The energy balance is that of the time
+/// until then. Returns `diverged` with the
 /// time where a number left double precision, `chattering` where events pile up without time going on, `cancelled` soon
 /// after a stop request. Throws `Error` (numerical) for a Painleve configuration and what `initial_state` throws.
 template <int dofs>

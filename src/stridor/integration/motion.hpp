@@ -4,13 +4,32 @@
 #include "stridor/integration/outcome.hpp"
 #include "stridor/record/recorder.hpp"
 
+#include <optional>
+
 namespace stridor::integration {
+
+/// A proof that a motion slips for ever: bounds that hold from `time` on.
+struct Silence {
+    double time = 0.0;           // [s]
+    double normal_force = 0.0;   // [N] N never falls below this
+    double slip_velocity = 0.0;  // [m/s] |w| never falls below this
+};
+
+/// A motion that repeats itself: from `time` on it is continued by whole periods.
+struct LimitCycle {
+    double time = 0.0;      // [s] when the second of two equal periods ended
+    double period = 0.0;    // [s]
+    double residual = 0.0;  // [1] distance of the states one period apart, as a share of the velocities
+    int events = 0;         // [1] changes of contact state or of the slip's direction, and impacts, per period
+};
 
 /// A run: how it ended, its energy balance and what was kept of it.
 struct Motion {
     Outcome outcome;
     EnergyBalance energy;
     record::Record record;
+    std::optional<Silence> silence = std::nullopt;   // why it ended early, if it settled
+    std::optional<LimitCycle> cycle = std::nullopt;  // likewise
 };
 
 }  // namespace stridor::integration

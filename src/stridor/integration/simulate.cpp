@@ -24,7 +24,8 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
     switch (c.run.engine) {
         case parameters::Engine::exact:
             return integrate_exact(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
-                                   {c.contact.impact, c.contact.restitution}, std::move(recorder), std::move(stop));
+                                   {c.contact.impact, c.contact.restitution, c.run.early_ending}, std::move(recorder),
+                                   std::move(stop));
         case parameters::Engine::beta_2:
             return integrate_beta_2(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
                                     {c.run.step, c.run.beta_2}, std::move(recorder), std::move(stop));

@@ -73,6 +73,12 @@ enum class Engine {
     beta_2,  // the paper's time stepping
 };
 
+/// May a run end before its time, with its record filled to the end?
+enum class EarlyEnding {
+    proven,  // exact engine, constant drive: once silence is proven or a limit cycle found
+    never,
+};
+
 /// How long the system is watched and how its motion is computed.
 struct Run {
     double duration = 1.0;  // [s] simulated time
@@ -80,6 +86,7 @@ struct Run {
     Initial initial = Initial::rest;
     double perturbation = 1e-3;  // [m/s] initial = sliding: tangential velocity added to mass 1
     Engine engine = Engine::exact;
+    EarlyEnding early_ending = EarlyEnding::proven;
     double step = 1e-6;   // [s] h, beta_2: time step
     double beta_2 = 0.5;  // [1] beta_2: 0.5 central difference, second order; above it damps, first order
 };

@@ -24,6 +24,7 @@ constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only",
 constexpr std::array<std::string_view, 3> drive_names{"sinusoidal", "constant", "sampled"};
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
 constexpr std::array<std::string_view, 2> engine_names{"exact", "beta_2"};
+constexpr std::array<std::string_view, 2> early_ending_names{"proven", "never"};
 
 bool always(const Case&) {
     return true;
@@ -42,6 +43,9 @@ bool has_phases(const Case& c) {
 }
 bool rebounds(const Case& c) {
     return c.contact.impact == ImpactLaw::restitution;
+}
+bool is_exact(const Case& c) {
+    return c.run.engine == Engine::exact;
 }
 bool has_steps(const Case& c) {
     return c.run.engine == Engine::beta_2;
@@ -118,6 +122,8 @@ const std::array table{
           quantity<&Case::run, &Run::perturbation>("m/s", any), starts_sliding},
     Field{"run", "engine", "", "how the motion is computed", choice<&Case::run, &Run::engine, Engine>(engine_names),
           always},
+    Field{"run", "early_ending", "", "stop once silence is proven or a limit cycle found, under a constant drive",
+          choice<&Case::run, &Run::early_ending, EarlyEnding>(early_ending_names), is_exact},
     Field{"run", "step", "h", "time step of the beta_2 engine", quantity<&Case::run, &Run::step>("s", positive),
           has_steps},
     Field{"run", "beta_2", "beta_2", "0.5: central difference, second order; above it numerical damping, first order",

@@ -1,0 +1,128 @@
+// The event that fires makes a quantity zero, and the next state is built on that zero, not on its rounding: after lift-off
+// g = g' = g'' = 0 and g''' decides; after an impact with N < 0 g = g' = 0 and g'' decides; where slip begins or turns w = 0 and
+// w' decides (w'' where mu_s = mu_d). The order of the zero goes with the state.
+//
+// Impact, coordinates orthogonal under M: P_n = -m_g g' (1 + e) - (t.r) P_t and P_t changes x' by P_t / m_x. P_t ends the slip if
+// the cone mu_s P_n allows it, else P_t = -sign(w) mu_d P_n. Kinetic energy goes into g', into friction and to the drive.
+
+#include "stridor/integration/contact_transition.hpp"
+
+#include <cmath>
+
+namespace stridor::integration {
+
+namespace {
+
+// a rebound that flies for less than this ends in contact: the sum of all later flights is e/(1-e) of it
+constexpr double shortest_flight = 1e-9;  // [s]
+
+double dot(const Lanes& row, const Lanes& s) {
+    double sum = 0.0;
+    for (int i = 0; i < lanes; ++i)
+        sum += row.at[i] * s.at[i];
+    return sum;
+}
+
+// lanes of a structure
+struct Places {
+    int speed, surface, gap, gap_speed;
+
+    explicit Places(const Flows& flows)
+        : speed(velocity_lane(flows.dofs - 1, 0)),
+          surface(surface_lane(flows.dofs - 1)),
+          gap(gap_lane(flows.dofs - 1)),
+          gap_speed(gap + 1) {}
+};
+
+// g = g' = 0 from here on
+Transition open_contact(const Flows& flows, const Lanes& closed_state, int multiplicity) {
+    const Places at(flows);
+    Transition next{Mode::open, multiplicity, closed_state};
+    next.slip_velocity = closed_state.at[at.speed] - closed_state.at[at.surface];
+    next.state.at[at.gap] = next.state.at[at.gap_speed] = 0.0;
+    return next;
+}
+
+struct Impulses {
+    double normal = 0.0;      // [N*s]
+    double tangential = 0.0;  // [N*s]
+    bool stops = false;       // the slip ends
+};
+
+Impulses impulses(const Flows& flows, double closing, double w, const Impact& impact, double restitution) {
+    const double coupling = flows.tangent_on_gap;
+    const double straight = -flows.mass[flows.dofs - 1] * closing * (1.0 + restitution);
+    if (impact.law == parameters::ImpactLaw::normal_only) return {straight, 0.0, false};
+    const double stopping = -flows.mass[0] * w;
+    const double normal = straight - coupling * stopping;
+    if (std::abs(stopping) <= flows.static_friction * normal) return {normal, stopping, true};
+    const double ratio = std::copysign(flows.kinetic_friction, stopping);
+    const double slipping = straight / (1.0 + ratio * coupling);
+    return {slipping, ratio * slipping, false};
+}
+
+Transition land(const Flows& flows, const Lanes& open_state, const SurfaceNumbers& surface, const Impact& impact) {
+    const Places at(flows);
+    const double closing = open_state.at[at.gap_speed];
+    const double before = open_state.at[at.speed];
+    const double w = before - surface.velocity;
+    const double m_g = flows.mass[flows.dofs - 1];
+    const double restitution = impact.law == parameters::ImpactLaw::restitution ? impact.restitution : 0.0;
+    const Impulses P = impulses(flows, closing, w, impact, restitution);
+    const double speed = P.stops ? surface.velocity : before + P.tangential / flows.mass[0];
+
+    Lanes closed_state = open_state;
+    closed_state.at[at.speed] = speed;
+    closed_state.at[at.surface] = surface.velocity;
+    closed_state.at[at.surface + 1] = surface.partner;
+    double normal_loss = 0.5 * m_g * closing * closing * (1.0 - restitution * restitution);
+
+    Transition next;
+    const double rebound = -restitution * closing;
+    const double N = dot(flows.stick_normal, closed_state);
+    const bool flies = rebound > 0.0 && (N <= 0.0 || 2.0 * rebound * m_g > shortest_flight * N);
+    if (flies) {
+        next = open_contact(flows, closed_state, 1);
+        next.state.at[at.gap_speed] = rebound;
+    } else {
+        next = close_contact(flows, closed_state, speed - surface.velocity);
+        normal_loss += 0.5 * m_g * rebound * rebound;
+    }
+    next.closing_speed = closing;
+    next.impact_loss = normal_loss;
+    next.friction_loss = -0.5 * P.tangential * (w + (speed - surface.velocity));
+    next.drive_work = P.tangential * surface.velocity;
+    return next;
+}
+
+}  // namespace
+
+Transition close_contact(const Flows& flows, const Lanes& closed_state, double slip_velocity) {
+    double direction = slip_velocity;
+    if (slip_velocity == 0.0) {
+        const double N = dot(flows.stick_normal, closed_state);
+        const double T = dot(flows.stick_force, closed_state);
+        if (N >= 0.0 && std::abs(T) <= flows.static_friction * N) return {Mode::stick, 0, closed_state};
+        direction = -T;
+    }
+    const Mode mode = direction > 0.0 ? Mode::slip_forward : Mode::slip_backward;
+    if (dot(flows.flow[static_cast<int>(mode)].normal_force, closed_state) < 0.0)
+        return open_contact(flows, closed_state, 2);
+    Transition next{mode, slip_velocity == 0.0 ? 1 : 0, closed_state};
+    next.slip_velocity = slip_velocity;
+    return next;
+}
+
+Transition follow(const Flows& flows, Mode mode, int test, const Lanes& state, const SurfaceNumbers& surface,
+                  const Impact& impact) {
+    if (mode == Mode::open) return land(flows, state, surface, impact);
+    if (is_slip(mode) && test == 0) return open_contact(flows, state, 3);
+    const Places at(flows);
+    Lanes stuck = state;
+    stuck.at[at.speed] = stuck.at[at.surface];  // w = 0
+    if (is_slip(mode)) return close_contact(flows, stuck, 0.0);
+    const int order = flows.static_friction > flows.kinetic_friction ? 1 : 2;
+    return {test == 0 ? Mode::slip_backward : Mode::slip_forward, order, stuck};
+}
+
+}  // namespace stridor::integration
