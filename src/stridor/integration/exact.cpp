@@ -63,7 +63,7 @@ template <int dofs>
 class Runner {
 public:
     Runner(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start, const Exact& settings,
-           record::Recorder& recorder);
+           SharedFlows<dofs>& shared, record::Recorder& recorder);
 
     Motion run(std::stop_token stop);
 
@@ -118,7 +118,7 @@ private:
 
     const Structure<dofs>& structure_;
     ContactCoordinates<dofs> coordinates_;
-    Flows flows_;
+    const Flows& flows_;
     const Kernel& kernel_;
     Exact settings_;
     double drive_rate_;  // [rad/s] of a sinusoidal drive
@@ -163,11 +163,11 @@ private:
 
 template <int dofs>
 Runner<dofs>::Runner(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
-                     const Exact& settings, record::Recorder& recorder)
+                     const Exact& settings, SharedFlows<dofs>& shared, record::Recorder& recorder)
     : structure_(structure),
       coordinates_(contact_coordinates(structure)),
-      flows_(prepare_flows(coordinates_, structure.friction,
-                           drive.kind == parameters::DriveKind::sinusoidal ? drive.frequency : 0.0)),
+      flows_(shared.of(coordinates_, structure.friction,
+                       drive.kind == parameters::DriveKind::sinusoidal ? drive.frequency : 0.0)),
       kernel_(kernel(settings.instruction_set, dofs)),
       settings_(settings),
       drive_rate_(angular_frequency(drive)),
@@ -455,7 +455,7 @@ void Runner<dofs>::end_silently() {
     Lanes s = s_;
     double now = time();
     while (span_ < spans().size()) {
-        sliding_->pass(kernel_, spans()[span_].to - now, s, account_);
+        sliding_->pass(kernel_, spans()[span_].to - now, spans()[span_].use, s, account_);
         add(banked_, totals(flows_, account_), 1.0);
         account_ = {};
         now = spans()[span_].to;
@@ -557,15 +557,16 @@ void require_valid_contact(const Structure<dofs>& structure) {
 
 template <int dofs>
 Motion integrate_exact(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
-                       const Exact& settings, record::Recorder recorder, std::stop_token stop) {
+                       const Exact& settings, record::Recorder recorder, std::stop_token stop,
+                       SharedFlows<dofs>& shared) {
     require_valid_contact(structure);
-    Runner<dofs> runner(structure, drive, start, settings, recorder);
+    Runner<dofs> runner(structure, drive, start, settings, shared, recorder);
     return runner.run(std::move(stop));
 }
 
 template Motion integrate_exact<2>(const Structure<2>&, const parameters::Drive&, const Start&, const Exact&,
-                                   record::Recorder, std::stop_token);
+                                   record::Recorder, std::stop_token, SharedFlows<2>&);
 template Motion integrate_exact<3>(const Structure<3>&, const parameters::Drive&, const Start&, const Exact&,
-                                   record::Recorder, std::stop_token);
+                                   record::Recorder, std::stop_token, SharedFlows<3>&);
 
 }  // namespace stridor::integration

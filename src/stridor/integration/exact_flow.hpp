@@ -3,6 +3,8 @@
 #include "stridor/integration/contact_coordinates.hpp"
 #include "stridor/integration/exact_tables.hpp"
 
+#include <memory>
+
 namespace stridor::integration {
 
 /// Prepares the contact states of a structure; `drive_frequency` [Hz] is 0 unless the drive is sinusoidal.
@@ -12,5 +14,37 @@ Flows prepare_flows(const ContactCoordinates<dofs>& coordinates, const model::Co
 
 extern template Flows prepare_flows<2>(const ContactCoordinates<2>&, const model::Coulomb&, double);
 extern template Flows prepare_flows<3>(const ContactCoordinates<3>&, const model::Coulomb&, double);
+
+/// Prepared flows, kept for the next run: cells of a chart often differ in preload, velocity or start only.
+///
+/// For one thread at a time. The same numbers come out whether they were kept or prepared anew.
+template <int dofs>
+class SharedFlows {
+public:
+    /// Valid until the next call.
+    const Flows& of(const ContactCoordinates<dofs>& coordinates, const model::Coulomb& friction,
+                    double drive_frequency) {
+        const bool is_same =
+            last_ && last_->coordinates.basis == coordinates.basis && last_->coordinates.mass == coordinates.mass &&
+            last_->coordinates.damping == coordinates.damping &&
+            last_->coordinates.stiffness == coordinates.stiffness && last_->coordinates.load == coordinates.load &&
+            last_->friction.static_coefficient == friction.static_coefficient &&
+            last_->friction.kinetic_coefficient == friction.kinetic_coefficient &&
+            last_->drive_frequency == drive_frequency;
+        if (!is_same)
+            last_ = std::make_unique<Entry>(
+                Entry{coordinates, friction, drive_frequency, prepare_flows(coordinates, friction, drive_frequency)});
+        return last_->flows;
+    }
+
+private:
+    struct Entry {
+        ContactCoordinates<dofs> coordinates;
+        model::Coulomb friction;
+        double drive_frequency;
+        Flows flows;
+    };
+    std::unique_ptr<Entry> last_;
+};
 
 }  // namespace stridor::integration

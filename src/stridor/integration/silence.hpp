@@ -2,6 +2,7 @@
 
 #include "stridor/integration/exact_account.hpp"
 #include "stridor/integration/motion.hpp"
+#include "stridor/record/schedule.hpp"
 
 #include <Eigen/Core>
 
@@ -21,9 +22,9 @@ public:
     /// A proof that the contact slips for ever from this state on, with N > 0 and w != 0; nothing if there is none.
     std::optional<Silence> silence(const Lanes& s, double time) const;
 
-    /// Adds the vibration of the next `duration` [s] to the account and moves the state to its end. `kernel` samples the
-    /// beginning for the peaks; later ones are smaller.
-    void pass(const Kernel& kernel, double duration, Lanes& s, Account& account) const;
+    /// Adds the vibration of the next `duration` [s] to the account, if it is judged, and moves the state to its end. Peaks
+    /// are those of the first thousand steps.
+    void pass(const Kernel& kernel, double duration, record::Use use, Lanes& s, Account& account) const;
 
 private:
     static constexpr int most = 2 * (most_coordinates - 1);

@@ -20,12 +20,17 @@ Cost cost(const parameters::Case& c) {
 }
 
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop) {
+    Workspace workspace;
+    return simulate(c, request, std::move(stop), workspace);
+}
+
+Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace) {
     record::Recorder recorder(record::schedule(c), request, model::rubbing_system_dofs);
     switch (c.run.engine) {
         case parameters::Engine::exact:
             return integrate_exact(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
                                    {c.contact.impact, c.contact.restitution, c.run.early_ending}, std::move(recorder),
-                                   std::move(stop));
+                                   std::move(stop), workspace.flows);
         case parameters::Engine::beta_2:
             return integrate_beta_2(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
                                     {c.run.step, c.run.beta_2}, std::move(recorder), std::move(stop));

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "stridor/integration/exact_flow.hpp"
 #include "stridor/integration/motion.hpp"
+#include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"
 
@@ -16,9 +18,15 @@ struct Cost {
 
 Cost cost(const parameters::Case& c);
 
+/// What runs of many cases, one after the other, may share: it saves time and changes nothing.
+struct Workspace {
+    SharedFlows<model::rubbing_system_dofs> flows;
+};
+
 /// Runs a case with the engine it names; the one door to all engines.
 ///
 /// The case must have no `parameters::findings`. Returns and throws what the engine does.
+Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace);
 Motion simulate(const parameters::Case& c, const record::Request& request = {}, std::stop_token stop = {});
 
 }  // namespace stridor::integration

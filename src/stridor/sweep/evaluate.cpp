@@ -51,12 +51,12 @@ Attempt ended(Motion motion, const Case& c) {
 }
 
 // nothing if the run was stopped
-std::optional<Attempt> attempt(const Case& c, std::stop_token stop) {
+std::optional<Attempt> attempt(const Case& c, std::stop_token stop, integration::Workspace& workspace) {
     const std::vector<parameters::Finding> findings = parameters::findings(c);
     if (!findings.empty())
         return Attempt{Status::invalid, Error(ErrorKind::input, findings.front().problem).what(), {}};
     try {
-        Motion motion = integration::simulate(c, {}, std::move(stop));
+        Motion motion = integration::simulate(c, {}, std::move(stop), workspace);
         if (motion.outcome.reason == Reason::cancelled) return std::nullopt;
         return ended(std::move(motion), c);
     } catch (const Error& error) {
@@ -119,12 +119,18 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
 }  // namespace
 
 std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop) {
+    integration::Workspace workspace;
+    return evaluate(study, ix, iy, stop, workspace);
+}
+
+std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop,
+                           integration::Workspace& workspace) {
     const bool runs_each_direction = study.base.drive.kind == parameters::DriveKind::constant;
     std::vector<Cell> cells;
     std::optional<Attempt> run;
     for (std::size_t direction = 0; direction < study.directions.size(); ++direction) {
         const Case c = case_at(study, {direction, iy, ix});
-        if (direction == 0 || runs_each_direction) run = attempt(c, stop);
+        if (direction == 0 || runs_each_direction) run = attempt(c, stop, workspace);
         if (!run) return {};
         cells.push_back(cell_of(c, study.directions[direction], *run));
     }

@@ -3,6 +3,7 @@
 #include "stridor/sweep/evaluate.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -33,9 +34,10 @@ void Workers::compute_all(int threads) {
         tbb::task_arena arena(count);
         tbb::task_group_context context;
         using Range = tbb::blocked_range<std::size_t>;
+        tbb::enumerable_thread_specific<integration::Workspace> workspaces;
         const auto compute_range = [&](const Range& range) {
             for (std::size_t k = range.begin(); k < range.end() && !halt_.stop_requested(); ++k)
-                compute(points_[k]);
+                compute(points_[k], workspaces.local());
             if (halt_.stop_requested()) context.cancel_group_execution();
         };
         // a point takes milliseconds to minutes: each is a task of its own
@@ -54,13 +56,13 @@ void Workers::keep_failure(std::exception_ptr failure) {
     if (!failure_) failure_ = std::move(failure);
 }
 
-void Workers::compute(std::size_t point) {
+void Workers::compute(std::size_t point, integration::Workspace& workspace) {
     const auto columns = static_cast<std::size_t>(study_.x.points);
     const auto ix = static_cast<int>(point % columns);
     const auto iy = static_cast<int>(point / columns);
     std::vector<Cell> cells;
     try {
-        cells = evaluate(study_, ix, iy, halt_.get_token());
+        cells = evaluate(study_, ix, iy, halt_.get_token(), workspace);
     } catch (...) {
         // kept here: TBB drops an exception that comes after another worker has cancelled the group
         keep_failure(std::current_exception());

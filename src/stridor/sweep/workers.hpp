@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/integration/simulate.hpp"
 #include "stridor/sweep/store.hpp"
 #include "stridor/sweep/study.hpp"
 
@@ -41,7 +42,7 @@ public:
 
 private:
     void compute_all(int threads);
-    void compute(std::size_t point);
+    void compute(std::size_t point, integration::Workspace& workspace);
     void keep_failure(std::exception_ptr failure);  // the first one counts
 
     const Study& study_;
