@@ -6,7 +6,7 @@ _stridor() {
         return
     fi
     if [[ $previous == --set ]]; then
-        COMPREPLY=($(compgen -W "title= joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= contact.preload= contact.static_friction= contact.kinetic_friction= contact.impact= contact.restitution= drive.kind= drive.amplitude= drive.frequency= drive.velocity= drive.file= run.duration= run.window= run.initial= run.perturbation= run.engine= run.step= run.beta_2= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
+        COMPREPLY=($(compgen -W "title= joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= contact.preload= contact.static_friction= contact.kinetic_friction= contact.impact= contact.restitution= drive.kind= drive.amplitude= drive.frequency= drive.velocity= drive.file= run.duration= run.window= run.initial= run.perturbation= run.engine= run.early_ending= run.step= run.beta_2= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
         compopt -o nospace
         return
     fi
@@ -17,9 +17,9 @@ _stridor() {
     case ${COMP_WORDS[1]} in
         init) options="--help --output" ;;
         check) options="--help --set --json" ;;
-        simulate) options="--help --set --json --trace --trace-from --trace-to --trace-interval --history --figure --zoom" ;;
+        simulate) options="--help --set --no-early --json --trace --trace-from --trace-to --trace-interval --history --figure --zoom" ;;
         stability) options="--help --set --over --figure --json" ;;
-        chart) options="--help --set --out --threads --json" ;;
+        chart) options="--help --set --no-early --out --threads --json" ;;
         figure) options="--help" ;;
         verify) options="--help" ;;
         completion) options="--help" ;;

@@ -13,6 +13,12 @@ void add_case_options(CLI::App& command, CaseOptions& options) {
         ->allow_extra_args(false);
 }
 
+void add_no_early_option(CLI::App& command, CaseOptions& options) {
+    command.add_flag_callback(
+        "--no-early", [&options] { options.overrides.emplace_back("run.early_ending=never"); },
+        "simulate to the end, even once the rest is proven (run.early_ending=never)");
+}
+
 parameters::Case load_case(const CaseOptions& options) {
     return io::read_case(io::load_toml(options.file, options.overrides));
 }

@@ -77,6 +77,7 @@ void add_chart(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "chart", "Compute and draw a noise chart over two parameters; resumes where it was stopped.");
     add_case_options(*command, options->input);
+    add_no_early_option(*command, options->input);
     command->add_option("--out", options->out, "folder for store, figures and tables (default: the file's name)")
         ->type_name("DIR");
     command->add_option("--threads", options->threads, "number of threads (default: one per processor)")

@@ -30,6 +30,9 @@ struct CaseOptions {
 /// Adds the file and `--set`.
 void add_case_options(CLI::App& command, CaseOptions& options);
 
+/// Adds `--no-early`, short for --set run.early_ending=never.
+void add_no_early_option(CLI::App& command, CaseOptions& options);
+
 /// Reads the case the options name.
 parameters::Case load_case(const CaseOptions& options);
 

@@ -91,6 +91,17 @@ std::string engine_text(const parameters::Case& c) {
     return "exact, impact " + parameters::value_text(c, *parameters::find_field("contact.impact"));
 }
 
+// what is known of the rest of a run that ended early
+std::string proof_text(const integration::Motion& motion) {
+    if (motion.silence)
+        return fmt::format("slips for ever from {:.4g} s on: N stays above {:.4g} N, |w| above {:.4g} m/s\n\n",
+                           motion.silence->time, motion.silence->normal_force, motion.silence->slip_velocity);
+    if (motion.cycle)
+        return fmt::format("limit cycle from {:.4g} s on: period {:.9g} s, {} events, returns to {:.1e}\n\n",
+                           motion.cycle->time, motion.cycle->period, motion.cycle->events, motion.cycle->residual);
+    return "";
+}
+
 std::string report(const parameters::Case& c, const integration::Motion& motion, const std::vector<Verdict>& verdicts) {
     std::string text = styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n";
     text +=
@@ -99,6 +110,7 @@ std::string report(const parameters::Case& c, const integration::Motion& motion,
     text += fmt::format("engine {}; start: {}; energy balance closes to {:.1e}\n\n", engine_text(c),
                         parameters::value_text(c, *parameters::find_field("run.initial")),
                         std::abs(motion.energy.relative_residual()));
+    text += proof_text(motion);
     text += fmt::format("{:<8}{:<10}{:>8}{:>8}{:>8}{:>13}{:>12}{:>12}\n", "phase", "category", "slip", "stick",
                         "separ.", "regularity", "frequency", "joint");
     for (const Verdict& verdict : verdicts)
@@ -185,6 +197,7 @@ void add_simulate(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("simulate", "Run one case and say whether it squeals, squeaks, creaks or stays quiet.");
     add_case_options(*command, options->input);
+    add_no_early_option(*command, options->input);
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.simulation/1)");
     command->add_option("--trace", options->trace, "write the sampled motion to FILE.csv or FILE.nc")
         ->type_name("FILE");

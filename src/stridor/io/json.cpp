@@ -82,6 +82,12 @@ Json simulation_units(const Case& c) {
     units.update(Json{{"engine.step", "s"},
                       {"engine.step_limit", "s"},
                       {"outcome.time", "s"},
+                      {"outcome.silence.time", "s"},
+                      {"outcome.silence.normal_force", "N"},
+                      {"outcome.silence.slip_velocity", "m/s"},
+                      {"outcome.limit_cycle.time", "s"},
+                      {"outcome.limit_cycle.period", "s"},
+                      {"outcome.limit_cycle.residual", "1"},
                       {"energy", "J"},
                       {"energy.relative_residual", "1"},
                       {"phases.window", "s"},
@@ -139,6 +145,20 @@ Json stability_units() {
             {"directions.modes.frequency", "Hz"}, {"directions.boundaries.frequency", "Hz"}};
 }
 
+Json outcome_object(const integration::Motion& motion) {
+    Json object{{"reason", name_of(integration::reason_names, motion.outcome.reason)}, {"time", motion.outcome.time}};
+    if (motion.silence)
+        object["silence"] = {{"time", motion.silence->time},
+                             {"normal_force", motion.silence->normal_force},
+                             {"slip_velocity", motion.silence->slip_velocity}};
+    if (motion.cycle)
+        object["limit_cycle"] = {{"time", motion.cycle->time},
+                                 {"period", motion.cycle->period},
+                                 {"residual", motion.cycle->residual},
+                                 {"events", motion.cycle->events}};
+    return object;
+}
+
 Json engine_object(const parameters::Case& c, const integration::Cost& cost) {
     const auto text = [&](const char* key) { return parameters::value_text(c, *parameters::find_field(key)); };
     Json object{{"name", text("run.engine")}, {"impact", text("contact.impact")}, {"steps", cost.steps}};
@@ -157,8 +177,7 @@ std::string simulation_json(const parameters::Case& c, const integration::Motion
                             std::span<const classification::Verdict> verdicts) {
     Json document = opening("simulation", c);
     document["engine"] = engine_object(c, cost);
-    document["outcome"] = {{"reason", name_of(integration::reason_names, motion.outcome.reason)},
-                           {"time", motion.outcome.time}};
+    document["outcome"] = outcome_object(motion);
     document["energy"] = energy_object(motion.energy);
     document["phases"] = Json::array();
     for (const classification::Verdict& verdict : verdicts)

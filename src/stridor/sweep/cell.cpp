@@ -30,6 +30,8 @@ constexpr std::array figures{
     CellFigure{"mode_frequency", "Hz", "frequency of the mode with the largest growth rate", &Cell::mode_frequency},
     CellFigure{"energy_residual", "1", "energy the computation created or lost, as a share of the turnover",
                &Cell::energy_residual},
+    CellFigure{"proof_time", "s", "time from which the rest of the motion was proven; none if it was simulated",
+               &Cell::proof_time},
 };
 
 }  // namespace

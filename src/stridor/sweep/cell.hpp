@@ -53,6 +53,7 @@ struct Cell {
     double growth_rate = unknown;        // [1/s] of steady sliding
     double mode_frequency = unknown;     // [Hz] of the mode with it
     double energy_residual = unknown;    // [1] relative
+    double proof_time = unknown;         // [s] from which the rest was proven; NaN: simulated to the end
 };
 
 /// One number of a cell; the store's columns, CSV, netCDF and what a chart can draw all come from this table. A name is

@@ -113,6 +113,7 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     cell.growth_rate = stability.growth;
     cell.mode_frequency = stability.frequency;
     cell.energy_residual = attempt.motion.energy.relative_residual();
+    if (attempt.motion.outcome.reason == Reason::settled) cell.proof_time = attempt.motion.outcome.time;
     return cell;
 }
 

@@ -14,11 +14,11 @@
 namespace stridor::sweep {
 
 /// Layout of a store. Raise it when a table, a column or the meaning of one changes: older stores are then refused.
-inline constexpr int store_schema = 1;
+inline constexpr int store_schema = 2;
 
 /// Generation of the numbers. Raise it with every change that moves a result (the changelog's "Results changed"): a
 /// store begun before is then refused, for its cells and new ones would not fit together.
-inline constexpr int results_version = 1;
+inline constexpr int results_version = 2;
 
 /// How many cells there are of each kind.
 struct Counts {
