@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace stridor {
 namespace {
@@ -104,7 +105,7 @@ TEST(QuadReference, GivesThePublishedDigitsOfStickSlip) {
         {1000.0, 0.749445, 2.4849233e-3},
         {2000.0, 0.880442, 5.2618757e-3},
     }};
-    for (const Known& known : all) {
+    for (const Known& known : std::span(all).first(support::effort(3U, 1U))) {
         Case c = constant_case(PaperCase::squeak, -0.1257, 2.0);
         c.contact.preload = known.preload;
         c.run.initial = parameters::Initial::stuck;
