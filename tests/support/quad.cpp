@@ -11,6 +11,7 @@
 #include "support/quad.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace stridor::support {
 
@@ -48,8 +49,9 @@ Quad polished_root(const Series<Quad>& p, Quad low, Quad high) {
     return x;
 }
 
-constexpr int double_depth = 24;  // halvings after which double precision gives way to quad
-constexpr int last_depth = 80;    // halvings after which a stretch counts as a touch
+constexpr int double_depth = 24;        // halvings after which double precision gives way to quad
+constexpr int last_depth = 80;          // halvings after which a stretch counts as a touch
+constexpr int most_stretches = 100000;  // a series that is nothing but rounding errors would need 2^80
 
 // of [0, 1]
 struct Stretch {
@@ -59,7 +61,9 @@ struct Stretch {
 
 // p not negative at the stretch's low end; `rounding` is more than the error of any sum below
 template <typename Real>
-std::optional<Quad> first_fall_in(const Series<Quad>& p, const Series<Real>& rounded, Real rounding, Stretch in) {
+std::optional<Quad> first_fall_in(const Series<Quad>& p, const Series<Real>& rounded, Real rounding, Stretch in,
+                                  int& stretches) {
+    if (++stretches > most_stretches) throw std::runtime_error("an event function is zero but for rounding");
     const Quad middle = (in.low + in.high) / 2;
     const Real r = static_cast<Real>((in.high - in.low) / 2);
     const Series<Real> q = shifted(rounded, static_cast<Real>(middle));
@@ -77,10 +81,10 @@ std::optional<Quad> first_fall_in(const Series<Quad>& p, const Series<Real>& rou
     }
     if (in.depth >= last_depth) return {};
     if constexpr (sizeof(Real) < sizeof(Quad)) {
-        if (in.depth >= double_depth) return first_fall_in<Quad>(p, p, Quad(0), in);
+        if (in.depth >= double_depth) return first_fall_in<Quad>(p, p, Quad(0), in, stretches);
     }
-    if (const auto early = first_fall_in(p, rounded, rounding, {in.low, middle, in.depth + 1})) return early;
-    return first_fall_in(p, rounded, rounding, {middle, in.high, in.depth + 1});
+    if (const auto early = first_fall_in(p, rounded, rounding, {in.low, middle, in.depth + 1}, stretches)) return early;
+    return first_fall_in(p, rounded, rounding, {middle, in.high, in.depth + 1}, stretches);
 }
 
 }  // namespace
@@ -116,8 +120,10 @@ std::optional<Quad> first_fall(const Series<Quad>& p, Quad end) {
         rounded[k] = static_cast<double>(p[k]);
         size += static_cast<double>(k + 1) * std::abs(std::ldexp(rounded[k], static_cast<int>(k)));
     }
+    if (size == 0.0) return {};
+    int stretches = 0;
     // each coefficient of a shift takes at most 2 * 28 roundings of 1.1e-16
-    return first_fall_in<double>(p, rounded, 1e-13 * size, {Quad(0), end, 0});
+    return first_fall_in<double>(p, rounded, 1e-13 * size, {Quad(0), end, 0}, stretches);
 }
 
 }  // namespace stridor::support

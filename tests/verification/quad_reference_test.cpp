@@ -68,6 +68,11 @@ TEST(FirstFall, LooksNoFurtherThanTheEnd) {
     EXPECT_TRUE(support::first_fall(parabola(a, 2, 1), a + Quad(1e-20)).has_value());
 }
 
+// the stick force of a joint at rest on a plate at rest
+TEST(FirstFall, FindsNoneInASeriesOfZeros) {
+    EXPECT_FALSE(support::first_fall(support::Series<Quad>{}, 1).has_value());
+}
+
 // x³ (x - 1/3)(x - 2): the root that has just happened is divided out, the next one stays
 TEST(FirstFall, IsNotDisturbedByTheRootThatHasJustHappened) {
     support::Series<Quad> p{};
@@ -172,6 +177,18 @@ TEST(QuadReference, AgreesWithTheIndependentEngine) {
     const record::ContactHistory history = quad_reference(sinusoidal).history;
     EXPECT_GT(history.size(), 20U);
     EXPECT_EQ(common_changes(history, support::event_driven(sinusoidal, 2e-6, 1 << 30).history, 1e-9), history.size());
+}
+
+// without a jump of the friction force w leaves zero with w' = 0 too: a double root
+TEST(QuadReference, ReleasesAContactWithoutAJumpOfTheFrictionForce) {
+    Case c = constant_case(PaperCase::squeal, 0.1, 0.1);
+    c.contact.kinetic_friction = c.contact.static_friction;
+    const record::ContactHistory history = quad_reference(c).history;
+    int releases = 0;
+    for (std::size_t k = 1; k < history.size(); ++k)
+        releases += history[k - 1].state == ContactState::stick && history[k].state == ContactState::slip ? 1 : 0;
+    EXPECT_GT(releases, 10);
+    EXPECT_EQ(common_changes(history, support::event_driven(c, 2e-6, 1 << 30).history, 1e-9), history.size());
 }
 
 TEST(QuadReference, LeavesAnImpactInsideTheFrictionCone) {
