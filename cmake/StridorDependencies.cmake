@@ -18,4 +18,6 @@ if(STRIDOR_TESTS)
 endif()
 if(STRIDOR_BENCHMARKS)
     find_package(benchmark REQUIRED)
+    find_package(Boost 1.74 REQUIRED)  # a peer, Boost.odeint: Boost::headers
+    find_package(SUNDIALS 6 QUIET COMPONENTS cvode nvecserial sunnonlinsolfixedpoint)  # a peer, CVODE; optional
 endif()

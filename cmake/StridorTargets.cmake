@@ -6,7 +6,7 @@
 #   stridor_program(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...])
 #   stridor_test(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [LABEL label] [TIMEOUT seconds] [PROGRAM])
 #   stridor_example(NAME SOURCE main.cpp [DEPENDS modules ...] [ARGUMENTS ...])
-#   stridor_benchmark(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...])
+#   stridor_benchmark(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [OWN_MAIN])
 
 # Every option that a translation unit of ours is compiled with.
 #
@@ -153,9 +153,10 @@ function(stridor_example name)
     set_tests_properties(example.${name} PROPERTIES LABELS example TIMEOUT 300)
 endfunction()
 
-# A Google Benchmark executable NAME_benchmark in ${CMAKE_BINARY_DIR}/benchmarks, where `./dev bench` finds it.
+# A Google Benchmark executable NAME_benchmark in ${CMAKE_BINARY_DIR}/benchmarks, where `./dev bench` finds it; with OWN_MAIN
+# a program that measures by itself.
 function(stridor_benchmark name)
-    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;DEPENDS;LIBRARIES")
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "OWN_MAIN" "" "SOURCES;DEPENDS;LIBRARIES")
     stridor_check_arguments(stridor_benchmark ${name})
     set(target ${name}_benchmark)
     add_executable(${target} ${ARG_SOURCES})
@@ -163,5 +164,8 @@ function(stridor_benchmark name)
     stridor_compile_options(${target} PRIVATE)
     target_compile_definitions(${target} PRIVATE STRIDOR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     stridor_link_modules(${target} PRIVATE ${ARG_DEPENDS})
-    target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} benchmark::benchmark_main)
+    target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES})
+    if(NOT ARG_OWN_MAIN)
+        target_link_libraries(${target} PRIVATE benchmark::benchmark_main)
+    endif()
 endfunction()
