@@ -11,11 +11,14 @@
 namespace stridor::peers {
 
 using parameters::Case;
+using parameters::EarlyEnding;
 using parameters::Engine;
 using parameters::Run;
 
 std::vector<Peer> peers() {
     return {
+        {"Stridor exact", stridor_engine([](Run& run) { run.early_ending = EarlyEnding::never; })},
+        {"Stridor exact, early endings", stridor_engine([](Run&) {})},
         {"Stridor beta_2, h = 1e-6 s", stridor_engine([](Run& run) { run.engine = Engine::beta_2, run.step = 1e-6; })},
         {"Stridor beta_2, h = 1e-7 s", stridor_engine([](Run& run) { run.engine = Engine::beta_2, run.step = 1e-7; })},
         {"odeint dopri5, rtol 1e-8", [](const Case& c) { return by_odeint(c, 1e-8); }},

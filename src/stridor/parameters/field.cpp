@@ -44,9 +44,6 @@ bool has_phases(const Case& c) {
 bool rebounds(const Case& c) {
     return c.contact.impact == ImpactLaw::restitution;
 }
-bool is_exact(const Case& c) {
-    return c.run.engine == Engine::exact;
-}
 bool has_steps(const Case& c) {
     return c.run.engine == Engine::beta_2;
 }
@@ -122,8 +119,8 @@ const std::array table{
           quantity<&Case::run, &Run::perturbation>("m/s", any), starts_sliding},
     Field{"run", "engine", "", "how the motion is computed", choice<&Case::run, &Run::engine, Engine>(engine_names),
           always},
-    Field{"run", "early_ending", "", "stop once silence is proven or a limit cycle found, under a constant drive",
-          choice<&Case::run, &Run::early_ending, EarlyEnding>(early_ending_names), is_exact},
+    Field{"run", "early_ending", "", "exact engine, constant drive: stop once silence is proven or a limit cycle found",
+          choice<&Case::run, &Run::early_ending, EarlyEnding>(early_ending_names), always},
     Field{"run", "step", "h", "time step of the beta_2 engine", quantity<&Case::run, &Run::step>("s", positive),
           has_steps},
     Field{"run", "beta_2", "beta_2", "0.5: central difference, second order; above it numerical damping, first order",

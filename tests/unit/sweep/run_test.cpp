@@ -106,7 +106,8 @@ TEST_F(Run, ComputesNothingWhenStoppedBefore) {
 }
 
 TEST_F(Run, StopsRunsThatWouldTakeHours) {
-    study_.base.run.duration = 1e5;
+    study_.base.run.duration = 1e6;
+    study_.base.run.early_ending = parameters::EarlyEnding::never;
     ScratchFolder other;
     Store store(other / "chart.sqlite", study_);
     std::stop_source source;
