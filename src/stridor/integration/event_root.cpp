@@ -18,47 +18,6 @@ constexpr double narrowest = 0x1p-27;
 // what the form of degree 7 may miss, as a share of its largest coefficient
 constexpr double missed = 1e-6;
 
-// the series without its known root, and its slope; four interleaved chains each
-class Quotient {
-public:
-    Quotient(const Lanes (&series)[term_blocks], int multiplicity) {
-        for (int k = 0; k < terms; ++k)
-            c_[k] = series[k / lanes].at[k % lanes];
-        a_ = c_ + multiplicity;
-    }
-
-    double value(double x) const {
-        const double x2 = x * x;
-        const double x4 = x2 * x2;
-        double p[4] = {a_[terms - 4], a_[terms - 3], a_[terms - 2], a_[terms - 1]};
-        for (int k = terms - 8; k >= 0; k -= 4)
-            for (int i = 0; i < 4; ++i)
-                p[i] = p[i] * x4 + a_[k + i];
-        return (p[0] + p[1] * x) + (p[2] + p[3] * x) * x2;
-    }
-
-    // to 1e-4, which is enough for Newton's steps
-    double slope(double x) const {
-        const double x2 = x * x;
-        const double x4 = x2 * x2;
-        double p[4];
-        for (int i = 0; i < 4; ++i)
-            p[i] = ((9 + i) * a_[9 + i] * x4 + (5 + i) * a_[5 + i]) * x4 + (1 + i) * a_[1 + i];
-        return (p[0] + p[1] * x) + (p[2] + p[3] * x) * x2;
-    }
-
-    // sign just after 0: that of the first coefficient that is not zero
-    double first() const {
-        for (int k = 0; k < terms; ++k)
-            if (a_[k] != 0.0) return a_[k];
-        return 0.0;
-    }
-
-private:
-    double c_[terms + most_multiplicity]{};
-    const double* a_;
-};
-
 struct Interval {
     double from, to;
     Lanes b;
@@ -106,29 +65,18 @@ double first_guess(const Interval& interval) {
     return interval.from + (interval.to - interval.from) * (j + share) / degree;
 }
 
-// the root between a positive and a non-positive value: Newton's steps, halved where they leave the bracket
-double polish(const Quotient& q, const Interval& interval) {
-    // a step this small leaves an error of its square
-    constexpr double close = 1e-9;
-    double from = interval.from, to = interval.to;
-    double x = first_guess(interval);
-    for (int k = 0; k < 80; ++k) {
-        const double value = q.value(x);
-        (value > 0.0 ? from : to) = x;
-        double next = x - value / q.slope(x);
-        if (!(next >= from && next <= to)) next = 0.5 * (from + to);
-        const double change = std::abs(next - x);
-        x = next;
-        if (change <= close * x || change < 0x1p-70) break;
-    }
-    return x;
+// sign of the quotient just after 0: that of the first coefficient that is not zero
+double first_coefficient(const Lanes (&series)[term_blocks], int multiplicity) {
+    for (int k = multiplicity; k < terms; ++k)
+        if (const double c = series[k / lanes].at[k % lanes]; c != 0.0) return c;
+    return 0.0;
 }
 
 }  // namespace
 
-double first_crossing(const Lanes (&series)[term_blocks], int multiplicity, const Lanes& bernstein) {
-    const Quotient q(series, multiplicity);
-    const double start = q.first();
+double first_crossing(const Lanes (&series)[term_blocks], int multiplicity, const Lanes& bernstein,
+                      const Kernel& loops) {
+    const double start = first_coefficient(series, multiplicity);
     if (start < 0.0) return 0.0;
     if (start == 0.0) return no_crossing;
 
@@ -147,7 +95,8 @@ double first_crossing(const Lanes (&series)[term_blocks], int multiplicity, cons
         if (shape == Shape::positive || shape == Shape::rising) continue;
         const bool is_last = here.to - here.from <= narrowest || depth + 2 > deepest;
         if (shape == Shape::falling || is_last) {
-            if (q.value(here.to) <= 0.0) return polish(q, here);
+            const double root = loops.root(series, multiplicity, here.from, here.to, first_guess(here));
+            if (root <= 1.0) return root;
             continue;
         }
         halve(here, stack[depth + 1], stack[depth]);

@@ -118,8 +118,8 @@ private:
 
     const Structure<dofs>& structure_;
     ContactCoordinates<dofs> coordinates_;
-    const Flows& flows_;
     const Kernel& kernel_;
+    const Flows& flows_;
     Exact settings_;
     double drive_rate_;  // [rad/s] of a sinusoidal drive
     ImposedMotion drive_;
@@ -166,9 +166,9 @@ Runner<dofs>::Runner(const Structure<dofs>& structure, const parameters::Drive& 
                      const Exact& settings, SharedFlows<dofs>& shared, record::Recorder& recorder)
     : structure_(structure),
       coordinates_(contact_coordinates(structure)),
-      flows_(shared.of(coordinates_, structure.friction,
-                       drive.kind == parameters::DriveKind::sinusoidal ? drive.frequency : 0.0)),
       kernel_(kernel(settings.instruction_set, dofs)),
+      flows_(shared.of(coordinates_, structure.friction,
+                       drive.kind == parameters::DriveKind::sinusoidal ? drive.frequency : 0.0, kernel_)),
       settings_(settings),
       drive_rate_(angular_frequency(drive)),
       drive_(drive, 1.0),
@@ -272,7 +272,7 @@ typename Runner<dofs>::Crossing Runner<dofs>::first_event() const {
         if ((near >> static_cast<unsigned>(k) & 1U) == 0) continue;
         Lanes series[term_blocks];
         kernel_.apply(f.test[k].series, term_blocks, s_, series);
-        const double tau = first_crossing(series, k == f.test_count - 1 ? multiplicity_ : 0, bernstein[k]);
+        const double tau = first_crossing(series, k == f.test_count - 1 ? multiplicity_ : 0, bernstein[k], kernel_);
         if (tau < first.tau) first = {tau, k};
     }
     return first;

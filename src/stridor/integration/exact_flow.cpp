@@ -31,27 +31,6 @@ Matrix8 columns_of(const Rows& rows) {
     return m;
 }
 
-Matrix8 product(const Matrix8& a, const Matrix8& b) {
-    Matrix8 c{};
-    for (int j = 0; j < lanes; ++j)
-        for (int k = 0; k < lanes; ++k) {
-            const double factor = b.column[j].at[k];
-            if (factor == 0.0) continue;
-            for (int i = 0; i < lanes; ++i)
-                c.column[j].at[i] += a.column[k].at[i] * factor;
-        }
-    return c;
-}
-
-// row . M
-Lanes times(const Lanes& row, const Matrix8& m) {
-    Lanes result{};
-    for (int j = 0; j < lanes; ++j)
-        for (int i = 0; i < lanes; ++i)
-            result.at[j] += row.at[i] * m.column[j].at[i];
-    return result;
-}
-
 // inverse of a small well-conditioned matrix, Gauss-Jordan with row exchange
 std::array<std::array<double, 8>, 8> inverse(std::array<std::array<double, 8>, 8> a) {
     std::array<std::array<double, 8>, 8> b{};
@@ -143,39 +122,11 @@ const Monomials& monomials() {
 // rows c.A^k h^k/k!, k = 0..terms-1
 using Series = std::array<Lanes, terms>;
 
-Series series_of(const Lanes& row, const Flow& flow) {
-    Series series;
-    for (std::size_t k = 0; k < terms; ++k)
-        series[k] = times(row, flow.power[k]);
-    return series;
-}
-
 void store(const Series& series, Matrix8 (&blocks)[term_blocks]) {
     for (int block = 0; block < term_blocks; ++block)
         for (int i = 0; i < lanes; ++i)
             for (int j = 0; j < lanes; ++j)
                 blocks[block].column[j].at[i] = series[static_cast<std::size_t>(block * lanes + i)].at[j];
-}
-
-// sum over k of what[k] (series of tau^(k + shift))
-Matrix8 combine(const std::array<Lanes, terms>& what, const Series& series, int shift) {
-    Matrix8 m{};
-    for (int k = terms - 1 - shift; k >= 0; --k)
-        for (int j = 0; j < lanes; ++j) {
-            const double factor = series[static_cast<std::size_t>(k + shift)].at[j];
-            for (int i = 0; i < lanes; ++i)
-                m.column[j].at[i] += what[static_cast<std::size_t>(k)].at[i] * factor;
-        }
-    return m;
-}
-
-EventFunction event_function(const Lanes& row, const Flow& flow) {
-    EventFunction f{};
-    f.row = row;
-    const Series series = series_of(row, flow);
-    store(series, f.series);
-    f.bernstein = combine(monomials().bernstein, series, 0);
-    return f;
 }
 
 Lanes sum(const Lanes& a, const Lanes& b, double factor) {
@@ -193,9 +144,11 @@ Lanes scaled(const Lanes& a, double factor) {
 template <int dofs>
 class Preparation {
 public:
-    Preparation(const ContactCoordinates<dofs>& c, const model::Coulomb& friction, double drive_frequency)
+    Preparation(const ContactCoordinates<dofs>& c, const model::Coulomb& friction, double drive_frequency,
+                const Kernel& loops)
         : c_(c),
           friction_(friction),
+          loops_(loops),
           omega_(two_pi * drive_frequency) {
         flows_.drive_frequency = drive_frequency;
     }
@@ -274,48 +227,69 @@ private:
         return a;
     }
 
-    void set_powers(Flow& flow, Mode mode, const Rows& generator, double fastest) {
+    // A h, and its transpose for rows
+    void set_powers(Flow& flow, Mode mode, Rows generator, double fastest) {
         flow.mode = mode;
+        flow.step = reach / fastest;
+        flow.surface_rate = omega_;
         flow.quadrature = quadrature();
         for (int i = 0; i < dofs; ++i)
             for (int j = 0; j < dofs; ++j)
                 flow.basis[i][j] = c_.basis(i, j);
-        flow.step = reach / fastest;
-        const Matrix8 a = columns_of(generator);
+        for (Lanes& row : generator)
+            for (double& entry : row.at)
+                entry *= flow.step;
+        const Matrix8 step = columns_of(generator);
+        for (int j = 0; j < lanes; ++j)
+            transposed_.column[j] = generator[static_cast<std::size_t>(j)];
         for (int j = 0; j < lanes; ++j)
             flow.power[0].column[j].at[j] = 1.0;
-        for (int k = 1; k < terms; ++k) {
-            flow.power[k] = product(a, flow.power[k - 1]);
-            for (Lanes& column : flow.power[k].column)
+        for (int k = 1; k < terms; ++k)
+            for (int j = 0; j < lanes; ++j) {
+                Lanes& column = flow.power[k].column[j];
+                loops_.apply(&step, 1, flow.power[k - 1].column[j], &column);
                 for (double& entry : column.at)
-                    entry *= flow.step / k;
-        }
+                    entry /= k;
+            }
         for (int k = terms - 1; k >= 0; --k)  // small terms first
             for (int j = 0; j < lanes; ++j)
                 for (int i = 0; i < lanes; ++i)
                     flow.advance.column[j].at[i] += flow.power[k].column[j].at[i];
     }
 
-    void set_test(Flow& flow, const Lanes& row) { flow.test[flow.test_count++] = event_function(row, flow); }
-
-    // the last event function may begin at a root: an impact, a lift-off, a slip that has just begun
-    void set_divided(Flow& flow) {
-        const Series series = series_of(flow.test[flow.test_count - 1].row, flow);
-        for (int m = 1; m <= most_multiplicity; ++m)
-            flow.divided[m - 1] = combine(monomials().bernstein, series, m);
+    Series series_of(const Lanes& row) const {
+        Series series;
+        series[0] = row;
+        for (std::size_t k = 1; k < terms; ++k) {
+            loops_.apply(&transposed_, 1, series[k - 1], &series[k]);
+            for (double& entry : series[k].at)
+                entry /= static_cast<double>(k);
+        }
+        return series;
     }
 
-    void set_sampled(const Flow& flow, const Lanes& row, Matrix8& at_nodes, Matrix8 (&blocks)[term_blocks]) const {
-        const Series series = series_of(row, flow);
+    void set_test(Flow& flow, const Lanes& row) {
+        EventFunction& test = flow.test[flow.test_count++];
+        const Series series = series_of(row);
+        test.row = row;
+        store(series, test.series);
+        loops_.combine(monomials().bernstein.data(), series.data(), terms, test.bernstein);
+        // it may begin at a root, if it is the last: an impact, a lift-off, a slip that has just begun
+        for (int m = 1; m <= most_multiplicity; ++m)
+            loops_.combine(monomials().bernstein.data(), series.data() + m, terms - m, flow.divided[m - 1]);
+    }
+
+    void set_sampled(const Lanes& row, Matrix8& at_nodes, Matrix8 (&blocks)[term_blocks]) const {
+        const Series series = series_of(row);
         store(series, blocks);
-        at_nodes = combine(monomials().at_nodes, series, 0);
+        loops_.combine(monomials().at_nodes.data(), series.data(), terms, at_nodes);
     }
 
     void set_velocities(Flow& flow, int count) {
         flow.velocity_count = count;
         for (int j = 0; j < count; ++j) {
             const int lane = j < closed ? velocity_lane(closed, j) : gap_lane(closed) + 1;
-            set_sampled(flow, unit(lane), flow.velocity[j], flow.velocity_series[j]);
+            set_sampled(unit(lane), flow.velocity[j], flow.velocity_series[j]);
         }
     }
 
@@ -332,7 +306,6 @@ private:
         }
         set_powers(flow, Mode::open, a, rate(dofs, 0.0));
         set_test(flow, unit(gap_lane(closed)));
-        set_divided(flow);
         set_velocities(flow, dofs);
     }
 
@@ -346,8 +319,8 @@ private:
         set_test(flow, sum(limit, flow.friction_force, -1.0));
         set_test(flow, sum(limit, flow.friction_force, 1.0));
         set_velocities(flow, closed);
-        set_sampled(flow, flow.friction_force, flow.force, flow.force_series);
-        set_sampled(flow, unit(surface_lane(closed)), flow.surface, flow.surface_series);
+        set_sampled(flow.friction_force, flow.force, flow.force_series);
+        set_sampled(unit(surface_lane(closed)), flow.surface, flow.surface_series);
     }
 
     void set_slip(Flow& flow, Mode mode, double sign) {
@@ -361,27 +334,28 @@ private:
         set_powers(flow, mode, a, std::max(rate(closed, in_x), omega_));
         set_test(flow, flow.normal_force);
         set_test(flow, scaled(sum(unit(velocity_lane(closed, 0)), unit(surface_lane(closed)), -1.0), sign));
-        set_divided(flow);
         set_velocities(flow, closed);
-        set_sampled(flow, flow.normal_force, flow.force, flow.force_series);
-        set_sampled(flow, unit(surface_lane(closed)), flow.surface, flow.surface_series);
+        set_sampled(flow.normal_force, flow.force, flow.force_series);
+        set_sampled(unit(surface_lane(closed)), flow.surface, flow.surface_series);
     }
 
     const ContactCoordinates<dofs>& c_;
     model::Coulomb friction_;
-    double omega_;  // [rad/s]
+    const Kernel& loops_;
+    double omega_;          // [rad/s]
+    Matrix8 transposed_{};  // of A h
     Flows flows_{};
 };
 
 }  // namespace
 
 template <int dofs>
-Flows prepare_flows(const ContactCoordinates<dofs>& coordinates, const model::Coulomb& friction,
-                    double drive_frequency) {
-    return Preparation<dofs>(coordinates, friction, drive_frequency).run();
+Flows prepare_flows(const ContactCoordinates<dofs>& coordinates, const model::Coulomb& friction, double drive_frequency,
+                    const Kernel& loops) {
+    return Preparation<dofs>(coordinates, friction, drive_frequency, loops).run();
 }
 
-template Flows prepare_flows<2>(const ContactCoordinates<2>&, const model::Coulomb&, double);
-template Flows prepare_flows<3>(const ContactCoordinates<3>&, const model::Coulomb&, double);
+template Flows prepare_flows<2>(const ContactCoordinates<2>&, const model::Coulomb&, double, const Kernel&);
+template Flows prepare_flows<3>(const ContactCoordinates<3>&, const model::Coulomb&, double, const Kernel&);
 
 }  // namespace stridor::integration

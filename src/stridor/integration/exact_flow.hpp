@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/integration/contact_coordinates.hpp"
-#include "stridor/integration/exact_tables.hpp"
+#include "stridor/integration/exact_kernel.hpp"
 
 #include <memory>
 
@@ -9,11 +9,11 @@ namespace stridor::integration {
 
 /// Prepares the contact states of a structure; `drive_frequency` [Hz] is 0 unless the drive is sinusoidal.
 template <int dofs>
-Flows prepare_flows(const ContactCoordinates<dofs>& coordinates, const model::Coulomb& friction,
-                    double drive_frequency);
+Flows prepare_flows(const ContactCoordinates<dofs>& coordinates, const model::Coulomb& friction, double drive_frequency,
+                    const Kernel& loops);
 
-extern template Flows prepare_flows<2>(const ContactCoordinates<2>&, const model::Coulomb&, double);
-extern template Flows prepare_flows<3>(const ContactCoordinates<3>&, const model::Coulomb&, double);
+extern template Flows prepare_flows<2>(const ContactCoordinates<2>&, const model::Coulomb&, double, const Kernel&);
+extern template Flows prepare_flows<3>(const ContactCoordinates<3>&, const model::Coulomb&, double, const Kernel&);
 
 /// Prepared flows, kept for the next run: cells of a chart often differ in preload, velocity or start only.
 ///
@@ -22,8 +22,8 @@ template <int dofs>
 class SharedFlows {
 public:
     /// Valid until the next call.
-    const Flows& of(const ContactCoordinates<dofs>& coordinates, const model::Coulomb& friction,
-                    double drive_frequency) {
+    const Flows& of(const ContactCoordinates<dofs>& coordinates, const model::Coulomb& friction, double drive_frequency,
+                    const Kernel& loops) {
         const bool is_same =
             last_ && last_->coordinates.basis == coordinates.basis && last_->coordinates.mass == coordinates.mass &&
             last_->coordinates.damping == coordinates.damping &&
@@ -32,8 +32,8 @@ public:
             last_->friction.kinetic_coefficient == friction.kinetic_coefficient &&
             last_->drive_frequency == drive_frequency;
         if (!is_same)
-            last_ = std::make_unique<Entry>(
-                Entry{coordinates, friction, drive_frequency, prepare_flows(coordinates, friction, drive_frequency)});
+            last_ = std::make_unique<Entry>(Entry{coordinates, friction, drive_frequency,
+                                                  prepare_flows(coordinates, friction, drive_frequency, loops)});
         return last_->flows;
     }
 

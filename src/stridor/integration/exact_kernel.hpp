@@ -27,6 +27,13 @@ struct Kernel {
     /// beginning of the last one. Returns a set of bits: those of the functions that may come near zero.
     unsigned (*look)(const Flow& flow, const Lanes& s, int multiplicity, Lanes* bernstein);
 
+    /// The columns of a matrix from coefficients of a series: column j is the sum over k of what[k] series[k].at[j].
+    void (*combine)(const Lanes* what, const Lanes* series, int count, Matrix8& result);
+
+    /// The root of a series, its first `multiplicity` coefficients left out, in [from, to], where it falls; `no_crossing` if it
+    /// is still positive at `to`. Newton's steps from `start`, halved where they leave the bracket.
+    double (*root)(const Lanes* series, int multiplicity, double from, double to, double start);
+
     /// exp(A h tau) s.
     void (*move)(const Flow& flow, const Lanes& s, double tau, Lanes& result);
 

@@ -189,12 +189,85 @@ unsigned look(const Flow& flow, const Lanes& s, int multiplicity, Lanes* bernste
     return near;
 }
 
+void combine(const Lanes* what, const Lanes* series, int count, Matrix8& result) {
+    Vector column[lanes]{};
+    for (int k = count - 1; k >= 0; --k) {  // small terms first
+        const Vector each = load(what[k]);
+        for (int j = 0; j < lanes; ++j)
+            column[j] += each * series[k].at[j];
+    }
+    for (int j = 0; j < lanes; ++j)
+        save(column[j], result.column[j]);
+}
+
+// value (lanes 0 to 3) and slope (4 to 7) of a polynomial, each in four interleaved chains
+class Quotient {
+public:
+    Quotient(const Lanes* series, int multiplicity) {
+        double c[terms + most_multiplicity + 1]{};
+        __builtin_memcpy(c, series, sizeof(double) * terms);
+        const double* a = c + multiplicity;
+        for (int k = 0; k < chain; ++k, a += 4) {
+            const double n = 4.0 * k;
+            const Vector both{a[0], a[1], a[2], a[3], a[1], a[2], a[3], a[4]};
+            term_[k] = both * Vector{1.0, 1.0, 1.0, 1.0, n + 1.0, n + 2.0, n + 3.0, n + 4.0};
+        }
+    }
+
+    void at(double x, double& value, double& slope) const {
+        const double x2 = x * x;
+        const double x3 = x2 * x;
+        const double x4 = x2 * x2;
+        Vector p = term_[chain - 1];
+        for (int k = chain - 2; k >= 0; --k)
+            p = p * x4 + term_[k];
+        p *= Vector{1.0, x, x2, x3, 1.0, x, x2, x3};
+        p += __builtin_shuffle(p, swap_neighbours);
+        p += __builtin_shuffle(p, swap_pairs);
+        value = p[0];
+        slope = p[4];
+    }
+
+private:
+    static constexpr int chain = terms / 4;
+    Vector term_[chain];
+};
+
+double root(const Lanes* series, int multiplicity, double from, double to, double start) {
+    // a step this small leaves an error of its square
+    constexpr double close = 1e-9;
+    const Quotient q(series, multiplicity);
+    double value = 0.0, slope = 0.0;
+    q.at(to, value, slope);
+    if (!(value <= 0.0)) return no_crossing;
+    double x = start;
+    for (int k = 0; k < 80; ++k) {
+        q.at(x, value, slope);
+        if (value > 0.0)
+            from = x;
+        else
+            to = x;
+        double next = x - value / slope;
+        if (!(next >= from && next <= to)) next = 0.5 * (from + to);
+        const double change = next > x ? next - x : x - next;
+        x = next;
+        if (change <= close * x || change < 0x1p-70) break;
+    }
+    return x;
+}
+
+// terms of a series over a part of a step: (2 tau)^n / n! is far below rounding
+inline int terms_for(double tau) {
+    return tau <= 0.25 ? 16 : tau <= 0.5 ? 20 : terms;
+}
+
 // Horner's rule on the columns of the series, side by side: eight independent chains
 void move(const Flow& flow, const Lanes& s, double tau, Lanes& result) {
+    const int count = terms_for(tau);
     Vector column[lanes - 1];
     for (int j = 0; j < lanes - 1; ++j)
-        column[j] = load(flow.power[terms - 1].column[j]);
-    for (int k = terms - 2; k >= 0; --k)
+        column[j] = load(flow.power[count - 1].column[j]);
+    for (int k = count - 2; k >= 0; --k)
         for (int j = 0; j < lanes - 1; ++j)
             column[j] = column[j] * tau + load(flow.power[k].column[j]);
     const Vector a = column[0] * s.at[0] + column[1] * s.at[1];
@@ -209,14 +282,14 @@ void apply(const Matrix8* blocks, int count, const Lanes& s, Lanes* result) {
 }
 
 // values at the nodes of a part of a step of a functional given by its series
-inline Vector series_at(const Matrix8 (&series)[term_blocks], const double* s, const Vector& tau) {
+inline Vector series_at(const Matrix8 (&series)[term_blocks], const double* s, const Vector& tau, int count) {
     alignas(64) double coefficient[terms];
-    for (int block = 0; block < term_blocks; ++block) {
+    for (int block = 0; block < (count + lanes - 1) / lanes; ++block) {
         const Vector part = times(series[block], s);
         __builtin_memcpy(coefficient + block * lanes, &part, sizeof part);
     }
-    Vector value = Vector{} + coefficient[terms - 1];
-    for (int k = terms - 2; k >= 0; --k)
+    Vector value = Vector{} + coefficient[count - 1];
+    for (int k = count - 2; k >= 0; --k)
         value = value * tau + coefficient[k];
     return value;
 }
@@ -228,12 +301,16 @@ void add_part(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums
     const bool is_open = flow.mode == Mode::open;
     const int count = is_open ? dofs : dofs - 1;
     Vector velocity[dofs];
+    const int length = terms_for(tau_1);
     for (int j = 0; j < count; ++j)
-        velocity[j] = series_at(flow.velocity_series[j], s.at, tau);
+        velocity[j] = series_at(flow.velocity_series[j], s.at, tau, length);
     Vector force{}, surface{};
     if (!is_open) {
-        force = series_at(flow.force_series, s.at, tau);
-        surface = series_at(flow.surface_series, s.at, tau);
+        force = series_at(flow.force_series, s.at, tau, length);
+        // V in stick is x'; a straight V needs no series
+        const bool is_straight = flow.surface_rate == 0.0;
+        surface = is_straight ? s.at[2 * dofs - 1] + s.at[2 * dofs] * flow.step * tau
+                              : series_at(flow.surface_series, s.at, tau, length);
     }
     Meter<dofs> meter(sums);
     meter.add(velocity, count, force, surface, flow.mode != Mode::stick, weight);
@@ -243,7 +320,7 @@ void add_part(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums
 
 }  // namespace
 
-extern const Kernel kernel_2{glide<2>, leap<2>, look, move, apply, add_part<2>};
-extern const Kernel kernel_3{glide<3>, leap<3>, look, move, apply, add_part<3>};
+extern const Kernel kernel_2{glide<2>, leap<2>, look, combine, root, move, apply, add_part<2>};
+extern const Kernel kernel_3{glide<3>, leap<3>, look, combine, root, move, apply, add_part<3>};
 
 }  // namespace stridor::integration::STRIDOR_ISA

@@ -20,6 +20,9 @@ inline constexpr int most_tests = 2;  // event functions of a contact state
 inline constexpr int most_coordinates = 3;
 inline constexpr int most_multiplicity = 3;  // of the root an event function begins with
 
+/// No crossing within the step.
+inline constexpr double no_crossing = 2.0;
+
 struct alignas(64) Lanes {
     double at[lanes];
 };
@@ -55,6 +58,7 @@ struct Flow {
     int test_count;                                    // [1]
     int velocity_count;                                // [1] coordinates that move: all but g while closed
     double step;                                       // [s] h
+    double surface_rate;                               // [rad/s] omega of a sinusoidal drive, else 0
     double basis[most_coordinates][most_coordinates];  // [1] u = B z
     Quadrature quadrature;                             // over [0, 1]
     EventFunction test[most_tests];                    // slip: N, sigma w; stick: mu_s N - T, mu_s N + T; open: g
