@@ -44,4 +44,12 @@ const CellFigure* find_cell_figure(std::string_view name) {
     return found == figures.end() ? nullptr : &*found;
 }
 
+std::size_t source_of(const SweepResult& result, std::size_t index) {
+    return result.sources.empty() ? index : result.sources[index];
+}
+
+bool is_inferred(const SweepResult& result, std::size_t index) {
+    return source_of(result, index) != index;
+}
+
 }  // namespace stridor::sweep

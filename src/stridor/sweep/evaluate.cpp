@@ -8,6 +8,7 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/check.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -114,18 +115,34 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     return cell;
 }
 
-}  // namespace
-
-std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop) {
+// the cells of one start, in the order of the directions; none if the run was stopped
+std::vector<Cell> evaluate_start(const Study& study, const CellPlace& place, const std::stop_token& stop) {
     const bool runs_each_direction = study.base.drive.kind == parameters::DriveKind::constant;
     std::vector<Cell> cells;
     std::optional<Attempt> run;
     for (std::size_t direction = 0; direction < study.directions.size(); ++direction) {
-        const Case c = case_at(study, {direction, iy, ix});
+        const Case c = case_at(study, {direction, place.iy, place.ix, place.start});
         if (direction == 0 || runs_each_direction) run = attempt(c, stop);
         if (!run) return {};
         cells.push_back(cell_of(c, study.directions[direction], *run));
     }
+    return cells;
+}
+
+}  // namespace
+
+std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop) {
+    if (study.starts.empty()) return evaluate_start(study, {0, iy, ix}, stop);
+    std::vector<std::vector<Cell>> by_start(study.directions.size());  // shape [direction][start]
+    for (std::size_t start = 0; start < study.starts.size(); ++start) {
+        std::vector<Cell> cells = evaluate_start(study, {0, iy, ix, start}, stop);
+        if (cells.empty()) return {};
+        for (std::size_t direction = 0; direction < cells.size(); ++direction)
+            by_start[direction].push_back(std::move(cells[direction]));
+    }
+    std::vector<Cell> cells;
+    for (std::vector<Cell>& same_cell : by_start)
+        cells.push_back(joined(std::move(same_cell)));
     return cells;
 }
 

@@ -10,7 +10,8 @@ namespace stridor::sweep {
 
 /// Computes the cells of one grid point, in the order of `study.directions`; none at all if it was stopped.
 ///
-/// A constant drive is run once per direction, any other once, with its going and coming phases as the cells. What goes
+/// A constant drive is run once per direction, any other once, with its going and coming phases as the cells; all that
+/// once per start of `study.starts`, if it has any, and a cell then shows its loudest start (starts.hpp). What goes
 /// wrong with the physics or the numbers becomes the cell's status; only what concerns every cell throws `Error`.
 std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop = {});
 
