@@ -1,5 +1,7 @@
 #include "stridor/sweep/cell.hpp"
 
+#include "stridor/sweep/starts.hpp"
+
 #include <algorithm>
 
 namespace stridor::sweep {
@@ -50,6 +52,12 @@ std::size_t source_of(const SweepResult& result, std::size_t index) {
 
 bool is_inferred(const SweepResult& result, std::size_t index) {
     return source_of(result, index) != index;
+}
+
+CellPlace shown_place(const SweepResult& result, std::size_t index) {
+    CellPlace place = place_of(result.study, index);
+    place.start = shown_start(result.cells[source_of(result, index)]);
+    return place;
 }
 
 }  // namespace stridor::sweep

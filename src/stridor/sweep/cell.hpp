@@ -97,7 +97,13 @@ struct SweepResult {
 /// The computed cell that a cell takes after; itself unless it was inferred.
 std::size_t source_of(const SweepResult& result, std::size_t index);
 
+/// Where the verdict of a cell comes from: 0 computed, 1 inferred.
+inline constexpr std::array<std::string_view, 2> source_names{"computed", "inferred"};
+
 /// Was the cell inferred from its neighbours (`refine`)? It then has a status and a category, and no figures.
 bool is_inferred(const SweepResult& result, std::size_t index);
+
+/// The place of a cell with the start that it shows.
+CellPlace shown_place(const SweepResult& result, std::size_t index);
 
 }  // namespace stridor::sweep

@@ -38,9 +38,20 @@ std::span<const std::string_view> start_names() {
     return std::get<parameters::Choice>(parameters::find_field("run.initial")->kind).names;
 }
 
+std::size_t number_of(const StartVerdict& verdict) {
+    return verdict.status == Status::done
+               ? static_cast<std::size_t>(verdict.category)
+               : classification::category_names.size() + static_cast<std::size_t>(verdict.status) - 1;
+}
+
+StartVerdict verdict_of(std::size_t number) {
+    constexpr std::size_t categories = classification::category_names.size();
+    if (number < categories) return {Status::done, static_cast<Category>(number)};
+    return {static_cast<Status>(number - categories + 1), Category::undecided};
+}
+
 std::string_view word(const StartVerdict& verdict) {
-    return verdict.status == Status::done ? classification::name(verdict.category)
-                                          : status_names[static_cast<std::size_t>(verdict.status)];
+    return verdict_words[number_of(verdict)];
 }
 
 std::size_t loudest(std::span<const StartVerdict> verdicts) {

@@ -2,6 +2,8 @@
 
 #include "stridor/sweep/cell.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -17,6 +19,21 @@ namespace stridor::sweep {
 
 /// The names of starts, by parameters::Initial: the choices of run.initial.
 std::span<const std::string_view> start_names();
+
+/// The words of all verdicts: the categories, then the statuses of cells without one.
+inline constexpr auto verdict_words = [] {
+    using classification::category_names;
+    std::array<std::string_view, category_names.size() + status_names.size() - 1> words{};
+    std::copy(category_names.begin(), category_names.end(), words.begin());
+    std::copy(status_names.begin() + 1, status_names.end(), words.begin() + category_names.size());
+    return words;
+}();
+
+/// The number of a verdict's word in `verdict_words`.
+std::size_t number_of(const StartVerdict& verdict);
+
+/// The verdict with this word.
+StartVerdict verdict_of(std::size_t number);
 
 /// "squeal", or the status where there is no category: "failed".
 std::string_view word(const StartVerdict& verdict);

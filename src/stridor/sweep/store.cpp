@@ -99,17 +99,14 @@ std::string words(std::span<const StartVerdict> starts) {
     return text;
 }
 
-// nothing if a word is neither a category nor a status
+// nothing if a word is no verdict
 std::optional<std::vector<StartVerdict>> starts_in(const std::string& text) {
     std::vector<StartVerdict> starts;
     std::istringstream stream(text);
     for (std::string each; stream >> each;) {
-        const std::optional<std::size_t> category = place_in(classification::category_names, each);
-        const std::optional<std::size_t> status = place_in(status_names, each);
-        if (!category && !status) return std::nullopt;
-        StartVerdict& verdict = starts.emplace_back();
-        verdict.status = category ? Status::done : static_cast<Status>(*status);
-        if (category) verdict.category = static_cast<classification::Category>(*category);
+        const std::optional<std::size_t> number = place_in(verdict_words, each);
+        if (!number) return std::nullopt;
+        starts.push_back(verdict_of(*number));
     }
     return starts;
 }

@@ -23,6 +23,15 @@ TEST(Starts, HaveTheNamesOfTheCaseFile) {
     EXPECT_EQ(start_names()[static_cast<std::size_t>(Initial::sliding)], "sliding");
 }
 
+TEST(Verdicts, AreKnownByTheirWords) {
+    EXPECT_EQ(word(squeal), "squeal");
+    EXPECT_EQ(word(failed), "failed");
+    for (std::size_t number = 0; number < verdict_words.size(); ++number) {
+        EXPECT_EQ(number_of(verdict_of(number)), number);
+        EXPECT_EQ(word(verdict_of(number)), verdict_words[number]);
+    }
+}
+
 TEST(Starts, ShowTheLoudest) {
     const std::vector<StartVerdict> rising{none, failed, undecided, creak, squeak, squeal};
     for (std::size_t louder = 1; louder < rising.size(); ++louder)
