@@ -54,6 +54,13 @@ bool is_inferred(const SweepResult& result, std::size_t index) {
     return source_of(result, index) != index;
 }
 
+std::size_t computed_count(const SweepResult& result) {
+    std::size_t count = 0;
+    for (std::size_t index = 0; index < result.cells.size(); ++index)
+        count += is_inferred(result, index) ? 0 : 1;
+    return count;
+}
+
 CellPlace shown_place(const SweepResult& result, std::size_t index) {
     CellPlace place = place_of(result.study, index);
     place.start = shown_start(result.cells[source_of(result, index)]);

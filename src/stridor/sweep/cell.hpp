@@ -103,6 +103,9 @@ inline constexpr std::array<std::string_view, 2> source_names{"computed", "infer
 /// Was the cell inferred from its neighbours (`refine`)? It then has a status and a category, and no figures.
 bool is_inferred(const SweepResult& result, std::size_t index);
 
+/// Number of cells that were not inferred.
+std::size_t computed_count(const SweepResult& result);
+
 /// The place of a cell with the start that it shows.
 CellPlace shown_place(const SweepResult& result, std::size_t index);
 
