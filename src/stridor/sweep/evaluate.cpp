@@ -11,6 +11,7 @@
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -115,27 +116,25 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     return cell;
 }
 
-// the cells of one start, in the order of the directions; none if the run was stopped
-std::vector<Cell> evaluate_start(const Study& study, const CellPlace& place, const std::stop_token& stop) {
-    const bool runs_each_direction = study.base.drive.kind == parameters::DriveKind::constant;
+// the cells of one run from one start, in the order of the directions; none if it was stopped
+std::vector<Cell> evaluate_start(const Study& study, const CellPlace& first, const std::stop_token& stop) {
+    const Case c = case_at(study, first);
+    const std::optional<Attempt> run = attempt(c, stop);
+    if (!run) return {};
     std::vector<Cell> cells;
-    std::optional<Attempt> run;
-    for (std::size_t direction = 0; direction < study.directions.size(); ++direction) {
-        const Case c = case_at(study, {direction, place.iy, place.ix, place.start});
-        if (direction == 0 || runs_each_direction) run = attempt(c, stop);
-        if (!run) return {};
-        cells.push_back(cell_of(c, study.directions[direction], *run));
-    }
+    for (std::size_t k = 0; k < directions_per_run(study); ++k)
+        cells.push_back(cell_of(c, study.directions[first.direction + k], *run));
     return cells;
 }
 
 }  // namespace
 
-std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop) {
-    if (study.starts.empty()) return evaluate_start(study, {0, iy, ix}, stop);
-    std::vector<std::vector<Cell>> by_start(study.directions.size());  // shape [direction][start]
-    for (std::size_t start = 0; start < study.starts.size(); ++start) {
-        std::vector<Cell> cells = evaluate_start(study, {0, iy, ix, start}, stop);
+std::vector<Cell> evaluate_run(const Study& study, std::size_t first, const std::stop_token& stop) {
+    CellPlace place = place_of(study, first);
+    if (study.starts.empty()) return evaluate_start(study, place, stop);
+    std::vector<std::vector<Cell>> by_start(directions_per_run(study));  // shape [direction][start]
+    for (; place.start < study.starts.size(); ++place.start) {
+        std::vector<Cell> cells = evaluate_start(study, place, stop);
         if (cells.empty()) return {};
         for (std::size_t direction = 0; direction < cells.size(); ++direction)
             by_start[direction].push_back(std::move(cells[direction]));
@@ -143,6 +142,16 @@ std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_t
     std::vector<Cell> cells;
     for (std::vector<Cell>& same_cell : by_start)
         cells.push_back(joined(std::move(same_cell)));
+    return cells;
+}
+
+std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop) {
+    std::vector<Cell> cells;
+    for (std::size_t first = 0; first < study.directions.size(); first += directions_per_run(study)) {
+        std::vector<Cell> of_run = evaluate_run(study, index_of(study, {first, iy, ix}), stop);
+        if (of_run.empty()) return {};
+        std::move(of_run.begin(), of_run.end(), std::back_inserter(cells));
+    }
     return cells;
 }
 

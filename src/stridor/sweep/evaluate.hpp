@@ -3,16 +3,21 @@
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/study.hpp"
 
+#include <cstddef>
 #include <stop_token>
 #include <vector>
 
 namespace stridor::sweep {
 
-/// Computes the cells of one grid point, in the order of `study.directions`; none at all if it was stopped.
+/// Computes the cells that one run gives, `directions_per_run` of them, the first having this index; none at all if it was
+/// stopped.
 ///
 /// A constant drive is run once per direction, any other once, with its going and coming phases as the cells; all that
 /// once per start of `study.starts`, if it has any, and a cell then shows its loudest start (starts.hpp). What goes
 /// wrong with the physics or the numbers becomes the cell's status; only what concerns every cell throws `Error`.
+std::vector<Cell> evaluate_run(const Study& study, std::size_t first, const std::stop_token& stop = {});
+
+/// The same for all cells of one grid point, in the order of `study.directions`.
 std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop = {});
 
 }  // namespace stridor::sweep

@@ -14,9 +14,6 @@ namespace stridor::sweep {
 
 namespace {
 
-// levels whose agreeing blocks are probed; usual 2: more find smaller islands beside boundaries, and cost more
-constexpr int probed_levels = 2;
-
 // points with corners included; x0 < x1 and y0 < y1
 struct Block {
     int x0;
@@ -30,14 +27,15 @@ std::size_t point_count(const Study& study) {
     return static_cast<std::size_t>(study.x.points) * static_cast<std::size_t>(study.y.points);
 }
 
-// one mark per point; points are alike when they are in every direction
-std::vector<int> point_marks(const Study& study, std::span<const int> marks) {
+// one mark per point for the directions that one run gives; points are alike when they are in each of them
+std::vector<int> point_marks(const Study& study, std::span<const int> marks, std::size_t first_direction) {
     const std::size_t points = point_count(study);
-    std::vector<int> joint(marks.begin(), marks.begin() + static_cast<std::ptrdiff_t>(points));
+    const std::span<const int> first = marks.subspan(first_direction * points, points);
+    std::vector<int> joint(first.begin(), first.end());
     constexpr int radix = 1 << 12;  // above any mark of one direction
-    for (std::size_t direction = 1; direction < study.directions.size(); ++direction)
+    for (std::size_t k = 1; k < directions_per_run(study); ++k)
         for (std::size_t point = 0; point < points; ++point) {
-            const int mark = marks[direction * points + point];
+            const int mark = marks[(first_direction + k) * points + point];
             const bool is_known = joint[point] != unknown_mark && mark != unknown_mark;
             STRIDOR_EXPECT(mark < radix);
             joint[point] = is_known ? joint[point] * radix + mark : unknown_mark;
@@ -115,7 +113,7 @@ private:
 
     // true if the block got a probe that it had not
     bool probe(const Block& block) {
-        if (block.level >= probed_levels || is_smallest(block)) return false;
+        if (is_smallest(block)) return false;
         const int mark = marks_[at(block.x0, block.y0)];
         for (const auto& [x, y] : corners(block))
             if (marks_[at(x, y)] != mark || mark == unknown_mark) return false;
@@ -182,13 +180,18 @@ int mark_of(const Study& study, std::size_t index, const Cell& cell) {
 
 Refinement refine(const Study& study, std::span<const int> marks) {
     STRIDOR_EXPECT(marks.size() == cell_count(study));
-    const Tree tree(study, point_marks(study, marks));
-    Refinement result{tree.missing(), {}};
-    if (!result.missing.empty()) return result;
-    const std::vector<std::size_t> points = tree.sources();
-    for (std::size_t direction = 0; direction < study.directions.size(); ++direction)
-        for (const std::size_t point : points)
-            result.sources.push_back(direction * points.size() + point);
+    const std::size_t points = point_count(study);
+    Refinement result;
+    for (std::size_t first = 0; first < study.directions.size(); first += directions_per_run(study)) {
+        const Tree tree(study, point_marks(study, marks, first));
+        for (const std::size_t point : tree.missing())
+            result.missing.push_back(first * points + point);
+        if (!result.missing.empty()) continue;
+        const std::vector<std::size_t> sources = tree.sources();
+        for (std::size_t k = 0; k < directions_per_run(study); ++k)
+            for (const std::size_t source : sources)
+                result.sources.push_back((first + k) * points + source);
+    }
     return result;
 }
 

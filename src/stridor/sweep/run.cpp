@@ -136,7 +136,7 @@ RunReport run(const Study& study, Store& store, const RunOptions& options) {
     STRIDOR_EXPECT(options.threads >= 0 && options.cells_per_commit > 0);
     Ledger ledger(study, store, options);
     std::vector<std::size_t> missing = refine(study, ledger.marks()).missing;
-    ledger.expect(missing.size() * study.directions.size());
+    ledger.expect(missing.size() * directions_per_run(study));
     // a complete chart has one round, a refined one as many as its boundaries take to be followed
     while (!missing.empty()) {
         Workers workers(study, missing, options.threads, options.stop);
@@ -148,7 +148,7 @@ RunReport run(const Study& study, Store& store, const RunOptions& options) {
         const bool was_stopped = ledger.progress().done < ledger.progress().total;
         if (was_stopped) return {Ending::stopped, ledger.computed(), ledger.progress()};
         missing = refine(study, ledger.marks()).missing;
-        if (!missing.empty()) ledger.expect(missing.size() * study.directions.size());
+        if (!missing.empty()) ledger.expect(missing.size() * directions_per_run(study));
     }
     return {Ending::completed, ledger.computed(), ledger.progress()};
 }

@@ -279,7 +279,8 @@ SweepResult load(const Study& study, Store& store) {
     }
     Refinement refinement = refine(study, marks);
     if (!refinement.missing.empty()) {
-        const std::size_t known = study.refine == 0 ? cells.size() : there + refinement.missing.size();
+        const std::size_t known =
+            study.refine == 0 ? cells.size() : there + refinement.missing.size() * directions_per_run(study);
         throw Error(ErrorKind::interrupted,
                     {"the sweep is not finished",
                      "the store " + store.file().string() + " holds " + std::to_string(there) + " of " +

@@ -209,6 +209,10 @@ std::size_t cell_count(const Study& study) {
            study.directions.size();
 }
 
+std::size_t directions_per_run(const Study& study) {
+    return is_constant(study) ? 1 : study.directions.size();
+}
+
 CellPlace place_of(const Study& study, std::size_t index) {
     const auto columns = static_cast<std::size_t>(study.x.points);
     const auto rows = static_cast<std::size_t>(study.y.points);

@@ -48,6 +48,9 @@ struct Study {
 /// Number of cells: x.points * y.points * directions.
 std::size_t cell_count(const Study& study);
 
+/// How many directions one run gives the cells of: one with a constant drive, else all of the study.
+std::size_t directions_per_run(const Study& study);
+
 /// Where a cell stands: index = (direction * y.points + iy) * x.points + ix.
 struct CellPlace {
     std::size_t direction = 0;  // into study.directions

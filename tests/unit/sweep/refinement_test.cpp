@@ -193,22 +193,33 @@ TEST(Refinement, BeginsWithEveryNthPointAndTheLast) {
     EXPECT_EQ(refine(study, nothing).missing, expected);
 }
 
-TEST(Refinement, AsksForAPointUntilEveryDirectionOfItIsKnown) {
-    Study study = square(3, 1);
-    study.directions = {parameters::Direction::going, parameters::Direction::coming};
-    std::vector<int> marks(cell_count(study), 4);
-    marks[9 + 6] = unknown_mark;
-    EXPECT_EQ(refine(study, marks).missing, std::vector<std::size_t>{6});
-}
-
-TEST(Refinement, SplitsWhereASingleDirectionDiffers) {
-    Study study = square(3, 1);
-    study.directions = {parameters::Direction::going, parameters::Direction::coming};
-    std::vector<int> marks(cell_count(study), unknown_mark);
+// 3 by 3 points in two directions, the corners known and alike but for one, coming
+std::vector<int> corners_but_one(int mark) {
+    std::vector<int> marks(18, unknown_mark);
     for (const std::size_t corner : {0U, 2U, 6U, 8U})
         marks[corner] = marks[9 + corner] = 1;
-    marks[9 + 8] = 2;
-    EXPECT_EQ(refine(study, marks).missing, (std::vector<std::size_t>{1, 3, 4, 5, 7}));
+    marks[9 + 8] = mark;
+    return marks;
+}
+
+Study both_ways(parameters::DriveKind drive) {
+    Study study = square(3, 1);
+    study.directions = {parameters::Direction::going, parameters::Direction::coming};
+    study.base.drive.kind = drive;
+    return study;
+}
+
+TEST(Refinement, LooksAtEachDirectionOfAConstantDriveAlone) {
+    const Study study = both_ways(parameters::DriveKind::constant);
+    EXPECT_EQ(refine(study, corners_but_one(unknown_mark)).missing, (std::vector<std::size_t>{4, 9 + 8}));
+    EXPECT_EQ(refine(study, corners_but_one(2)).missing,
+              (std::vector<std::size_t>{4, 9 + 1, 9 + 3, 9 + 4, 9 + 5, 9 + 7}));
+}
+
+TEST(Refinement, LooksAtBothDirectionsOfARunThatGivesBoth) {
+    const Study study = both_ways(parameters::DriveKind::sinusoidal);
+    EXPECT_EQ(refine(study, corners_but_one(unknown_mark)).missing, std::vector<std::size_t>{8});
+    EXPECT_EQ(refine(study, corners_but_one(2)).missing, (std::vector<std::size_t>{1, 3, 4, 5, 7}));
 }
 
 TEST(Refinement, ProbesTheMiddleOfABlockWhoseCornersAgree) {
