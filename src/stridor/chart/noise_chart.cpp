@@ -8,6 +8,7 @@
 #include "stridor/chart/palette.hpp"
 #include "stridor/chart/region_names.hpp"
 #include "stridor/sweep/boundaries.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -52,12 +53,27 @@ std::string failures(const sweep::SweepResult& result) {
     return list.empty() || list == "failed" ? list : "failed (" + list + ")";
 }
 
+// "Each cell was run from rest, stuck and sliding; the loudest is shown."
+Text starts_caption(const sweep::Study& study) {
+    std::string names;
+    for (std::size_t k = 0; k < study.starts.size(); ++k) {
+        const bool is_last = k > 0 && k + 1 == study.starts.size();
+        names += (k == 0    ? ""
+                  : is_last ? " and "
+                            : ", ") +
+                 std::string(sweep::start_names()[static_cast<std::size_t>(study.starts[k])]);
+    }
+    return Text("Each cell was run from " + names + "; the loudest is shown.");
+}
+
 Scene empty_chart(const sweep::SweepResult& result, const Text& title) {
     const sweep::Study& study = result.study;
-    const std::array<std::string_view, 2> varied{study.x.parameter, study.y.parameter};
+    std::vector<std::string_view> varied{study.x.parameter, study.y.parameter};
+    if (!study.starts.empty()) varied.emplace_back("run.initial");
     Scene scene;
     scene.title = title;
     scene.caption = {conditions(study.base, varied)};
+    if (!study.starts.empty()) scene.caption.push_back(starts_caption(study));
     scene.column_widths.assign(study.directions.size(), 1.0);
     scene.height = study.directions.size() == 1 ? 110.0 : 92.0;
     for (std::size_t d = 0; d < study.directions.size(); ++d) {
@@ -113,21 +129,59 @@ std::string spelled(std::string_view name) {
     return words;
 }
 
-// the lines between the verdicts of one direction, parted by NaN
-Line boundary_line(const std::vector<sweep::Boundary>& boundaries, std::size_t direction) {
-    Line line{{}, {}, {ink, 0.6, Dash::solid}};
-    const auto add = [&](double x, double y) {
-        line.x.push_back(x);
-        line.y.push_back(y);
-    };
-    for (const sweep::Boundary& boundary : boundaries) {
-        if (boundary.direction != direction) continue;
-        if (!line.x.empty()) add(line.x.back(), sweep::Cell::unknown);
-        for (const sweep::BoundaryVertex& vertex : boundary.vertices)
-            add(vertex.x, vertex.y);
-        if (boundary.form == sweep::LineForm::closed) add(boundary.vertices.front().x, boundary.vertices.front().y);
+// draws boundaries along the edges of the cells: what lies on either side of them is then seen to do so
+class EdgeLine {
+public:
+    explicit EdgeLine(const CategoryCells& map, const sweep::Study& study) : map_(map), study_(study) {}
+
+    void add(const sweep::Boundary& boundary) {
+        if (!line_.x.empty()) point(line_.x.back(), sweep::Cell::unknown);
+        std::vector<sweep::BoundaryVertex> vertices = boundary.vertices;
+        if (boundary.form == sweep::LineForm::closed)
+            vertices.push_back(vertices.front());
+        else
+            end(vertices.front());
+        point(vertices.front().x, vertices.front().y);
+        for (std::size_t k = 1; k < vertices.size(); ++k) {
+            // around the corner of the cells
+            const bool is_upright = vertices[k - 1].crossing == sweep::Crossing::along_x;
+            const bool is_level = vertices[k - 1].crossing == sweep::Crossing::along_y;
+            if (is_upright) point(vertices[k - 1].x, vertices[k].y);
+            if (is_level) point(vertices[k].x, vertices[k - 1].y);
+            point(vertices[k].x, vertices[k].y);
+        }
+        if (boundary.form == sweep::LineForm::open) end(vertices.back());
     }
-    return line;
+
+    Line line() && { return std::move(line_); }
+
+private:
+    const CategoryCells& map_;
+    const sweep::Study& study_;
+    Line line_{{}, {}, {ink, 0.6, Dash::solid}};
+
+    void point(double x, double y) {
+        line_.x.push_back(x);
+        line_.y.push_back(y);
+    }
+
+    // the half cell from the outermost values to the frame
+    void end(const sweep::BoundaryVertex& vertex) {
+        const bool is_upright = vertex.crossing == sweep::Crossing::along_x;
+        const bool is_level = vertex.crossing == sweep::Crossing::along_y;
+        if (is_upright && vertex.y == study_.y.from) point(vertex.x, map_.y_edges.front());
+        if (is_upright && vertex.y == study_.y.to) point(vertex.x, map_.y_edges.back());
+        if (is_level && vertex.x == study_.x.from) point(map_.x_edges.front(), vertex.y);
+        if (is_level && vertex.x == study_.x.to) point(map_.x_edges.back(), vertex.y);
+    }
+};
+
+Line boundary_line(const sweep::Study& study, const CategoryCells& map, const std::vector<sweep::Boundary>& boundaries,
+                   std::size_t direction) {
+    EdgeLine line(map, study);
+    for (const sweep::Boundary& boundary : boundaries)
+        if (boundary.direction == direction) line.add(boundary);
+    return std::move(line).line();
 }
 
 bool is_torn(const sweep::Cell& cell) {
@@ -196,8 +250,9 @@ Scene noise_chart(const sweep::SweepResult& result) {
     for (std::size_t d = 0; d < maps.size(); ++d) {
         Panel& panel = scene.panels[d];
         std::vector<Note> notes = region_names(maps[d], names, panel, layout.panels[d].area, scene.font_size);
+        Line line = boundary_line(result.study, maps[d], boundaries, d);
         panel.layers.emplace_back(std::move(maps[d]));
-        if (Line line = boundary_line(boundaries, d); !line.x.empty()) panel.layers.emplace_back(std::move(line));
+        if (!line.x.empty()) panel.layers.emplace_back(std::move(line));
         if (Points torn = torn_points(result, d, layout.panels[d].area); !torn.x.empty())
             panel.layers.emplace_back(std::move(torn));
         for (Note& note : notes)

@@ -13,9 +13,7 @@ namespace stridor::sweep {
 
 namespace {
 
-// where a line may pass: between a cell and the next one in x or in y, or amid four
-enum class Crossing { along_x, along_y, amid };
-
+// where a line may pass: between a cell and the next one, or amid four of which it is the first
 struct Node {
     int iy;
     int ix;
@@ -106,7 +104,7 @@ BoundaryVertex vertex(const Study& study, const Node& node) {
         node.crossing == Crossing::along_y ? on_value(study.x, node.ix) : between_values(study.x, node.ix);
     const auto [y, y_resolution] =
         node.crossing == Crossing::along_x ? on_value(study.y, node.iy) : between_values(study.y, node.iy);
-    return {x, y, x_resolution, y_resolution};
+    return {x, y, x_resolution, y_resolution, node.crossing};
 }
 
 // takes the line that begins at a node out of the links

@@ -2,6 +2,7 @@
 
 #include "stridor/sweep/cell.hpp"
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -15,12 +16,20 @@
 /// none, squeal, squeak, creak, undecided, then without a category, is taken to hold together.
 namespace stridor::sweep {
 
+/// Between which neighbours a boundary passes.
+enum class Crossing {
+    along_x,  // a cell and the next one in x
+    along_y,  // a cell and the next one in y
+    amid,     // three or four cells around it
+};
+
 /// A point of a boundary with the half distance to the neighbouring cells: how far off it may lie.
 struct BoundaryVertex {
     double x = 0.0;             // in the unit of the axis' field
     double y = 0.0;             // likewise
     double x_resolution = 0.0;  // likewise, above zero
     double y_resolution = 0.0;  // likewise, above zero
+    Crossing crossing = Crossing::amid;
 };
 
 enum class LineForm {
