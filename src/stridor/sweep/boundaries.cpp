@@ -84,19 +84,18 @@ double middle(const Axis& axis, int index) {
     return axis.scale == Scale::logarithmic ? std::sqrt(a) * std::sqrt(b) : a + 0.5 * (b - a);
 }
 
-double half_distance(const Axis& axis, int index) {
-    return 0.5 * (value_at(axis, index + 1) - value_at(axis, index));
-}
-
-// at a value of the axis, with the farther of its neighbours
+// on a value of the axis: there, and how far it is to the farther of the middles beside it
 std::pair<double, double> on_value(const Axis& axis, int index) {
-    const double before = index > 0 ? half_distance(axis, index - 1) : 0.0;
-    const double after = index + 1 < axis.points ? half_distance(axis, index) : 0.0;
-    return {value_at(axis, index), std::max(before, after)};
+    const double value = value_at(axis, index);
+    const double before = index > 0 ? value - middle(axis, index - 1) : 0.0;
+    const double after = index + 1 < axis.points ? middle(axis, index) - value : 0.0;
+    return {value, std::max(before, after)};
 }
 
+// between two values: their middle, and how far it is to the farther one
 std::pair<double, double> between_values(const Axis& axis, int index) {
-    return {middle(axis, index), half_distance(axis, index)};
+    const double between = middle(axis, index);
+    return {between, std::max(between - value_at(axis, index), value_at(axis, index + 1) - between)};
 }
 
 BoundaryVertex vertex(const Study& study, const Node& node) {

@@ -23,7 +23,8 @@ enum class Crossing {
     amid,     // three or four cells around it
 };
 
-/// A point of a boundary with the half distance to the neighbouring cells: how far off it may lie.
+/// A point of a boundary, and how far off it may lie: the distance to the farther of the two cells that it parts, and
+/// across to half way to the next ones. On a linear axis that is half the distance of neighbouring cells.
 struct BoundaryVertex {
     double x = 0.0;             // in the unit of the axis' field
     double y = 0.0;             // likewise
