@@ -64,7 +64,11 @@ void ProgressDisplay::show(const sweep::Progress& progress) {
     // the total of a refined chart grows: what was said last is taken as a share of today's
     const auto tenth = [&](std::size_t done) { return static_cast<int>(10.0 * share_of(done, progress.total)); };
     if (is_started_ && tenth(progress.done) <= tenth(last_done_)) return;
+    // its last rounds are many and small: less than a hundredth more is not worth a line
+    const bool is_tail = progress.total != last_total_ && 100 * (progress.done - last_done_) < progress.total;
+    if (is_started_ && is_tail) return;
     last_done_ = progress.done;
+    last_total_ = progress.total;
     is_started_ = true;
     constexpr int unlimited = 1000;
     say(progress_line(progress, unlimited));

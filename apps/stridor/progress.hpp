@@ -22,6 +22,7 @@ public:
 
 private:
     std::size_t last_done_ = 0;  // [1] cells when it last said something
+    std::size_t last_total_ = 0;
     bool is_started_ = false;
     bool has_line_ = false;
 };

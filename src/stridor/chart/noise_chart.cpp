@@ -3,6 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/chart/boundary_line.hpp"
 #include "stridor/chart/field_axis.hpp"
 #include "stridor/chart/layout.hpp"
 #include "stridor/chart/palette.hpp"
@@ -129,61 +130,6 @@ std::string spelled(std::string_view name) {
     return words;
 }
 
-// draws boundaries along the edges of the cells: what lies on either side of them is then seen to do so
-class EdgeLine {
-public:
-    explicit EdgeLine(const CategoryCells& map, const sweep::Study& study) : map_(map), study_(study) {}
-
-    void add(const sweep::Boundary& boundary) {
-        if (!line_.x.empty()) point(line_.x.back(), sweep::Cell::unknown);
-        std::vector<sweep::BoundaryVertex> vertices = boundary.vertices;
-        if (boundary.form == sweep::LineForm::closed)
-            vertices.push_back(vertices.front());
-        else
-            end(vertices.front());
-        point(vertices.front().x, vertices.front().y);
-        for (std::size_t k = 1; k < vertices.size(); ++k) {
-            // around the corner of the cells
-            const bool is_upright = vertices[k - 1].crossing == sweep::Crossing::along_x;
-            const bool is_level = vertices[k - 1].crossing == sweep::Crossing::along_y;
-            if (is_upright) point(vertices[k - 1].x, vertices[k].y);
-            if (is_level) point(vertices[k].x, vertices[k - 1].y);
-            point(vertices[k].x, vertices[k].y);
-        }
-        if (boundary.form == sweep::LineForm::open) end(vertices.back());
-    }
-
-    Line line() && { return std::move(line_); }
-
-private:
-    const CategoryCells& map_;
-    const sweep::Study& study_;
-    Line line_{{}, {}, {ink, 0.6, Dash::solid}};
-
-    void point(double x, double y) {
-        line_.x.push_back(x);
-        line_.y.push_back(y);
-    }
-
-    // the half cell from the outermost values to the frame
-    void end(const sweep::BoundaryVertex& vertex) {
-        const bool is_upright = vertex.crossing == sweep::Crossing::along_x;
-        const bool is_level = vertex.crossing == sweep::Crossing::along_y;
-        if (is_upright && vertex.y == study_.y.from) point(vertex.x, map_.y_edges.front());
-        if (is_upright && vertex.y == study_.y.to) point(vertex.x, map_.y_edges.back());
-        if (is_level && vertex.x == study_.x.from) point(map_.x_edges.front(), vertex.y);
-        if (is_level && vertex.x == study_.x.to) point(map_.x_edges.back(), vertex.y);
-    }
-};
-
-Line boundary_line(const sweep::Study& study, const CategoryCells& map, const std::vector<sweep::Boundary>& boundaries,
-                   std::size_t direction) {
-    EdgeLine line(map, study);
-    for (const sweep::Boundary& boundary : boundaries)
-        if (boundary.direction == direction) line.add(boundary);
-    return std::move(line).line();
-}
-
 bool is_torn(const sweep::Cell& cell) {
     return cell.agreement == sweep::Agreement::quiet_unless_disturbed;
 }
@@ -250,7 +196,7 @@ Scene noise_chart(const sweep::SweepResult& result) {
     for (std::size_t d = 0; d < maps.size(); ++d) {
         Panel& panel = scene.panels[d];
         std::vector<Note> notes = region_names(maps[d], names, panel, layout.panels[d].area, scene.font_size);
-        Line line = boundary_line(result.study, maps[d], boundaries, d);
+        Line line = boundary_line(result.study, boundaries, d);
         panel.layers.emplace_back(std::move(maps[d]));
         if (!line.x.empty()) panel.layers.emplace_back(std::move(line));
         if (Points torn = torn_points(result, d, layout.panels[d].area); !torn.x.empty())

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace stridor::sweep {
@@ -18,7 +19,10 @@ struct Node {
     int iy;
     int ix;
     Crossing crossing;
-    auto operator<=>(const Node&) const = default;
+    bool operator==(const Node&) const = default;
+    bool operator<(const Node& other) const {
+        return std::tie(iy, ix, crossing) < std::tie(other.iy, other.ix, other.crossing);
+    }
 };
 
 using Pair = std::pair<std::size_t, std::size_t>;  // numbers of verdicts, rising
