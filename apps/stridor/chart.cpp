@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -45,6 +46,21 @@ void refuse_if_nothing_is_valid(const sweep::SweepResult& result) {
                 {"no cell of the chart has a result", first.message, "Check the axes and run.step."});
 }
 
+// whether the starts agree, if there are any: "from 3 starts: agree 60  quiet unless disturbed 4"
+std::string starts_text(const sweep::SweepResult& result) {
+    if (result.study.starts.empty()) return {};
+    std::string text = fmt::format("from {} starts:", result.study.starts.size());
+    for (std::size_t k = 0; k < sweep::agreement_names.size(); ++k) {
+        const auto number = std::count_if(result.cells.begin(), result.cells.end(), [k](const sweep::Cell& cell) {
+            return static_cast<std::size_t>(cell.agreement) == k;
+        });
+        std::string name(sweep::agreement_names[k]);
+        std::replace(name.begin(), name.end(), '_', ' ');
+        if (number > 0) text += fmt::format(" {} {} ", name, number);
+    }
+    return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+}
+
 void chart(const ChartOptions& options) {
     const sweep::Study study = io::read_study(io::load_toml(options.input.file, options.input.overrides));
     const std::filesystem::path out =
@@ -56,6 +72,7 @@ void chart(const ChartOptions& options) {
     report_failures(result, (out / "chart.toml").string());
     refuse_if_nothing_is_valid(result);
     io::write_file((out / "chart.csv").string(), io::chart_csv(result, "chart.toml"));
+    io::write_file((out / "boundaries.csv").string(), io::boundaries_csv(study, sweep::boundaries(result)));
     io::write_chart_netcdf((out / "chart.nc").string(), result);
     draw_charts(result, out);
     if (options.json) {
@@ -65,9 +82,14 @@ void chart(const ChartOptions& options) {
     sweep::Counts counts;
     for (const sweep::Cell& cell : result.cells)
         sweep::count(counts, cell);
-    print(fmt::format("{} cells: {}\n", result.cells.size(), counts_text(counts)));
-    print(fmt::format("{0}/chart.png {0}/chart.svg {0}/chart.csv {0}/chart.nc {0}/chart.sqlite {0}/chart.toml\n",
-                      out.string()));
+    const std::size_t computed = sweep::computed_count(result);
+    const std::string share = study.refine == 0 ? "" : fmt::format(", {} of them computed", computed);
+    print(fmt::format("{} cells{}: {}\n", result.cells.size(), share, counts_text(counts)));
+    print(starts_text(result));
+    print(
+        fmt::format("{0}/chart.png {0}/chart.svg {0}/chart.csv {0}/boundaries.csv {0}/chart.nc {0}/chart.sqlite "
+                    "{0}/chart.toml\n",
+                    out.string()));
 }
 
 }  // namespace

@@ -29,17 +29,18 @@ sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::pat
 
 void report_failures(const sweep::SweepResult& result, const std::string& chart_file) {
     std::size_t failures = 0;
-    std::size_t first = 0;
+    std::size_t first = result.cells.size();
     for (std::size_t k = 0; k < result.cells.size(); ++k) {
         if (result.cells[k].status == sweep::Status::done) continue;
-        if (failures == 0) first = k;
+        // an inferred cell has no message of its own
+        if (first == result.cells.size() && !sweep::is_inferred(result, k)) first = k;
         ++failures;
     }
     if (failures == 0) return;
     say(fmt::format("{} of {} cells have no result and are drawn hatched; the first: {} ({})", failures,
                     result.cells.size(), sweep::status_names[static_cast<std::size_t>(result.cells[first].status)],
                     result.cells[first].message));
-    say("  reproduce: " + sweep::reproduce_command(result.study, sweep::place_of(result.study, first), chart_file));
+    say("  reproduce: " + sweep::reproduce_command(result.study, sweep::shown_place(result, first), chart_file));
 }
 
 }  // namespace stridor::app

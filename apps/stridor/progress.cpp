@@ -18,8 +18,8 @@ std::string duration_text(double seconds) {
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-double share_of(const sweep::Progress& progress) {
-    return progress.total > 0 ? static_cast<double>(progress.done) / static_cast<double>(progress.total) : 1.0;
+double share_of(std::size_t done, std::size_t total) {
+    return total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 1.0;
 }
 
 }  // namespace
@@ -41,11 +41,12 @@ std::string progress_line(const sweep::Progress& progress, int columns) {
     const double left = static_cast<double>(progress.total - progress.done) / progress.rate;
     const std::string numbers =
         fmt::format("{}/{} cells  {:.0f} %  {:.3g} cells/s  {} left", progress.done, progress.total,
-                    std::floor(100.0 * share_of(progress)), progress.rate, duration_text(left));
+                    std::floor(100.0 * share_of(progress.done, progress.total)), progress.rate, duration_text(left));
     const std::string counts = counts_text(progress.counts);
     const auto width = static_cast<std::size_t>(columns > 1 ? columns - 1 : 1);
     constexpr std::size_t bar_width = 20;
-    const auto filled = static_cast<std::size_t>(share_of(progress) * static_cast<double>(bar_width));
+    const auto filled =
+        static_cast<std::size_t>(share_of(progress.done, progress.total) * static_cast<double>(bar_width));
     const std::string bar = "[" + std::string(filled, '=') + std::string(bar_width - filled, ' ') + "] ";
     std::string line = bar + numbers + "  " + counts;
     if (line.size() > width) line = numbers + "  " + counts;  // a narrow terminal loses the bar first
@@ -60,9 +61,14 @@ void ProgressDisplay::show(const sweep::Progress& progress) {
         has_line_ = true;
         return;
     }
-    const auto tenth = static_cast<std::size_t>(10.0 * share_of(progress));
-    if (is_started_ && tenth <= last_tenth_) return;
-    last_tenth_ = tenth;
+    // the total of a refined chart grows: what was said last is taken as a share of today's
+    const auto tenth = [&](std::size_t done) { return static_cast<int>(10.0 * share_of(done, progress.total)); };
+    if (is_started_ && tenth(progress.done) <= tenth(last_done_)) return;
+    // its last rounds are many and small: less than a hundredth more is not worth a line
+    const bool is_tail = progress.total != last_total_ && 100 * (progress.done - last_done_) < progress.total;
+    if (is_started_ && is_tail) return;
+    last_done_ = progress.done;
+    last_total_ = progress.total;
     is_started_ = true;
     constexpr int unlimited = 1000;
     say(progress_line(progress, unlimited));

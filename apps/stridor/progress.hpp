@@ -21,7 +21,8 @@ public:
     void finish();
 
 private:
-    std::size_t last_tenth_ = 0;
+    std::size_t last_done_ = 0;  // [1] cells when it last said something
+    std::size_t last_total_ = 0;
     bool is_started_ = false;
     bool has_line_ = false;
 };

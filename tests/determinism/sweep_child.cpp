@@ -1,4 +1,4 @@
-// Runs the sweep of `swept_study` into a store: sweep_child STORE THREADS. Its test kills it.
+// Runs the sweep of `swept_study` into a store: sweep_child STORE THREADS REFINE. Its test kills it.
 
 #include "determinism/swept_study.hpp"
 #include "stridor/base/error.hpp"
@@ -9,9 +9,9 @@
 
 int main(int argc, char** argv) {
     using namespace stridor;
-    if (argc != 3) return 2;
+    if (argc != 4) return 2;
     try {
-        const sweep::Study study = sweep::swept_study();
+        const sweep::Study study = sweep::swept_study(std::stoi(argv[3]));
         sweep::Store store(argv[1], study);
         sweep::RunOptions options;
         options.threads = std::stoi(argv[2]);

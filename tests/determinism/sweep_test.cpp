@@ -24,7 +24,8 @@ void pause(int milliseconds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
 }
 
-class Sweep : public testing::Test {
+// by refinement: a complete chart and a refined one
+class Sweep : public testing::TestWithParam<int> {
 protected:
     // a sweep that nobody disturbs
     std::vector<Cell> undisturbed(int threads) {
@@ -43,14 +44,18 @@ protected:
     }
 
     Launch child(int threads) const {
-        return {{(folder_ / "disturbed").string(), std::to_string(threads)}, {}, "", std::nullopt, {}};
+        return {{(folder_ / "disturbed").string(), std::to_string(threads), std::to_string(GetParam())},
+                {},
+                "",
+                std::nullopt,
+                {}};
     }
 
     ScratchFolder folder_;
-    Study study_ = swept_study();
+    Study study_ = swept_study(GetParam());
 };
 
-TEST_F(Sweep, HasTheSameBitsForEveryNumberOfThreads) {
+TEST_P(Sweep, HasTheSameBitsForEveryNumberOfThreads) {
     const std::vector<Cell> cells = undisturbed(1);
     EXPECT_TRUE(same_cells(cells, undisturbed(2)));
     EXPECT_TRUE(same_cells(cells, undisturbed(4)));
@@ -61,7 +66,7 @@ TEST_F(Sweep, HasTheSameBitsForEveryNumberOfThreads) {
     EXPECT_GE(met.size(), 3U);
 }
 
-TEST_F(Sweep, HasTheSameBitsHoweverOftenItWasStopped) {
+TEST_P(Sweep, HasTheSameBitsHoweverOftenItWasStopped) {
     const std::vector<Cell> cells = undisturbed(2);
     Store store(folder_ / "disturbed", study_);
     Ending ending = Ending::stopped;
@@ -83,7 +88,7 @@ TEST_F(Sweep, HasTheSameBitsHoweverOftenItWasStopped) {
     EXPECT_TRUE(same_cells(load(study_, store).cells, cells));
 }
 
-TEST_F(Sweep, HasTheSameBitsHoweverOftenItWasKilled) {
+TEST_P(Sweep, HasTheSameBitsHoweverOftenItWasKilled) {
     const std::vector<Cell> cells = undisturbed(2);
     int kills = 0;
     // irregular moments: while the process starts, the store is made, cells are written
@@ -101,12 +106,14 @@ TEST_F(Sweep, HasTheSameBitsHoweverOftenItWasKilled) {
     EXPECT_TRUE(same_cells(load(study_, store).cells, cells));
 }
 
-TEST_F(Sweep, RefusesTheStoreThatAnotherProcessIsFilling) {
+TEST_P(Sweep, RefusesTheStoreThatAnotherProcessIsFilling) {
     const Store store(folder_ / "disturbed", study_);
     const Finished refused = support::run(child(1));
     EXPECT_EQ(refused.exit_code, base::exit_code(ErrorKind::io));
     EXPECT_NE(refused.err.find("is in use (another process has it open)"), std::string::npos) << refused.err;
 }
+
+INSTANTIATE_TEST_SUITE_P(Refined, Sweep, testing::Values(0, 3));
 
 }  // namespace
 }  // namespace stridor::sweep

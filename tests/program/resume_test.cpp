@@ -61,6 +61,32 @@ TEST_F(Resume, AKilledSweepEndsWithTheSameBytesAsAnUninterruptedOne) {
     EXPECT_EQ(csv("killed"), csv("whole"));
 }
 
+TEST_F(Resume, AKilledRefinedSweepFromSeveralStartsEndsWithTheSameBytes) {
+    const auto refined = [](const std::string& out, const std::string& threads) {
+        std::vector<std::string> arguments = sweep(out, threads);
+        for (const char* setting : {"chart.x.points=17", "chart.y.points=17", "chart.refine=3",
+                                    "chart.starts=rest,stuck", "run.duration=0.1", "run.window=0.05"})
+            arguments.insert(arguments.end(), {"--set", setting});
+        return arguments;
+    };
+    const Finished whole = run(refined("whole", "2"), folder_.path());
+    ASSERT_EQ(whole.exit_code, 0) << whole.err;
+    EXPECT_NE(whole.out.find(" of them computed"), std::string::npos) << whole.out;
+    EXPECT_NE(whole.out.find("from 2 starts: agree "), std::string::npos) << whole.out;
+    EXPECT_NE(csv("whole").find(",inferred,"), std::string::npos);
+    for (const int wait : {40, 90, 160, 250, 350}) {
+        Process process(Launch{refined("killed", wait % 20 == 0 ? "1" : "2"), folder_.path(), {}, std::nullopt, {}});
+        pause(wait);
+        process.send(SIGKILL);
+        process.wait();
+    }
+    const Finished last = run(refined("killed", "1"), folder_.path());
+    ASSERT_EQ(last.exit_code, 0) << last.err;
+    EXPECT_EQ(csv("killed"), csv("whole"));
+    EXPECT_EQ(read_text(folder_.path() / "killed" / "boundaries.csv"),
+              read_text(folder_.path() / "whole" / "boundaries.csv"));
+}
+
 TEST_F(Resume, TheNumberOfThreadsChangesNoByte) {
     ASSERT_EQ(run(sweep("one", "1"), folder_.path()).exit_code, 0);
     ASSERT_EQ(run(sweep("four", "4"), folder_.path()).exit_code, 0);

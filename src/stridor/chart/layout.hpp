@@ -44,7 +44,7 @@ struct PlacedPanel {
 /// A sample of the legend; its text is among the layout's texts.
 struct PlacedSample {
     Rectangle area;
-    std::variant<Fill, Stroke> sample;
+    std::variant<Fill, Stroke, Points> sample;
 };
 
 /// Where everything of a scene stands on paper.

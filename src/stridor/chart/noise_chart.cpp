@@ -3,10 +3,13 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/chart/boundary_line.hpp"
 #include "stridor/chart/field_axis.hpp"
 #include "stridor/chart/layout.hpp"
 #include "stridor/chart/palette.hpp"
 #include "stridor/chart/region_names.hpp"
+#include "stridor/sweep/boundaries.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,12 +54,27 @@ std::string failures(const sweep::SweepResult& result) {
     return list.empty() || list == "failed" ? list : "failed (" + list + ")";
 }
 
+// "Each cell was run from rest, stuck and sliding; the loudest is shown."
+Text starts_caption(const sweep::Study& study) {
+    std::string names;
+    for (std::size_t k = 0; k < study.starts.size(); ++k) {
+        const bool is_last = k > 0 && k + 1 == study.starts.size();
+        names += (k == 0    ? ""
+                  : is_last ? " and "
+                            : ", ") +
+                 std::string(sweep::start_names()[static_cast<std::size_t>(study.starts[k])]);
+    }
+    return Text("Each cell was run from " + names + "; the loudest is shown.");
+}
+
 Scene empty_chart(const sweep::SweepResult& result, const Text& title) {
     const sweep::Study& study = result.study;
-    const std::array<std::string_view, 2> varied{study.x.parameter, study.y.parameter};
+    std::vector<std::string_view> varied{study.x.parameter, study.y.parameter};
+    if (!study.starts.empty()) varied.emplace_back("run.initial");
     Scene scene;
     scene.title = title;
     scene.caption = {conditions(study.base, varied)};
+    if (!study.starts.empty()) scene.caption.push_back(starts_caption(study));
     scene.column_widths.assign(study.directions.size(), 1.0);
     scene.height = study.directions.size() == 1 ? 110.0 : 92.0;
     for (std::size_t d = 0; d < study.directions.size(); ++d) {
@@ -112,6 +130,34 @@ std::string spelled(std::string_view name) {
     return words;
 }
 
+bool is_torn(const sweep::Cell& cell) {
+    return cell.agreement == sweep::Agreement::quiet_unless_disturbed;
+}
+
+// a disc on each cell that is quiet from one start and noisy from another; small enough for the cells to be told apart
+Points torn_points(const sweep::SweepResult& result, std::size_t direction, const Rectangle& area) {
+    constexpr double largest = 2.0;  // [pt] in charts of few cells
+    constexpr double points_per_mm = 72.0 / 25.4;
+    const sweep::Study& study = result.study;
+    const double cell_size = std::min(width_of(area) / study.x.points, height_of(area) / study.y.points);
+    Points points{{}, {}, ink, std::min(largest, 0.35 * cell_size * points_per_mm), white};
+    for (std::size_t index = 0; index < result.cells.size(); ++index) {
+        const sweep::CellPlace place = sweep::place_of(study, index);
+        if (place.direction != direction || !is_torn(result.cells[index])) continue;
+        points.x.push_back(sweep::value_at(study.x, place.ix));
+        points.y.push_back(sweep::value_at(study.y, place.iy));
+    }
+    return points;
+}
+
+// "12 % of the cells were computed, ...": nothing for a complete chart
+std::vector<Text> refinement_caption(const sweep::SweepResult& result, const std::string& of_others) {
+    const std::size_t computed = sweep::computed_count(result);
+    if (computed == result.cells.size()) return {};
+    const double share = 100.0 * static_cast<double>(computed) / static_cast<double>(result.cells.size());
+    return {Text(base::shortest(std::round(share * 10.0) / 10.0) + " % of the cells were computed; " + of_others)};
+}
+
 }  // namespace
 
 Scene noise_chart(const sweep::SweepResult& result) {
@@ -140,12 +186,21 @@ Scene noise_chart(const sweep::SweepResult& result) {
         else if (is_category || occurs(kind))
             scene.legend.push_back({names[kind], fills[kind]});
     }
-    // names need to know how large their regions become on paper
+    if (std::any_of(result.cells.begin(), result.cells.end(), is_torn))
+        scene.legend.push_back({"quiet unless disturbed", Points{{}, {}, ink, 2.0, white}});
+    for (Text& text : refinement_caption(result, "the others lie among such that agree."))
+        scene.caption.push_back(std::move(text));
+    const std::vector<sweep::Boundary> boundaries = sweep::boundaries(result);
+    // names and marks need to know how large their regions and cells become on paper
     const Layout layout = arrange(scene);
     for (std::size_t d = 0; d < maps.size(); ++d) {
         Panel& panel = scene.panels[d];
         std::vector<Note> notes = region_names(maps[d], names, panel, layout.panels[d].area, scene.font_size);
+        Line line = boundary_line(result.study, boundaries, d);
         panel.layers.emplace_back(std::move(maps[d]));
+        if (!line.x.empty()) panel.layers.emplace_back(std::move(line));
+        if (Points torn = torn_points(result, d, layout.panels[d].area); !torn.x.empty())
+            panel.layers.emplace_back(std::move(torn));
         for (Note& note : notes)
             panel.layers.emplace_back(std::move(note));
     }
@@ -169,6 +224,8 @@ Scene figure_chart(const sweep::SweepResult& result, std::string_view name) {
     const Fill no_value{{0xD9, 0xD9, 0xD9}, Texture::none, {}};
     if (reaches_beyond(result, *figure, colours.range))
         scene.caption.emplace_back("Values beyond the scale have the colour of its end.");
+    for (Text& text : refinement_caption(result, "the others have the value of the nearest corner of their block."))
+        scene.caption.push_back(std::move(text));
     bool has_gap = false;
     for (std::size_t d = 0; d < scene.panels.size(); ++d) {
         ValueCells map{cell_edges(result.study.x), cell_edges(result.study.y), {}, colours, no_value};
@@ -177,7 +234,8 @@ Scene figure_chart(const sweep::SweepResult& result, std::string_view name) {
         const std::size_t columns = map.x_edges.size() - 1;
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const bool is_done = cells[i].status == sweep::Status::done;
-            const double value = is_done ? cells[i].*figure->member : sweep::Cell::unknown;
+            const std::size_t source = sweep::source_of(result, d * cells.size() + i);
+            const double value = is_done ? result.cells[source].*figure->member : sweep::Cell::unknown;
             map.values.push_back(std::isfinite(value) ? value : sweep::Cell::unknown);
             has_gap = has_gap || (is_done && !std::isfinite(value));
             if (!is_done)

@@ -47,6 +47,7 @@ public:
         for (std::size_t i = 0; i < points.x.size(); ++i)
             if (!std::isnan(points.x[i]) && !std::isnan(points.y[i]))
                 rows += number(points.x[i]) + " " + number(points.y[i]) + "\n";
+        if (points.rim) add_dots(rows, *points.rim, rim_diameter(points));
         add_dots(rows, points.colour, points.diameter);
     }
 
@@ -278,6 +279,10 @@ std::string line_style(const Stroke& stroke) {
     constexpr std::string_view dashes[] = {"solid", "(9,5)", "(2,4)"};
     return fmt::format("lc rgb '{}' lw {:.4g} dt {}", hex(stroke.colour), stroke.width,
                        dashes[static_cast<std::size_t>(stroke.dash)]);
+}
+
+double rim_diameter(const Points& points) {
+    return 2.0 * points.diameter;
 }
 
 Extent note_extent(const Text& text, double size) {

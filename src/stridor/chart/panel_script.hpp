@@ -27,6 +27,9 @@ struct Extent {
 };
 Extent note_extent(const Text& text, double size);
 
+/// The diameter of the ring around points that have one [pt].
+double rim_diameter(const Points& points);
+
 /// "lc rgb '#...' lw ... dt ..."
 std::string line_style(const Stroke& stroke);
 

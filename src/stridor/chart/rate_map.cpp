@@ -31,7 +31,7 @@ Panel map_panel(const sweep::SweepResult& result, std::size_t direction, const R
     panel.y = field_axis(study.y);
     ValueCells cells{cell_edges(study.x), cell_edges(study.y), {}, percent, failed_fill()};
     for (std::size_t i = 0; i < count; ++i) {
-        const sweep::Cell& cell = result.cells[direction * count + i];
+        const sweep::Cell& cell = result.cells[sweep::source_of(result, direction * count + i)];
         cells.values.push_back(cell.status == sweep::Status::done ? 100.0 * cell.*rate.member : sweep::Cell::unknown);
     }
     panel.layers.emplace_back(std::move(cells));
@@ -41,6 +41,10 @@ Panel map_panel(const sweep::SweepResult& result, std::size_t direction, const R
 bool has_failures(const sweep::SweepResult& result) {
     return std::any_of(result.cells.begin(), result.cells.end(),
                        [](const sweep::Cell& cell) { return cell.status != sweep::Status::done; });
+}
+
+bool is_refined(const sweep::SweepResult& result) {
+    return sweep::computed_count(result) < result.cells.size();
 }
 
 // what tells one row from the next: the angle and the direction
@@ -86,6 +90,9 @@ Scene rate_map(std::span<const sweep::SweepResult> results) {
         const sweep::Study& study = results.front().study;
         const std::array<std::string_view, 3> varied{study.x.parameter, study.y.parameter, "joint.incidence_angle"};
         scene.caption = {conditions(study.base, varied)};
+        if (std::any_of(results.begin(), results.end(), is_refined))
+            scene.caption.emplace_back(
+                "Cells that were not computed have the values of the nearest corner of their block.");
     }
     if (scene.row_heights.empty()) scene.row_heights = {1.0};
     scene.height = 22.0 + 56.0 * static_cast<double>(scene.row_heights.size());

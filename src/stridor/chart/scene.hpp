@@ -83,7 +83,8 @@ struct Points {
     std::vector<double> x;  // shape [point]
     std::vector<double> y;  // shape [point]
     Colour colour;
-    double diameter = 2.0;  // [pt]
+    double diameter = 2.0;      // [pt]
+    std::optional<Colour> rim;  // of a ring around each, half as thick as the disc, that shows it on any ground
 };
 
 /// States over time, one row per state: row r fills y from r + 0.1 to r + 0.9.
@@ -180,7 +181,7 @@ struct Panel {
 /// One entry of the legend below the panels.
 struct LegendEntry {
     Text text;
-    std::variant<Fill, Stroke> sample;
+    std::variant<Fill, Stroke, Points> sample;  // of points one is shown, wherever they stand
 };
 
 /// The scale of a quantity's colours, right of all panels.

@@ -63,11 +63,23 @@ public:
                            line_style(stroke));
     }
 
+    // diameter in mm
+    std::string disc(const Dot& middle, double diameter, Colour colour) const {
+        return fmt::format("set object circle at {} size screen {:.6f} fc rgb '{}' fs solid 1 noborder front\n",
+                           at(middle.x, middle.y), 0.5 * diameter / width_, hex(colour));
+    }
+
     std::string sample(const PlacedSample& placed) const {
         const Rectangle& area = placed.area;
         if (const Stroke* stroke = std::get_if<Stroke>(&placed.sample)) {
             const double y = 0.5 * (area.bottom + area.top);
             return segment({area.left, y, area.right, y}, *stroke);
+        }
+        if (const Points* points = std::get_if<Points>(&placed.sample)) {
+            const Dot middle{0.5 * (area.left + area.right), 0.5 * (area.bottom + area.top)};
+            std::string discs;
+            if (points->rim) discs += disc(middle, rim_diameter(*points) * point_length, *points->rim);
+            return discs + disc(middle, points->diameter * point_length, points->colour);
         }
         const Fill& fill = std::get<Fill>(placed.sample);
         std::string lines =
@@ -80,13 +92,13 @@ public:
         for (const Segment& line : strokes.lines)
             lines += segment(line, {fill.ink, texture_width, Dash::solid});
         for (const Dot& dot : strokes.dots)
-            lines += fmt::format("set object circle at {} size screen {:.6f} fc rgb '{}' fs solid 1 noborder front\n",
-                                 at(dot.x, dot.y), 0.2 / width_, hex(fill.ink));
+            lines += disc(dot, 0.4, fill.ink);
         return lines;
     }
 
 private:
-    static constexpr double legend_spacing = 1.1;  // [mm]
+    static constexpr double legend_spacing = 1.1;        // [mm]
+    static constexpr double point_length = 25.4 / 72.0;  // [mm]
 
     double width_;   // [mm]
     double height_;  // [mm]

@@ -4,6 +4,7 @@
 #include "stridor/io/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -104,7 +105,9 @@ Json chart_schema() {
         {"x", axis_schema()},
         {"y", axis_schema()},
         {"directions", {{"type", "array"}, {"minItems", 1}, {"items", {{"enum", parameters::direction_names}}}}},
-        {"quantities", {{"type", "array"}, {"items", {{"enum", std::move(quantities)}}}}}};
+        {"quantities", {{"type", "array"}, {"items", {{"enum", std::move(quantities)}}}}},
+        {"refine", {{"type", "integer"}, {"minimum", 0}, {"maximum", sweep::most_refinement}, {"default", 0}}},
+        {"starts", {{"type", "array"}, {"items", {{"enum", sweep::start_names()}}}}}};
     return schema;
 }
 

@@ -4,6 +4,7 @@
 #include "stridor/base/version.hpp"
 #include "stridor/io/dof_names.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -124,9 +125,36 @@ void chart_row(Table& table, const sweep::SweepResult& result, std::size_t index
     table.word(is_done ? classification::name(cell.category) : std::string_view());
     for (const sweep::CellFigure& figure : figures)
         table.number(cell.*figure.member);
+    table.word(sweep::source_names[sweep::is_inferred(result, index) ? 1 : 0]);
+    if (!study.starts.empty()) table.word(sweep::agreement_names[static_cast<std::size_t>(cell.agreement)]);
+    for (std::size_t start = 0; start < study.starts.size(); ++start)
+        table.word(start < cell.starts.size() ? sweep::word(cell.starts[start]) : std::string_view());
     table.word(cell.message);
-    table.word(is_done ? std::string() : sweep::reproduce_command(study, place, file));
+    table.word(is_done ? std::string() : sweep::reproduce_command(study, sweep::shown_place(result, index), file));
     table.end_row();
+}
+
+std::vector<Column> chart_columns(const sweep::Study& study, const std::vector<sweep::CellFigure>& figures) {
+    const std::string word_unit(no_unit);
+    std::vector<Column> columns{{"x", unit_of(study.x.parameter)},
+                                {"y", unit_of(study.y.parameter)},
+                                {"direction", word_unit},
+                                {"status", word_unit},
+                                {"category", word_unit}};
+    for (const sweep::CellFigure& figure : figures)
+        columns.push_back({std::string(figure.name), std::string(figure.unit)});
+    columns.push_back({"source", word_unit});
+    if (!study.starts.empty()) columns.push_back({"agreement", word_unit});
+    for (const parameters::Initial start : study.starts)
+        columns.push_back({"start_" + std::string(sweep::start_names()[static_cast<std::size_t>(start)]), word_unit});
+    columns.push_back({"message", word_unit});
+    columns.push_back({"reproduce", word_unit});
+    return columns;
+}
+
+std::string chart_opening(std::string_view what, const sweep::Study& study) {
+    return opening(what, study.base) + comment("x", study.x.parameter) + comment("y", study.y.parameter) +
+           comments(sweep::canonical_text(study));
 }
 
 std::vector<Column> trace_columns(const std::vector<std::string>& dofs) {
@@ -149,22 +177,40 @@ std::vector<Column> trace_columns(const std::vector<std::string>& dofs) {
 std::string chart_csv(const sweep::SweepResult& result, const std::string& file) {
     const sweep::Study& study = result.study;
     const std::vector<sweep::CellFigure> figures = figures_in_order();
-    const std::string word_unit(no_unit);
-    std::vector<Column> columns{{"x", unit_of(study.x.parameter)},
-                                {"y", unit_of(study.y.parameter)},
-                                {"direction", word_unit},
-                                {"status", word_unit},
-                                {"category", word_unit}};
-    for (const sweep::CellFigure& figure : figures)
-        columns.push_back({std::string(figure.name), std::string(figure.unit)});
-    columns.push_back({"message", word_unit});
-    columns.push_back({"reproduce", word_unit});
-
-    Table table(opening("chart", study.base) + comment("x", study.x.parameter) + comment("y", study.y.parameter) +
-                comments(sweep::canonical_text(study)));
-    table.header(columns);
+    Table table(chart_opening("chart", study));
+    table.header(chart_columns(study, figures));
     for (std::size_t index = 0; index < result.cells.size(); ++index)
         chart_row(table, result, index, figures, file);
+    return std::move(table).text();
+}
+
+std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::Boundary>& boundaries) {
+    const std::string word_unit(no_unit);
+    const std::string x_unit = unit_of(study.x.parameter);
+    const std::string y_unit = unit_of(study.y.parameter);
+    Table table(chart_opening("boundaries", study));
+    table.header({{"line", "1"},
+                  {"direction", word_unit},
+                  {"first", word_unit},
+                  {"second", word_unit},
+                  {"form", word_unit},
+                  {"x", x_unit},
+                  {"y", y_unit},
+                  {"x_resolution", x_unit},
+                  {"y_resolution", y_unit}});
+    for (std::size_t line = 0; line < boundaries.size(); ++line) {
+        const sweep::Boundary& boundary = boundaries[line];
+        for (const sweep::BoundaryVertex& vertex : boundary.vertices) {
+            table.number(static_cast<double>(line));
+            table.word(parameters::direction_names[static_cast<std::size_t>(study.directions[boundary.direction])]);
+            table.word(boundary.first);
+            table.word(boundary.second);
+            table.word(sweep::line_form_names[static_cast<std::size_t>(boundary.form)]);
+            for (const double value : {vertex.x, vertex.y, vertex.x_resolution, vertex.y_resolution})
+                table.number(value);
+            table.end_row();
+        }
+    }
     return std::move(table).text();
 }
 

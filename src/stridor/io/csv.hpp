@@ -3,9 +3,11 @@
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/contact_history.hpp"
 #include "stridor/record/trace.hpp"
+#include "stridor/sweep/boundaries.hpp"
 #include "stridor/sweep/cell.hpp"
 
 #include <string>
+#include <vector>
 
 /// Tables as CSV text: first `# key: value` lines (schema, version, commit, title, the canonical text of the case), then a row
 /// of names, a row of units ("-" for words), then numbers in their shortest form that reads back as the same double. NaN is
@@ -15,9 +17,13 @@ namespace stridor::io {
 /// "stridor.chart/1": a row per cell in index order (direction slowest, x fastest).
 ///
 /// Columns: x, y, direction, status, category, slip, stick, separation, the other figures of `sweep::cell_figures`,
-/// message, reproduce. Only done cells have a category and figures; the others have in `reproduce` the command that runs
-/// them alone, with `file` as the chart file's name.
+/// source, of a chart with starts agreement and one column per start, message, reproduce. Only done cells have a
+/// category, only those of them that were computed figures; cells that are not done have in `reproduce` the command that
+/// runs them alone, with `file` as the chart file's name.
 std::string chart_csv(const sweep::SweepResult& result, const std::string& file);
+
+/// "stridor.boundaries/1": a row per vertex of each line, in order.
+std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::Boundary>& boundaries);
 
 /// "stridor.trace/1": a row per sample.
 std::string trace_csv(const parameters::Case& c, const record::Trace& trace);

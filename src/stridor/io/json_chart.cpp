@@ -1,6 +1,8 @@
 #include "stridor/io/json_chart.hpp"
 
 #include "stridor/io/json_parts.hpp"
+#include "stridor/sweep/boundaries.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <utility>
 
@@ -28,6 +30,38 @@ Json axis_object(const sweep::Axis& axis) {
             {"values", std::move(values)}};
 }
 
+// an array of verdicts per start; null where a cell was inferred
+Json starts_object(const sweep::SweepResult& result) {
+    Json object = Json::object();
+    for (std::size_t start = 0; start < result.study.starts.size(); ++start) {
+        Json& verdicts = object[std::string(name_of(sweep::start_names(), result.study.starts[start]))] = Json::array();
+        for (const sweep::Cell& cell : result.cells)
+            verdicts.push_back(start < cell.starts.size() ? Json(sweep::word(cell.starts[start])) : Json());
+    }
+    return object;
+}
+
+Json boundaries_array(const sweep::SweepResult& result) {
+    Json array = Json::array();
+    for (const sweep::Boundary& boundary : sweep::boundaries(result)) {
+        const auto values = [&](double sweep::BoundaryVertex::*member) {
+            Json numbers = Json::array();
+            for (const sweep::BoundaryVertex& vertex : boundary.vertices)
+                numbers.push_back(vertex.*member);
+            return numbers;
+        };
+        array.push_back(
+            {{"direction", name_of(parameters::direction_names, result.study.directions[boundary.direction])},
+             {"between", {boundary.first, boundary.second}},
+             {"form", name_of(sweep::line_form_names, boundary.form)},
+             {"x", values(&sweep::BoundaryVertex::x)},
+             {"y", values(&sweep::BoundaryVertex::y)},
+             {"x_resolution", values(&sweep::BoundaryVertex::x_resolution)},
+             {"y_resolution", values(&sweep::BoundaryVertex::y_resolution)}});
+    }
+    return array;
+}
+
 Json cells_object(const sweep::SweepResult& result) {
     Json object = Json::object();
     Json& status = object["status"] = Json::array();
@@ -42,6 +76,15 @@ Json cells_object(const sweep::SweepResult& result) {
         Json& values = object[std::string(figure.name)] = Json::array();
         for (const sweep::Cell& cell : result.cells)
             values.push_back(cell.*figure.member);
+    }
+    Json& source = object["source"] = Json::array();
+    for (std::size_t index = 0; index < result.cells.size(); ++index)
+        source.push_back(sweep::source_names[sweep::is_inferred(result, index) ? 1 : 0]);
+    if (!result.study.starts.empty()) {
+        Json& agreement = object["agreement"] = Json::array();
+        for (const sweep::Cell& cell : result.cells)
+            agreement.push_back(name_of(sweep::agreement_names, cell.agreement));
+        object["starts"] = starts_object(result);
     }
     Json& message = object["message"] = Json::array();
     for (const sweep::Cell& cell : result.cells)
@@ -60,9 +103,16 @@ std::string chart_json(const sweep::SweepResult& result) {
     document["chart"] = {{"x", axis_object(study.x)},
                          {"y", axis_object(study.y)},
                          {"directions", std::move(directions)},
-                         {"quantities", study.quantities}};
+                         {"quantities", study.quantities},
+                         {"refine", study.refine}};
+    if (!study.starts.empty()) {
+        Json& starts = document["chart"]["starts"] = Json::array();
+        for (const parameters::Initial start : study.starts)
+            starts.push_back(name_of(sweep::start_names(), start));
+    }
     document["shape"] = {{"direction", study.directions.size()}, {"y", study.y.points}, {"x", study.x.points}};
     document["cells"] = cells_object(result);
+    document["boundaries"] = boundaries_array(result);
     Json units = case_units(study.base);
     for (const sweep::CellFigure& figure : sweep::cell_figures())
         units["cells." + std::string(figure.name)] = figure.unit;

@@ -7,7 +7,8 @@
 namespace stridor::io {
 
 /// "stridor.chart/1": case, axes with their values, and an array per figure in the order direction, y, x (x fastest).
-/// Only done cells have a category and figures; the others have null and a message.
+/// Only done cells have a category, and only computed ones figures; the others have null, and a message if they are not
+/// done. Then the lines between the categories.
 std::string chart_json(const sweep::SweepResult& result);
 
 }  // namespace stridor::io

@@ -7,6 +7,7 @@
 #include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/io/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +34,8 @@ std::string coordinate_name(const sweep::Axis& axis, const sweep::Axis& other) {
     const std::string& key = axis.parameter;
     const auto short_name = [](const std::string& full) { return full.substr(full.find('.') + 1); };
     const std::string name = short_name(key);
-    constexpr std::array<std::string_view, 3> fixed{"direction", "category", "status"};
+    constexpr std::array<std::string_view, 7> fixed{"direction", "category", "status",       "source",
+                                                    "agreement", "start",    "start_verdict"};
     const bool is_taken = name == short_name(other.parameter) || sweep::find_cell_figure(name) != nullptr ||
                           std::find(fixed.begin(), fixed.end(), name) != fixed.end();
     std::string full = key;
@@ -82,12 +84,39 @@ void put_cells(NetcdfDataset& file, const sweep::SweepResult& result, std::span<
     file.flags("category", dimensions, category, classification::category_names,
                {"", "category of the motion; missing where the cell is not done"});
     file.flags("status", dimensions, status, sweep::status_names, {"", "how the cell ended"});
+    std::vector<signed char> source;
+    for (std::size_t index = 0; index < result.cells.size(); ++index)
+        source.push_back(sweep::is_inferred(result, index) ? 1 : 0);
+    file.flags("source", dimensions, source, sweep::source_names,
+               {"", "was the cell computed, or inferred from neighbours that agree?"});
     std::vector<double> values(result.cells.size());
     for (const sweep::CellFigure& figure : sweep::cell_figures()) {
         std::transform(result.cells.begin(), result.cells.end(), values.begin(),
                        [&](const sweep::Cell& cell) { return cell.*figure.member; });
         file.doubles(std::string(figure.name), dimensions, values, {figure.unit, figure.sentence});
     }
+}
+
+// what each start led to, and whether they agree
+void put_starts(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const int> dimensions) {
+    std::vector<std::string> names;
+    std::vector<signed char> verdicts;
+    for (std::size_t start = 0; start < result.study.starts.size(); ++start) {
+        names.emplace_back(sweep::start_names()[static_cast<std::size_t>(result.study.starts[start])]);
+        for (const sweep::Cell& cell : result.cells)
+            verdicts.push_back(static_cast<signed char>(
+                start < cell.starts.size() ? static_cast<int>(sweep::number_of(cell.starts[start])) : -1));
+    }
+    std::vector<int> with_start{file.dimension("start", names.size())};
+    file.words("start", with_start, names, {"", "how the motion starts"});
+    with_start.insert(with_start.end(), dimensions.begin(), dimensions.end());
+    file.flags("start_verdict", with_start, verdicts, sweep::verdict_words,
+               {"", "category, or status without one, from this start; missing where the cell was inferred"});
+    std::vector<signed char> agreement;
+    for (const sweep::Cell& cell : result.cells)
+        agreement.push_back(static_cast<signed char>(cell.agreement));
+    file.flags("agreement", dimensions, agreement, sweep::agreement_names,
+               {"", "do all starts lead to the same verdict?"});
 }
 
 void put_trace(NetcdfDataset& file, const record::Trace& trace) {
@@ -153,6 +182,7 @@ void write_chart_netcdf(const std::string& path, const sweep::SweepResult& resul
     file.attribute("study_hash", base::hash_text(canonical));
     file.attribute("case", study_toml(study, {.comments = Comments::none, .heading = ""}));
     put_cells(file, result, std::array{direction, y, x});
+    if (!study.starts.empty()) put_starts(file, result, std::array{direction, y, x});
     write_file(path, file.finish());
 }
 

@@ -14,8 +14,9 @@ namespace stridor::io {
 /// A chart: dimensions (direction, y, x), the last two named after their parameters ("kinetic_friction", "preload"; with the
 /// section in front where two names would be alike), each with its coordinate variable.
 ///
-/// Variables: category and status as bytes with flag_values and flag_meanings, every figure of `sweep::cell_figures` as double,
-/// NaN where a cell is not done. Global attributes: x and y (the parameters' keys), study (`sweep::canonical_text`), study_hash,
+/// Variables: category, status and source as bytes with flag_values and flag_meanings, every figure of `sweep::cell_figures` as
+/// double, NaN where a cell is not done or was inferred; of a chart with starts agreement, and start_verdict(start, direction,
+/// y, x). Global attributes: x and y (the parameters' keys), study (`sweep::canonical_text`), study_hash,
 /// case (the chart as TOML, which can be run again).
 void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result);
 

@@ -4,6 +4,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/toml_case.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,10 +18,10 @@ namespace stridor::io {
 
 namespace {
 
-constexpr std::array<std::string_view, 14> chart_keys{
-    "chart.x.parameter", "chart.x.from",     "chart.x.to", "chart.x.points", "chart.x.scale",
-    "chart.y.parameter", "chart.y.from",     "chart.y.to", "chart.y.points", "chart.y.scale",
-    "chart.directions",  "chart.quantities", "chart.x",    "chart.y"};
+constexpr std::array<std::string_view, 16> chart_keys{
+    "chart.x.parameter", "chart.x.from", "chart.x.to",     "chart.x.points", "chart.x.scale",    "chart.y.parameter",
+    "chart.y.from",      "chart.y.to",   "chart.y.points", "chart.y.scale",  "chart.directions", "chart.quantities",
+    "chart.x",           "chart.y",      "chart.refine",   "chart.starts"};
 constexpr std::array<std::string_view, 4> required_axis_keys{"parameter", "from", "to", "points"};
 
 base::Place whole_file(const TomlDocument& document) {
@@ -115,13 +116,14 @@ const parameters::Field& axis_field(const TomlEntry& entry) {
                 entry.value_place);
 }
 
-int points_of(const TomlEntry& entry) {
+// a whole number of things from 0 to the most there may be
+int count_of(const TomlEntry& entry, int most, const std::string& things) {
     const double number = number_of(entry, "1");
-    const bool is_count = number >= 0.0 && number <= sweep::most_points && number == std::floor(number);
+    const bool is_count = number >= 0.0 && number <= most && number == std::floor(number);
     if (is_count) return static_cast<int>(number);
     throw Error(ErrorKind::input,
-                {entry.key + " = " + base::shortest(number) + " is not a number of points",
-                 "it must be a whole number up to " + std::to_string(sweep::most_points), ""},
+                {entry.key + " = " + base::shortest(number) + " is not a number of " + things,
+                 "it must be a whole number up to " + std::to_string(most), ""},
                 entry.value_place);
 }
 
@@ -132,7 +134,7 @@ sweep::Axis read_axis(const TomlDocument& document, const std::string& prefix) {
     axis.parameter = parameters::key_of(field);
     axis.from = number_of(*document.find(prefix + ".from"), unit);
     axis.to = number_of(*document.find(prefix + ".to"), unit);
-    axis.points = points_of(*document.find(prefix + ".points"));
+    axis.points = count_of(*document.find(prefix + ".points"), sweep::most_points, "points");
     if (const TomlEntry* scale = document.find(prefix + ".scale"))
         axis.scale = static_cast<sweep::Scale>(name_of(text_of(*scale, "text"), *scale, sweep::scale_names));
     return axis;
@@ -150,6 +152,17 @@ std::vector<std::string> list_of(const TomlEntry& entry) {
         start = end + 1;
     }
     return list;
+}
+
+// names of an enumeration out of a list, if the document has it
+template <typename Value>
+void read_names(const TomlDocument& document, std::string_view key, std::span<const std::string_view> names,
+                std::vector<Value>& values) {
+    const TomlEntry* entry = document.find(key);
+    if (entry == nullptr) return;
+    values.clear();
+    for (const std::string& name : list_of(*entry))
+        values.push_back(static_cast<Value>(name_of(name, *entry, names)));
 }
 
 // the entry that an error of the sweep is about: the key its words name first
@@ -178,12 +191,10 @@ sweep::Study read_study(const TomlSource& source) {
     study.base = read_base_case(document);
     study.x = read_axis(document, "chart.x");
     study.y = read_axis(document, "chart.y");
-    if (const TomlEntry* entry = document.find("chart.directions")) {
-        study.directions.clear();
-        for (const std::string& name : list_of(*entry))
-            study.directions.push_back(
-                static_cast<parameters::Direction>(name_of(name, *entry, parameters::direction_names)));
-    }
+    read_names(document, "chart.directions", parameters::direction_names, study.directions);
+    read_names(document, "chart.starts", sweep::start_names(), study.starts);
+    if (const TomlEntry* entry = document.find("chart.refine"))
+        study.refine = count_of(*entry, sweep::most_refinement, "halvings");
     if (const TomlEntry* entry = document.find("chart.quantities")) study.quantities = list_of(*entry);
     try {
         sweep::check(study);

@@ -15,6 +15,8 @@ namespace stridor::io {
 ///     y = { parameter = "contact.kinetic_friction", from = 0.0, to = 0.8, points = 40 }
 ///     directions = ["going", "coming"]
 ///     quantities = ["category"]
+///     refine = 3
+///     starts = ["rest", "sliding"]
 ///
 /// `parameter`, `from`, `to` and `points` of both axes must be there. Ends are in the unit of the axis's parameter, or
 /// text with a unit. The case's own sections must be complete, the axes' keys included: they are its base values.

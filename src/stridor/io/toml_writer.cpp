@@ -1,10 +1,12 @@
 #include "stridor/io/toml_writer.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <sstream>
 #include <string_view>
 #include <variant>
@@ -152,7 +154,14 @@ std::string study_toml(const sweep::Study& study, const TomlOptions& options) {
             "\n";
     text += say("what to draw: \"category\" or any figure of a cell, such as \"separation\" or \"frequency\"");
     text += "quantities = " + list_text(study.quantities, [](const std::string& name) { return name; }) + "\n";
-    return text;
+    text += say("0 computes every cell; 1 to 6 begin with every 2nd to 64th point and halve that where cells differ");
+    text += "refine = " + std::to_string(study.refine) + "\n";
+    text += say("each cell is run from all of these instead of run.initial, and shows the loudest");
+    if (study.starts.empty()) return text + say("starts = " + list_text(sweep::start_names(), std::identity{}));
+    return text + "starts = " +
+           list_text(study.starts,
+                     [](parameters::Initial start) { return sweep::start_names()[static_cast<std::size_t>(start)]; }) +
+           "\n";
 }
 
 }  // namespace stridor::io

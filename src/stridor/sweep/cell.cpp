@@ -1,5 +1,7 @@
 #include "stridor/sweep/cell.hpp"
 
+#include "stridor/sweep/starts.hpp"
+
 #include <algorithm>
 
 namespace stridor::sweep {
@@ -44,6 +46,27 @@ const CellFigure* find_cell_figure(std::string_view name) {
     const auto found =
         std::find_if(figures.begin(), figures.end(), [&](const CellFigure& figure) { return figure.name == name; });
     return found == figures.end() ? nullptr : &*found;
+}
+
+std::size_t source_of(const SweepResult& result, std::size_t index) {
+    return result.sources.empty() ? index : result.sources[index];
+}
+
+bool is_inferred(const SweepResult& result, std::size_t index) {
+    return source_of(result, index) != index;
+}
+
+std::size_t computed_count(const SweepResult& result) {
+    std::size_t count = 0;
+    for (std::size_t index = 0; index < result.cells.size(); ++index)
+        count += is_inferred(result, index) ? 0 : 1;
+    return count;
+}
+
+CellPlace shown_place(const SweepResult& result, std::size_t index) {
+    CellPlace place = place_of(result.study, index);
+    place.start = shown_start(result.cells[source_of(result, index)]);
+    return place;
 }
 
 }  // namespace stridor::sweep

@@ -23,13 +23,31 @@ enum class Status {
 
 inline constexpr std::array<std::string_view, 5> status_names{"done", "invalid", "step_limit", "diverged", "failed"};
 
+/// Do the starts of a cell lead to the same verdict?
+enum class Agreement {
+    agree,                   // they do, or there is one start only
+    differ,                  // to different ones, but not to quiet and noise
+    quiet_unless_disturbed,  // one to none, another to a noise: what is heard depends on the start
+};
+
+inline constexpr std::array<std::string_view, 3> agreement_names{"agree", "differ", "quiet_unless_disturbed"};
+
+/// What one start of a cell led to.
+struct StartVerdict {
+    Status status = Status::failed;
+    classification::Category category = classification::Category::undecided;  // meaningless unless done
+    bool operator==(const StartVerdict&) const = default;
+};
+
 /// What is kept of one cell in one direction.
 struct Cell {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
     Status status = Status::failed;
     classification::Category category = classification::Category::undecided;  // meaningless unless done
-    std::string message;  // why it is not done, or done and undecided; empty otherwise
+    std::string message;               // why it is not done, or done and undecided; empty otherwise
+    std::vector<StartVerdict> starts;  // by study.starts; empty if it has none, or the cell was inferred
+    Agreement agreement = Agreement::agree;
 
     double slip = unknown;               // [1] whole window
     double stick = unknown;              // [1]
@@ -74,6 +92,22 @@ const CellFigure* find_cell_figure(std::string_view name);
 struct SweepResult {
     Study study;
     std::vector<Cell> cells;
+    std::vector<std::size_t> sources{};  // the computed cell each takes after, itself unless inferred; empty: itself
 };
+
+/// The computed cell that a cell takes after; itself unless it was inferred.
+std::size_t source_of(const SweepResult& result, std::size_t index);
+
+/// Where the verdict of a cell comes from: 0 computed, 1 inferred.
+inline constexpr std::array<std::string_view, 2> source_names{"computed", "inferred"};
+
+/// Was the cell inferred from its neighbours (`refine`)? It then has a status and a category, and no figures.
+bool is_inferred(const SweepResult& result, std::size_t index);
+
+/// Number of cells that were not inferred.
+std::size_t computed_count(const SweepResult& result);
+
+/// The place of a cell with the start that it shows.
+CellPlace shown_place(const SweepResult& result, std::size_t index);
 
 }  // namespace stridor::sweep

@@ -8,8 +8,10 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/check.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -117,23 +119,44 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     return cell;
 }
 
+// the cells of one run from one start, in the order of the directions; none if it was stopped
+std::vector<Cell> evaluate_start(const Study& study, const CellPlace& first, const std::stop_token& stop,
+                                 integration::Workspace& workspace) {
+    const Case c = case_at(study, first);
+    const std::optional<Attempt> run = attempt(c, stop, workspace);
+    if (!run) return {};
+    std::vector<Cell> cells;
+    for (std::size_t k = 0; k < directions_per_run(study); ++k)
+        cells.push_back(cell_of(c, study.directions[first.direction + k], *run));
+    return cells;
+}
+
 }  // namespace
+
+std::vector<Cell> evaluate_run(const Study& study, std::size_t first, const std::stop_token& stop,
+                               integration::Workspace& workspace) {
+    CellPlace place = place_of(study, first);
+    if (study.starts.empty()) return evaluate_start(study, place, stop, workspace);
+    std::vector<std::vector<Cell>> by_start(directions_per_run(study));  // shape [direction][start]
+    for (; place.start < study.starts.size(); ++place.start) {
+        std::vector<Cell> cells = evaluate_start(study, place, stop, workspace);
+        if (cells.empty()) return {};
+        for (std::size_t direction = 0; direction < cells.size(); ++direction)
+            by_start[direction].push_back(std::move(cells[direction]));
+    }
+    std::vector<Cell> cells;
+    for (std::vector<Cell>& same_cell : by_start)
+        cells.push_back(joined(std::move(same_cell)));
+    return cells;
+}
 
 std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop) {
     integration::Workspace workspace;
-    return evaluate(study, ix, iy, stop, workspace);
-}
-
-std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop,
-                           integration::Workspace& workspace) {
-    const bool runs_each_direction = study.base.drive.kind == parameters::DriveKind::constant;
     std::vector<Cell> cells;
-    std::optional<Attempt> run;
-    for (std::size_t direction = 0; direction < study.directions.size(); ++direction) {
-        const Case c = case_at(study, {direction, iy, ix});
-        if (direction == 0 || runs_each_direction) run = attempt(c, stop, workspace);
-        if (!run) return {};
-        cells.push_back(cell_of(c, study.directions[direction], *run));
+    for (std::size_t first = 0; first < study.directions.size(); first += directions_per_run(study)) {
+        std::vector<Cell> of_run = evaluate_run(study, index_of(study, {first, iy, ix}), stop, workspace);
+        if (of_run.empty()) return {};
+        std::move(of_run.begin(), of_run.end(), std::back_inserter(cells));
     }
     return cells;
 }

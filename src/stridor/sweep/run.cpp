@@ -1,11 +1,14 @@
 #include "stridor/sweep/run.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/sweep/refinement.hpp"
 #include "stridor/sweep/workers.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,19 +22,6 @@ using Seconds = std::chrono::duration<double>;
 // ten reports a second: more than an eye follows, and a reaction to a stop within that time
 constexpr auto tick = std::chrono::milliseconds(100);
 constexpr Seconds rate_window{60.0};
-
-// points of which a cell of some direction is missing, in index order
-std::vector<std::size_t> missing_points(const Study& study, const std::vector<bool>& stored) {
-    const std::size_t points = static_cast<std::size_t>(study.x.points) * static_cast<std::size_t>(study.y.points);
-    std::vector<std::size_t> missing;
-    for (std::size_t point = 0; point < points; ++point)
-        for (std::size_t direction = 0; direction < study.directions.size(); ++direction)
-            if (!stored[direction * points + point]) {
-                missing.push_back(point);
-                break;
-            }
-    return missing;
-}
 
 // cells per second over the last minute
 class Rate {
@@ -55,24 +45,47 @@ private:
     std::deque<Note> history_;
 };
 
+// the marks of the cells in the store; shape [cell]
+std::vector<int> stored_marks(const Study& study, Store& store) {
+    std::vector<int> marks(cell_count(study), unknown_mark);
+    const std::vector<bool> stored = store.stored();
+    STRIDOR_EXPECT(stored.size() == marks.size());
+    if (study.refine == 0)
+        std::transform(stored.begin(), stored.end(), marks.begin(),
+                       [&](bool is_there) { return is_there ? 0 : unknown_mark; });
+    else
+        for (const IndexedCell& indexed : store.read())
+            marks[indexed.index] = mark_of(study, indexed.index, indexed.cell);
+    return marks;
+}
+
 // the one owner of finished cells: writes them in batches and says how far the sweep is
 class Ledger {
 public:
-    Ledger(const Study& study, Store& store, const RunOptions& options, std::size_t done)
-        : store_(store),
-          options_(options) {
-        progress_.total = cell_count(study);
-        progress_.done = done;
+    Ledger(const Study& study, Store& store, const RunOptions& options)
+        : study_(study),
+          store_(store),
+          options_(options),
+          marks_(stored_marks(study, store)) {
         progress_.counts = store.counts();
-        report(Clock::now());
     }
 
     std::size_t computed() const { return computed_; }
     const Progress& progress() const { return progress_; }
+    std::span<const int> marks() const { return marks_; }
+
+    // so many cells are to come before anything else is known to be needed
+    void expect(std::size_t cells) {
+        progress_.total = study_.refine == 0 ? cell_count(study_) : known() + cells;
+        progress_.done = progress_.total - cells;
+        report(Clock::now());
+    }
 
     void take(std::vector<IndexedCell> cells) {
-        for (const IndexedCell& indexed : cells)
+        for (const IndexedCell& indexed : cells) {
             count(progress_.counts, indexed.cell);
+            marks_[indexed.index] = mark_of(study_, indexed.index, indexed.cell);
+        }
         computed_ += cells.size();
         progress_.done += cells.size();
         std::move(cells.begin(), cells.end(), std::back_inserter(batch_));
@@ -101,8 +114,14 @@ private:
         if (options_.progress) options_.progress(progress_);
     }
 
+    std::size_t known() const {
+        return marks_.size() - static_cast<std::size_t>(std::count(marks_.begin(), marks_.end(), unknown_mark));
+    }
+
+    const Study& study_;
     Store& store_;
     const RunOptions& options_;
+    std::vector<int> marks_;  // of the finished cells; shape [cell]
     Progress progress_;
     Rate rate_;
     std::vector<IndexedCell> batch_;
@@ -115,21 +134,23 @@ private:
 
 RunReport run(const Study& study, Store& store, const RunOptions& options) {
     STRIDOR_EXPECT(options.threads >= 0 && options.cells_per_commit > 0);
-    const std::vector<bool> stored = store.stored();
-    STRIDOR_EXPECT(stored.size() == cell_count(study));
-    const std::vector<std::size_t> missing = missing_points(study, stored);
-    const std::size_t unfinished = missing.size() * study.directions.size();
-    Ledger ledger(study, store, options, cell_count(study) - unfinished);
-    if (!missing.empty()) {
+    Ledger ledger(study, store, options);
+    std::vector<std::size_t> missing = refine(study, ledger.marks()).missing;
+    ledger.expect(missing.size() * directions_per_run(study));
+    // a complete chart has one round, a refined one as many as its boundaries take to be followed
+    while (!missing.empty()) {
         Workers workers(study, missing, options.threads, options.stop);
         while (!workers.have_ended())
             ledger.take(workers.take(options.cells_per_commit, Clock::now() + tick));
         // what was finished is kept before anybody hears of a failure
         ledger.finish();
         workers.rethrow();
+        const bool was_stopped = ledger.progress().done < ledger.progress().total;
+        if (was_stopped) return {Ending::stopped, ledger.computed(), ledger.progress()};
+        missing = refine(study, ledger.marks()).missing;
+        if (!missing.empty()) ledger.expect(missing.size() * directions_per_run(study));
     }
-    const Ending ending = ledger.computed() == unfinished ? Ending::completed : Ending::stopped;
-    return {ending, ledger.computed(), ledger.progress()};
+    return {Ending::completed, ledger.computed(), ledger.progress()};
 }
 
 }  // namespace stridor::sweep

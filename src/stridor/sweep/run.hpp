@@ -12,7 +12,7 @@ namespace stridor::sweep {
 /// How far a sweep is.
 struct Progress {
     std::size_t done = 0;   // [1] cells finished, those of earlier runs included
-    std::size_t total = 0;  // [1] cells of the study
+    std::size_t total = 0;  // [1] cells to be computed, as far as known: refinement finds more as it goes
     Counts counts;          // of the finished cells
     double rate = 0.0;      // [1/s] cells finished per second over the last minute of this run
 };
@@ -26,7 +26,7 @@ struct RunOptions {
 };
 
 enum class Ending {
-    completed,  // every cell is in the store
+    completed,  // every cell that has to be computed is in the store
     stopped,    // on request; the finished cells are in the store, and the next run goes on
 };
 
@@ -37,7 +37,8 @@ struct RunReport {
     Progress progress;         // at its end
 };
 
-/// Computes the cells that a study's store lacks, on all processors, and keeps each there as it is finished.
+/// Computes the cells that a study's store lacks, on all processors, and keeps each there as it is finished. Of a refined
+/// study only the cells that refinement asks for (refinement.hpp), in rounds.
 ///
 /// A stop request ends it within a fraction of a second with all finished points saved. The same study gives the same
 /// cells, bit for bit, for every number of threads and however often it was stopped or killed. Memory depends on the

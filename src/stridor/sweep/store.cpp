@@ -3,9 +3,12 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
+#include "stridor/sweep/refinement.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -16,12 +19,12 @@ namespace {
 // "STRD", in the file's header where other programs look for the kind of a database
 constexpr std::int64_t application_id = 0x53545244;
 
-constexpr int fixed_columns = 4;  // id, status, category, message
+constexpr int fixed_columns = 5;  // id, status, category, message, starts
 
 const char* const other_out = "Choose another --out, or remove the file to start anew.";
 
 std::string cell_columns() {
-    std::string columns = "id, status, category, message";
+    std::string columns = "id, status, category, message, starts";
     for (const CellFigure& figure : cell_figures())
         columns += ", " + std::string(figure.name);
     return columns;
@@ -29,7 +32,8 @@ std::string cell_columns() {
 
 std::string create_cell_table() {
     std::string sql =
-        "CREATE TABLE cell(id INTEGER PRIMARY KEY, status TEXT NOT NULL, category TEXT, message TEXT NOT NULL";
+        "CREATE TABLE cell(id INTEGER PRIMARY KEY, status TEXT NOT NULL, category TEXT, message TEXT NOT NULL, "
+        "starts TEXT NOT NULL";
     // no REAL here: such a column turns whole numbers into integers on disk and loses the sign of -0
     for (const CellFigure& figure : cell_figures())
         sql += ", " + std::string(figure.name);
@@ -37,7 +41,7 @@ std::string create_cell_table() {
 }
 
 std::string insert_cell() {
-    std::string sql = "INSERT OR REPLACE INTO cell(" + cell_columns() + ") VALUES(?, ?, ?, ?";
+    std::string sql = "INSERT OR REPLACE INTO cell(" + cell_columns() + ") VALUES(?, ?, ?, ?, ?";
     for (std::size_t k = 0; k < cell_figures().size(); ++k)
         sql += ", ?";
     return sql + ")";
@@ -87,7 +91,27 @@ std::optional<std::size_t> place_in(const Names& names, const std::string& name)
     return static_cast<std::size_t>(found - names.begin());
 }
 
-void bind_cell(Statement& statement, const IndexedCell& indexed) {
+// the verdicts of all starts: "none squeal failed"
+std::string words(std::span<const StartVerdict> starts) {
+    std::string text;
+    for (const StartVerdict& verdict : starts)
+        text += (text.empty() ? "" : " ") + std::string(word(verdict));
+    return text;
+}
+
+// nothing if a word is no verdict
+std::optional<std::vector<StartVerdict>> starts_in(const std::string& text) {
+    std::vector<StartVerdict> starts;
+    std::istringstream stream(text);
+    for (std::string each; stream >> each;) {
+        const std::optional<std::size_t> number = place_in(verdict_words, each);
+        if (!number) return std::nullopt;
+        starts.push_back(verdict_of(*number));
+    }
+    return starts;
+}
+
+void bind_cell(Statement& statement, const IndexedCell& indexed, const std::string& starts) {
     const Cell& cell = indexed.cell;
     statement.bind(1, static_cast<std::int64_t>(indexed.index));
     statement.bind(2, status_names[static_cast<std::size_t>(cell.status)]);
@@ -96,6 +120,7 @@ void bind_cell(Statement& statement, const IndexedCell& indexed) {
     else
         statement.bind_null(3);
     statement.bind(4, std::string_view(cell.message));
+    statement.bind(5, std::string_view(starts));
     int parameter = fixed_columns;
     for (const CellFigure& figure : cell_figures())
         statement.bind(++parameter, cell.*figure.member);
@@ -114,6 +139,10 @@ std::optional<IndexedCell> cell_in(const Statement& row, std::size_t cells) {
     if (cell.status == Status::done && !category) return std::nullopt;
     if (category) cell.category = static_cast<classification::Category>(*category);
     cell.message = row.text(3);
+    std::optional<std::vector<StartVerdict>> starts = starts_in(row.text(4));
+    if (!starts) return std::nullopt;
+    cell.agreement = agreement(*starts);
+    cell.starts = std::move(*starts);
     int column = fixed_columns;
     for (const CellFigure& figure : cell_figures())
         cell.*figure.member = row.number(column++);
@@ -218,7 +247,8 @@ void Store::write(std::span<const IndexedCell> cells) {
     Statement insert = database_.prepare(insert_cell());
     for (const IndexedCell& cell : cells) {
         STRIDOR_EXPECT(cell.index < cells_);
-        bind_cell(insert, cell);
+        const std::string starts = words(cell.cell.starts);
+        bind_cell(insert, cell, starts);
         insert.run();
     }
     transaction.commit();
@@ -239,19 +269,25 @@ std::vector<IndexedCell> Store::read() {
 }
 
 SweepResult load(const Study& study, Store& store) {
-    std::vector<IndexedCell> cells = store.read();
-    const std::size_t total = cell_count(study);
-    if (cells.size() != total)
+    std::vector<Cell> cells(cell_count(study));
+    std::vector<int> marks(cells.size(), unknown_mark);
+    std::size_t there = 0;
+    for (IndexedCell& indexed : store.read()) {
+        marks[indexed.index] = mark_of(study, indexed.index, indexed.cell);
+        cells[indexed.index] = std::move(indexed.cell);
+        ++there;
+    }
+    Refinement refinement = refine(study, marks);
+    if (!refinement.missing.empty()) {
+        const std::size_t known =
+            study.refine == 0 ? cells.size() : there + refinement.missing.size() * directions_per_run(study);
         throw Error(ErrorKind::interrupted,
                     {"the sweep is not finished",
-                     "the store " + store.file().string() + " holds " + std::to_string(cells.size()) + " of " +
-                         std::to_string(total) + " cells",
+                     "the store " + store.file().string() + " holds " + std::to_string(there) + " of " +
+                         (study.refine == 0 ? "" : "at least ") + std::to_string(known) + " cells",
                      "Run the same command again: it goes on where it stopped."});
-    SweepResult result{study, {}};
-    result.cells.reserve(total);
-    for (IndexedCell& indexed : cells)
-        result.cells.push_back(std::move(indexed.cell));
-    return result;
+    }
+    return inferred(study, std::move(cells), std::move(refinement.sources));
 }
 
 }  // namespace stridor::sweep

@@ -37,8 +37,9 @@ struct IndexedCell {
 /// The finished cells of one study in one SQLite file, from the first cell on: the sweep's only memory.
 ///
 /// Tables: meta(key, value) with the study's canonical text, the results version, and program and commit for
-/// information; cell(id, status, category, message, a column per `cell_figures`), id being the cell's index, category
-/// NULL unless done, a figure NULL where it is NaN. `PRAGMA application_id` and `user_version` say what the file is.
+/// information; cell(id, status, category, message, starts, a column per `cell_figures`), id being the cell's index,
+/// category NULL unless done, starts the verdicts of its starts as words, a figure NULL where it is NaN. Only computed
+/// cells are in it, never inferred ones. `PRAGMA application_id` and `user_version` say what the file is.
 ///
 /// The file belongs to one process while a store is open, and survives the death of that process at any moment.
 class Store {
@@ -72,7 +73,8 @@ private:
     std::size_t cells_ = 0;  // [1] of the study
 };
 
-/// The finished sweep, cells in index order. Throws `Error` (interrupted) if cells are missing.
+/// The finished sweep, cells in index order; those that refinement left out are inferred. Throws `Error` (interrupted) if
+/// cells are missing.
 SweepResult load(const Study& study, Store& store);
 
 }  // namespace stridor::sweep

@@ -7,6 +7,7 @@
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,8 @@ using parameters::Field;
 
 // widest logarithmic axis: what base::power_of_2 computes
 constexpr double most_octaves = 1000.0;
+
+constexpr std::string_view initial_key = "run.initial";
 
 [[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
     throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
@@ -45,6 +48,20 @@ std::string_view direction_name(Direction direction) {
     return parameters::direction_names[static_cast<std::size_t>(direction)];
 }
 
+std::string_view start_name(parameters::Initial start) {
+    return start_names()[static_cast<std::size_t>(start)];
+}
+
+// the base case with a start that all keys belong to which mean something for one of the starts
+Case widest_case(const Study& study) {
+    Case c = study.base;
+    if (study.starts.empty()) return c;
+    const bool slides =
+        std::find(study.starts.begin(), study.starts.end(), parameters::Initial::sliding) != study.starts.end();
+    c.run.initial = slides ? parameters::Initial::sliding : study.starts.front();
+    return c;
+}
+
 double octaves(const Axis& axis) {
     return base::logarithm_2(axis.to) - base::logarithm_2(axis.from);
 }
@@ -60,7 +77,7 @@ const Field& quantity_of(const Study& study, const Axis& axis, const std::string
                field == nullptr ? "a case has no such key" : "it has no numbers an axis could run through",
                did_you_mean(axis.parameter, candidates));
     }
-    if (!field->belongs(study.base))
+    if (!field->belongs(widest_case(study)))
         refuse(name + ".parameter = " + quoted(axis.parameter) + " changes nothing",
                "this case, with its kind of drive and start, does not use it", "Choose another quantity.");
     return *field;
@@ -107,6 +124,19 @@ void check_directions(const Study& study) {
             refuse("chart.directions names " + quoted(direction_name(*it)) + " twice", "each is computed once", "");
 }
 
+void check_starts(const Study& study) {
+    for (auto it = study.starts.begin(); it != study.starts.end(); ++it)
+        if (std::find(study.starts.begin(), it, *it) != it)
+            refuse("chart.starts names " + quoted(start_name(*it)) + " twice", "each is computed once", "");
+}
+
+void check_refinement(const Study& study) {
+    if (study.refine < 0 || study.refine > most_refinement)
+        refuse("chart.refine = " + std::to_string(study.refine) + " is out of range",
+               "the base grid has every 2^refine-th point, and refine is from 0 to " + std::to_string(most_refinement),
+               "");
+}
+
 void check_quantities(const Study& study) {
     std::vector<std::string_view> names{"category"};
     for (const CellFigure& figure : cell_figures())
@@ -118,8 +148,8 @@ void check_quantities(const Study& study) {
 }
 
 // A finding that reads the same at all four corners does not come from the axes: every cell would be invalid.
-void check_corners(const Study& study) {
-    const auto findings_at = [&](int iy, int ix) { return parameters::findings(case_at(study, {0, iy, ix})); };
+void check_corners(const Study& study, std::size_t start) {
+    const auto findings_at = [&](int iy, int ix) { return parameters::findings(case_at(study, {0, iy, ix, start})); };
     const std::vector<parameters::Finding> others[] = {findings_at(0, study.x.points - 1),
                                                        findings_at(study.y.points - 1, 0),
                                                        findings_at(study.y.points - 1, study.x.points - 1)};
@@ -136,6 +166,15 @@ void check_corners(const Study& study) {
 std::string axis_line(const std::string& name, const Axis& axis) {
     return name + " = " + axis.parameter + ", " + std::to_string(axis.points) + " points from " + shortest(axis.from) +
            " to " + shortest(axis.to) + ", " + std::string(scale_names[static_cast<std::size_t>(axis.scale)]) + "\n";
+}
+
+// the line "key = value", if there is one
+void remove_line(std::string& text, std::string_view key) {
+    const std::string start = std::string(key) + " = ";
+    std::size_t from = text.rfind(start, 0) == 0 ? 0 : text.find("\n" + start);
+    if (from == std::string::npos) return;
+    if (from > 0) ++from;
+    text.erase(from, text.find('\n', from) - from + 1);
 }
 
 // as one word of a POSIX shell
@@ -170,6 +209,10 @@ std::size_t cell_count(const Study& study) {
            study.directions.size();
 }
 
+std::size_t directions_per_run(const Study& study) {
+    return is_constant(study) ? 1 : study.directions.size();
+}
+
 CellPlace place_of(const Study& study, std::size_t index) {
     const auto columns = static_cast<std::size_t>(study.x.points);
     const auto rows = static_cast<std::size_t>(study.y.points);
@@ -188,6 +231,7 @@ Case case_at(const Study& study, const CellPlace& place) {
     parameters::set_quantity(c, *parameters::find_field(study.y.parameter), value_at(study.y, place.iy));
     const double sign = study.directions[place.direction] == Direction::going ? 1.0 : -1.0;
     if (is_constant(study)) c.drive.velocity = std::copysign(c.drive.velocity, sign);
+    if (!study.starts.empty()) c.run.initial = study.starts[place.start];
     return c;
 }
 
@@ -197,24 +241,29 @@ void check(const Study& study) {
     if (study.x.parameter == study.y.parameter)
         refuse("chart.x and chart.y are both " + study.x.parameter, "a chart needs two different quantities", "");
     check_directions(study);
+    check_starts(study);
+    check_refinement(study);
     check_quantities(study);
-    check_corners(study);
+    for (std::size_t start = 0; start < std::max<std::size_t>(1, study.starts.size()); ++start)
+        check_corners(study, start);
 }
 
 std::string canonical_text(const Study& study) {
-    Case c = study.base;
+    Case c = widest_case(study);
     c.drive.velocity = std::abs(c.drive.velocity);
     std::string text = parameters::canonical_text(c);
-    for (const std::string& key : {study.x.parameter, study.y.parameter}) {
-        const std::string start = key + " = ";
-        std::size_t from = text.rfind(start, 0) == 0 ? 0 : text.find("\n" + start);
-        if (from == std::string::npos) continue;
-        if (from > 0) ++from;
-        text.erase(from, text.find('\n', from) - from + 1);
-    }
+    remove_line(text, study.x.parameter);
+    remove_line(text, study.y.parameter);
+    if (!study.starts.empty()) remove_line(text, initial_key);
     text += axis_line("chart.x", study.x) + axis_line("chart.y", study.y) + "chart.directions =";
     for (const Direction direction : study.directions)
         text += " " + std::string(direction_name(direction));
+    text += "\n";
+    if (study.refine > 0) text += "chart.refine = " + std::to_string(study.refine) + "\n";
+    if (study.starts.empty()) return text;
+    text += "chart.starts =";
+    for (const parameters::Initial start : study.starts)
+        text += " " + std::string(start_name(start));
     return text + "\n";
 }
 
@@ -225,6 +274,8 @@ std::string reproduce_command(const Study& study, const CellPlace& place, const 
         "stridor simulate " + shell_word(file) + setting(c, study.x.parameter) + setting(c, study.y.parameter);
     const bool is_axis = study.x.parameter == velocity || study.y.parameter == velocity;
     if (is_constant(study) && !is_axis) command += setting(c, std::string(velocity));
+    if (!study.starts.empty())
+        command += " --set " + std::string(initial_key) + "=" + std::string(start_name(c.run.initial));
     return command;
 }
 

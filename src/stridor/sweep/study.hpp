@@ -26,6 +26,9 @@ struct Axis {
     Scale scale = Scale::linear;
 };
 
+/// Coarsest base grid of a refined chart: every 2^6 = 64th point.
+inline constexpr int most_refinement = 6;
+
 /// Value number `index` of an axis, 0 <= index < points: the same bits on every machine, ends exact.
 double value_at(const Axis& axis, int index);
 
@@ -38,30 +41,36 @@ struct Study {
     Axis y;
     std::vector<parameters::Direction> directions{parameters::Direction::going, parameters::Direction::coming};
     std::vector<std::string> quantities{"category"};  // what to draw: "category" or names of `cell_figures`
+    int refine = 0;  // [1] halvings from the base grid to the chart's; 0: every cell is computed
+    std::vector<parameters::Initial> starts;  // each cell is run from all of them; empty: from the case's own
 };
 
 /// Number of cells: x.points * y.points * directions.
 std::size_t cell_count(const Study& study);
+
+/// How many directions one run gives the cells of: one with a constant drive, else all of the study.
+std::size_t directions_per_run(const Study& study);
 
 /// Where a cell stands: index = (direction * y.points + iy) * x.points + ix.
 struct CellPlace {
     std::size_t direction = 0;  // into study.directions
     int iy = 0;
     int ix = 0;
+    std::size_t start = 0;  // into study.starts, if it has any; no part of the index
 };
 CellPlace place_of(const Study& study, std::size_t index);
 std::size_t index_of(const Study& study, const CellPlace& place);
 
-/// The case of one cell: the base case with the axes' values and the direction put in.
+/// The case of one cell: the base case with the axes' values, the direction and the start put in.
 parameters::Case case_at(const Study& study, const CellPlace& place);
 
 /// Throws `Error` (input) for an axis that is no quantity of this case, has an end outside its range, does not rise, has
 /// too few or too many points or a logarithm of something not positive; for two equal axes, no direction or the same
-/// twice, an unknown quantity to draw; and for what is wrong with the case in every cell, whatever the axes say.
+/// twice, a start twice, an unknown quantity to draw, a refinement beyond `most_refinement`; and for what is wrong with the case in every cell, whatever the axes say.
 void check(const Study& study);
 
 /// All that decides the results, as lines of "key = value": the canonical case without the two quantities that the axes
-/// set, then the axes and the directions. A store belongs to exactly one such text. The title and the quantities to
+/// set, then the axes and the directions, and the refinement and the starts if there are any. A store belongs to exactly one such text. The title and the quantities to
 /// draw are not in it, nor the sign of a constant drive's velocity: the directions give it.
 std::string canonical_text(const Study& study);
 

@@ -15,9 +15,9 @@
 
 namespace stridor::sweep {
 
-Workers::Workers(const Study& study, std::span<const std::size_t> points, int threads, std::stop_token stop)
+Workers::Workers(const Study& study, std::span<const std::size_t> runs, int threads, std::stop_token stop)
     : study_(study),
-      points_(points),
+      runs_(runs),
       relay_(std::move(stop), [this] { halt_.request_stop(); }) {
     conductor_ = std::jthread([this, threads] { compute_all(threads); });
 }
@@ -37,12 +37,12 @@ void Workers::compute_all(int threads) {
         tbb::enumerable_thread_specific<integration::Workspace> workspaces;
         const auto compute_range = [&](const Range& range) {
             for (std::size_t k = range.begin(); k < range.end() && !halt_.stop_requested(); ++k)
-                compute(points_[k], workspaces.local());
+                compute(runs_[k], workspaces.local());
             if (halt_.stop_requested()) context.cancel_group_execution();
         };
-        // a point takes milliseconds to minutes: each is a task of its own
+        // a run takes milliseconds to minutes: each is a task of its own
         arena.execute(
-            [&] { tbb::parallel_for(Range(0, points_.size(), 1), compute_range, tbb::simple_partitioner(), context); });
+            [&] { tbb::parallel_for(Range(0, runs_.size(), 1), compute_range, tbb::simple_partitioner(), context); });
     } catch (...) {
         keep_failure(std::current_exception());
     }
@@ -56,13 +56,10 @@ void Workers::keep_failure(std::exception_ptr failure) {
     if (!failure_) failure_ = std::move(failure);
 }
 
-void Workers::compute(std::size_t point, integration::Workspace& workspace) {
-    const auto columns = static_cast<std::size_t>(study_.x.points);
-    const auto ix = static_cast<int>(point % columns);
-    const auto iy = static_cast<int>(point / columns);
+void Workers::compute(std::size_t first, integration::Workspace& workspace) {
     std::vector<Cell> cells;
     try {
-        cells = evaluate(study_, ix, iy, halt_.get_token(), workspace);
+        cells = evaluate_run(study_, first, halt_.get_token(), workspace);
     } catch (...) {
         // kept here: TBB drops an exception that comes after another worker has cancelled the group
         keep_failure(std::current_exception());
@@ -71,8 +68,10 @@ void Workers::compute(std::size_t point, integration::Workspace& workspace) {
         return;
     }
     const std::lock_guard lock(mutex_);
-    for (std::size_t direction = 0; direction < cells.size(); ++direction)
-        arrived_.push_back({index_of(study_, {direction, iy, ix}), std::move(cells[direction])});
+    // the same place in one direction after the other
+    const std::size_t points = cell_count(study_) / study_.directions.size();
+    for (std::size_t k = 0; k < cells.size(); ++k)
+        arrived_.push_back({first + k * points, std::move(cells[k])});
     if (arrived_.size() >= enough_) changed_.notify_one();
 }
 

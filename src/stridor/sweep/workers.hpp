@@ -17,16 +17,16 @@
 
 namespace stridor::sweep {
 
-/// Grid points being computed on many threads, their cells handed over to one owner.
+/// Runs being computed on many threads, their cells handed over to one owner.
 ///
 /// Cells arrive in any order; what the owner makes of them must not depend on it. The destructor stops what still runs.
 class Workers {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// Starts on the points (iy * x.points + ix), which must outlive this as the study must, with so many threads; 0: one
-    /// per processor this process may use.
-    Workers(const Study& study, std::span<const std::size_t> points, int threads, std::stop_token stop);
+    /// Starts on the runs, known by the index of their first cell (`evaluate_run`), which must outlive this as the study
+    /// must, with so many threads; 0: one per processor this process may use.
+    Workers(const Study& study, std::span<const std::size_t> runs, int threads, std::stop_token stop);
     ~Workers();
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
@@ -42,11 +42,11 @@ public:
 
 private:
     void compute_all(int threads);
-    void compute(std::size_t point, integration::Workspace& workspace);
+    void compute(std::size_t first, integration::Workspace& workspace);
     void keep_failure(std::exception_ptr failure);  // the first one counts
 
     const Study& study_;
-    std::span<const std::size_t> points_;
+    std::span<const std::size_t> runs_;
     std::stop_source halt_;
     std::stop_callback<std::function<void()>> relay_;  // passes the caller's stop request on to halt_
 

@@ -96,6 +96,63 @@ TEST(NoiseChart, LargeRegionsCarryTheirName) {
     EXPECT_EQ(plain_text(notes[0].text), "none");
 }
 
+TEST(NoiseChart, LinesPartWhatDiffers) {
+    sweep::SweepResult result = quiet_sweep();
+    EXPECT_TRUE(layers_of<Line>(noise_chart(result).panels[0]).empty());
+    // an island and a corner, going
+    result.cells[1 * 4 + 1].category = Category::creak;
+    result.cells[2 * 4 + 3].category = Category::squeal;
+    const Scene scene = noise_chart(result);
+    const std::vector<Line> lines = layers_of<Line>(scene.panels[0]);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(layers_of<Line>(scene.panels[1]).empty());
+}
+
+TEST(NoiseChart, NamesTheStarts) {
+    sweep::SweepResult result = quiet_sweep();
+    result.study.starts = {parameters::Initial::rest, parameters::Initial::stuck, parameters::Initial::sliding};
+    const Scene scene = noise_chart(result);
+    EXPECT_EQ(plain_text(scene.caption[0]).find("initial"), std::string::npos);
+    EXPECT_EQ(plain_text(scene.caption[1]), "Each cell was run from rest, stuck and sliding; the loudest is shown.");
+}
+
+TEST(NoiseChart, MarksCellsThatAreQuietUnlessDisturbed) {
+    sweep::SweepResult result = quiet_sweep();
+    EXPECT_TRUE(layers_of<Points>(noise_chart(result).panels[0]).empty());
+    result.cells[2 * 4 + 1].agreement = sweep::Agreement::quiet_unless_disturbed;
+    result.cells[0].agreement = sweep::Agreement::differ;
+    const Scene scene = noise_chart(result);
+    const std::vector<Points> marks = layers_of<Points>(scene.panels[0]);
+    ASSERT_EQ(marks.size(), 1U);
+    EXPECT_EQ(marks[0].x, std::vector{sweep::value_at(result.study.x, 1)});
+    EXPECT_EQ(marks[0].y, std::vector{sweep::value_at(result.study.y, 2)});
+    EXPECT_TRUE(marks[0].rim.has_value()) << "it is seen on any category's ground";
+    EXPECT_EQ(legend_of(scene).back(), "quiet unless disturbed");
+}
+
+TEST(NoiseChart, SaysHowManyCellsWereComputed) {
+    sweep::SweepResult result = quiet_sweep();
+    EXPECT_EQ(noise_chart(result).caption.size(), 1U);
+    for (std::size_t index = 0; index < result.cells.size(); ++index)
+        result.sources.push_back(index < 9 ? 0 : index);
+    const Scene scene = noise_chart(result);
+    ASSERT_EQ(scene.caption.size(), 2U);
+    EXPECT_EQ(plain_text(scene.caption[1]), "66.7 % of the cells were computed; the others lie among such that agree.");
+}
+
+TEST(FigureChart, GivesInferredCellsTheValueOfTheComputedOneTheyTakeAfter) {
+    sweep::SweepResult result = quiet_sweep();
+    for (std::size_t index = 0; index < result.cells.size(); ++index) {
+        result.cells[index].frequency = 400.0 + static_cast<double>(index);
+        result.sources.push_back(index);
+    }
+    result.sources[14] = 16;
+    result.cells[14].frequency = sweep::Cell::unknown;
+    const Scene scene = figure_chart(result, "frequency");
+    EXPECT_EQ(layers_of<ValueCells>(scene.panels[1]).at(0).values[2], 416.0);
+    EXPECT_NE(plain_text(scene.caption.back()).find("nearest corner"), std::string::npos);
+}
+
 TEST(NoiseChart, OfOneDirectionIsOnePanel) {
     sweep::SweepResult result = quiet_sweep();
     result.study.directions = {parameters::Direction::coming};

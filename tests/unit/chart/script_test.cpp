@@ -107,6 +107,21 @@ TEST(Script, FillsCellsWithTheirColourAndTexture) {
     EXPECT_TRUE(has(text, "#0A0B0C"));
 }
 
+TEST(Script, RingsPointsThatHaveARim) {
+    Scene scene = line_scene();
+    const Points plain{{0.5}, {1.0}, {0x01, 0x02, 0x03}, 2.0, std::nullopt};
+    scene.panels[0].layers = {plain};
+    scene.legend.push_back({Text("points"), plain});
+    EXPECT_TRUE(has(script(scene, Format::png), "size screen"));
+    EXPECT_FALSE(has(script(scene, Format::png), "#0A0B0C"));
+    Points ringed = plain;
+    ringed.rim = Colour{0x0A, 0x0B, 0x0C};
+    scene.panels[0].layers = {ringed};
+    const std::string text = script(scene, Format::png);
+    ASSERT_TRUE(has(text, "#0A0B0C"));
+    EXPECT_LT(text.find("lc rgb '#0A0B0C'"), text.find("lc rgb '#010203'")) << "the ring lies below";
+}
+
 TEST(Script, StaysSmallForALongTrace) {
     Scene scene = line_scene();
     Line trace;

@@ -77,10 +77,51 @@ TEST(ChartCsv, HasTheColumnsOfTheContract) {
     EXPECT_EQ(first,
               (std::vector<std::string>{"x", "y", "direction", "status", "category", "slip", "stick", "separation"}));
     EXPECT_EQ(table.names.back(), "reproduce");
-    EXPECT_EQ(table.names.size(), 5 + sweep::cell_figures().size() + 2);
+    EXPECT_EQ(table.names.size(), 5 + sweep::cell_figures().size() + 3);
     EXPECT_EQ(table.units[0], "N");
     EXPECT_EQ(table.units[1], "1");
     EXPECT_EQ(table.units[2], "-");
+}
+
+TEST(ChartCsv, TellsComputedCellsFromInferredOnes) {
+    const Table table = parse(chart_csv(refined_chart(), "c.toml"));
+    EXPECT_EQ(table.at(0, "source"), "computed");
+    EXPECT_EQ(table.at(1, "source"), "inferred");
+    EXPECT_EQ(table.at(1, "status"), "done");
+    EXPECT_EQ(table.at(1, "category"), "none");
+    EXPECT_EQ(table.at(1, "slip"), "") << "nobody computed it";
+}
+
+TEST(ChartCsv, HasAColumnPerStart) {
+    const Table table = parse(chart_csv(chart_of_starts(), "c.toml"));
+    EXPECT_EQ(table.at(5, "agreement"), "quiet_unless_disturbed");
+    EXPECT_EQ(table.at(5, "start_rest"), "none");
+    EXPECT_EQ(table.at(5, "start_sliding"), "squeal");
+    EXPECT_EQ(table.at(6, "start_sliding"), "invalid");
+    EXPECT_EQ(table.comments.at("chart.starts"), "rest sliding");
+    EXPECT_NE(table.at(6, "reproduce").find("--set run.initial=rest"), std::string::npos) << "the first that failed";
+}
+
+TEST(BoundariesCsv, HasARowPerVertex) {
+    const sweep::SweepResult chart = small_chart();
+    const std::vector<sweep::Boundary> boundaries = sweep::boundaries(chart);
+    const Table table = parse(boundaries_csv(chart.study, boundaries));
+    EXPECT_EQ(table.names, (std::vector<std::string>{"line", "direction", "first", "second", "form", "x", "y",
+                                                     "x_resolution", "y_resolution"}));
+    EXPECT_EQ(table.units[5], "N");
+    EXPECT_EQ(table.comments.at("schema"), "stridor.boundaries/1");
+    EXPECT_EQ(table.comments.at("y"), "contact.kinetic_friction");
+    std::size_t row = 0;
+    for (std::size_t line = 0; line < boundaries.size(); ++line)
+        for (const sweep::BoundaryVertex& vertex : boundaries[line].vertices) {
+            EXPECT_EQ(table.at(row, "line"), std::to_string(line));
+            EXPECT_EQ(table.at(row, "first"), boundaries[line].first);
+            EXPECT_EQ(number(table.at(row, "x")), vertex.x);
+            EXPECT_EQ(number(table.at(row, "y_resolution")), vertex.y_resolution);
+            ++row;
+        }
+    EXPECT_EQ(table.rows.size(), row);
+    EXPECT_GT(row, 0U);
 }
 
 TEST(ChartCsv, SaysWhereItComesFrom) {

@@ -5,6 +5,8 @@
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/refinement.hpp"
+#include "stridor/sweep/starts.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -89,6 +91,31 @@ inline sweep::SweepResult small_chart() {
         for (const sweep::CellFigure& figure : sweep::cell_figures())
             cell.*figure.member = 0.1 * static_cast<double>(index);
         cell.frequency = sweep::Cell::unknown;
+    }
+    return result;
+}
+
+/// A refined chart: two of its cells were inferred.
+inline sweep::SweepResult refined_chart() {
+    const sweep::SweepResult whole = small_chart();
+    std::vector<std::size_t> sources(whole.cells.size());
+    for (std::size_t index = 0; index < sources.size(); ++index)
+        sources[index] = index;
+    sources[1] = 0;
+    sources[13] = 15;
+    sweep::Study study = whole.study;
+    study.refine = 1;
+    return sweep::inferred(study, whole.cells, sources);
+}
+
+/// A chart from two starts: where the cell is done the first one is quiet.
+inline sweep::SweepResult chart_of_starts() {
+    sweep::SweepResult result = small_chart();
+    result.study.starts = {parameters::Initial::rest, parameters::Initial::sliding};
+    for (sweep::Cell& cell : result.cells) {
+        sweep::Cell quiet = cell;
+        quiet.category = classification::Category::none;
+        cell = sweep::joined({quiet, cell});
     }
     return result;
 }

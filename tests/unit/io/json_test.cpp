@@ -5,6 +5,7 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/io/json_chart.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/sweep/boundaries.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -139,6 +140,36 @@ TEST(ChartJson, HoldsAnArrayPerFigure) {
     EXPECT_TRUE(cells["frequency"][5].is_null());
     EXPECT_TRUE(cells["category"][6].is_null());
     EXPECT_EQ(cells["message"][6], "cell \"6\", not done");
+}
+
+TEST(ChartJson, TellsWhatWasInferred) {
+    const Json document = Json::parse(chart_json(refined_chart()));
+    EXPECT_EQ(document["chart"]["refine"], 1);
+    EXPECT_EQ(document["cells"]["source"][0], "computed");
+    EXPECT_EQ(document["cells"]["source"][1], "inferred");
+    EXPECT_EQ(document["cells"]["category"][1], "none");
+    EXPECT_TRUE(document["cells"]["slip"][1].is_null());
+}
+
+TEST(ChartJson, HasTheVerdictOfEachStart) {
+    EXPECT_FALSE(Json::parse(chart_json(small_chart()))["cells"].contains("starts"));
+    const Json document = Json::parse(chart_json(chart_of_starts()));
+    EXPECT_EQ(document["chart"]["starts"], (Json{"rest", "sliding"}));
+    EXPECT_EQ(document["cells"]["agreement"][5], "quiet_unless_disturbed");
+    EXPECT_EQ(document["cells"]["starts"]["rest"][5], "none");
+    EXPECT_EQ(document["cells"]["starts"]["sliding"][5], "squeal");
+}
+
+TEST(ChartJson, HasTheLinesBetweenTheCategories) {
+    const sweep::SweepResult chart = small_chart();
+    const std::vector<sweep::Boundary> boundaries = sweep::boundaries(chart);
+    const Json array = Json::parse(chart_json(chart))["boundaries"];
+    ASSERT_EQ(array.size(), boundaries.size());
+    for (std::size_t k = 0; k < boundaries.size(); ++k) {
+        EXPECT_EQ(array[k]["between"][1], boundaries[k].second);
+        EXPECT_EQ(array[k]["x"].size(), boundaries[k].vertices.size());
+        EXPECT_EQ(array[k]["x_resolution"][0].get<double>(), boundaries[k].vertices[0].x_resolution);
+    }
 }
 
 }  // namespace

@@ -141,6 +141,36 @@ TEST(ChartNetcdf, KeepsCategoriesAsFlags) {
     EXPECT_EQ(file.bytes("status", chart.cells.size())[1], 1);
 }
 
+TEST(ChartNetcdf, TellsComputedCellsFromInferredOnes) {
+    const Scratch scratch;
+    const sweep::SweepResult chart = refined_chart();
+    write_chart_netcdf(scratch.path("chart.nc"), chart);
+    const Opened file(scratch.path("chart.nc"));
+    EXPECT_EQ(file.text("source", "flag_meanings"), "computed inferred");
+    const std::vector<signed char> sources = file.bytes("source", chart.cells.size());
+    EXPECT_EQ(sources[0], 0);
+    EXPECT_EQ(sources[1], 1);
+    EXPECT_TRUE(std::isnan(file.doubles("slip", chart.cells.size())[1]));
+}
+
+TEST(ChartNetcdf, KeepsTheVerdictOfEachStart) {
+    const Scratch scratch;
+    const sweep::SweepResult chart = chart_of_starts();
+    write_chart_netcdf(scratch.path("chart.nc"), chart);
+    const Opened file(scratch.path("chart.nc"));
+    const std::size_t size = chart.cells.size();
+    EXPECT_EQ(file.words("start", 2), (std::vector<std::string>{"rest", "sliding"}));
+    EXPECT_EQ(file.dimensions("start_verdict"), "start direction kinetic_friction preload");
+    EXPECT_EQ(file.text("start_verdict", "flag_meanings"),
+              "none squeal squeak creak undecided invalid step_limit diverged failed");
+    const std::vector<signed char> verdicts = file.bytes("start_verdict", 2 * size);
+    EXPECT_EQ(verdicts[5], 0);
+    EXPECT_EQ(verdicts[size + 5], 1);
+    EXPECT_EQ(verdicts[size + 6], 5);
+    EXPECT_EQ(file.bytes("agreement", size)[5], 2);
+    EXPECT_EQ(file.text("agreement", "flag_meanings"), "agree differ quiet_unless_disturbed");
+}
+
 TEST(ChartNetcdf, CarriesTheStudyThatMadeIt) {
     const Scratch scratch;
     const sweep::SweepResult chart = small_chart();

@@ -50,6 +50,28 @@ TEST(TomlStudy, ReadsDirectionsAndQuantities) {
     EXPECT_EQ(study.quantities, (std::vector<std::string>{"slip", "category"}));
 }
 
+TEST(TomlStudy, ReadsRefinementAndStarts) {
+    EXPECT_EQ(read(axes).refine, 0);
+    EXPECT_TRUE(read(axes).starts.empty());
+    const Study study = read(std::string(axes) + "refine = 3\nstarts = [\"sliding\", \"rest\"]\n");
+    EXPECT_EQ(study.refine, 3);
+    EXPECT_EQ(study.starts, (std::vector{parameters::Initial::sliding, parameters::Initial::rest}));
+    const Study overridden = read(axes, {"chart.refine=2", "chart.starts=rest,stuck"});
+    EXPECT_EQ(overridden.refine, 2);
+    EXPECT_EQ(overridden.starts, (std::vector{parameters::Initial::rest, parameters::Initial::stuck}));
+}
+
+TEST(TomlStudy, PointsAtWrongRefinementAndStarts) {
+    const std::string text(axes);
+    expect_error(refusal(text + "refine = 7\n"), "chart.refine = 7 is not a number of halvings", "chart.toml:4:10");
+    expect_error(refusal(text + "refine = 1.5\n"), "it must be a whole number up to 6", "chart.toml:4:10");
+    expect_error(refusal(text + "refine = \"fine\"\n"), "chart.refine", "chart.toml:4:10");
+    expect_error(refusal(text + "starts = [\"slide\"]\n"), "choices: \"rest\", \"stuck\", \"sliding\"",
+                 "chart.toml:4:10");
+    expect_error(refusal(text + "starts = [\"rest\", \"rest\"]\n"), "chart.starts names \"rest\" twice",
+                 "chart.toml:4:10");
+}
+
 TEST(TomlStudy, TakesSectionsInsteadOfInlineTables) {
     const Study study = read(
         "[chart.x]\nparameter = \"contact.preload\"\nfrom = 1\nto = 2\npoints = 3\n"

@@ -67,10 +67,13 @@ RC_GTEST_PROP(TomlWriter, WritesChartsThatReadBackTheSame, ()) {
     RC_PRE(study.y.to > study.y.from);
     if (*rc::gen::arbitrary<bool>()) study.directions.pop_back();
     study.quantities = {"slip", "category"};
+    study.refine = *support::whole_between(0, sweep::most_refinement);
+    if (*rc::gen::arbitrary<bool>()) study.starts = {parameters::Initial::stuck, parameters::Initial::rest};
     const sweep::Study back = read_study(TomlSource{study_toml(study), "back.toml", {}});
     RC_ASSERT(sweep::canonical_text(back) == sweep::canonical_text(study));
     RC_ASSERT(parameters::canonical_text(back.base) == parameters::canonical_text(study.base));
     RC_ASSERT(back.quantities == study.quantities);
+    RC_ASSERT(back.starts == study.starts);
 }
 
 TEST(TomlWriter, WritesThePapersCasesAndCharts) {

@@ -84,6 +84,19 @@ TEST(Evaluate, TakesBothDirectionsOfADriveThatTurnsFromOneRun) {
     }
 }
 
+TEST(EvaluateRun, GivesOneCellWithAConstantDriveAndAllDirectionsOtherwise) {
+    Study study = small_study();
+    integration::Workspace workspace;  // what one run leaves in it changes nothing in the next
+    const std::vector<Cell> all = evaluate(study, 2, 1);
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+        const std::vector<Cell> one = evaluate_run(study, index_of(study, {direction, 1, 2}), {}, workspace);
+        ASSERT_EQ(one.size(), 1U);
+        EXPECT_TRUE(same_cell(one[0], all[direction]));
+    }
+    study = sinusoidal_study();
+    EXPECT_TRUE(same_cells(evaluate_run(study, index_of(study, {0, 1, 3}), {}, workspace), evaluate(study, 3, 1)));
+}
+
 TEST(Evaluate, LeavesADirectionUndecidedThatTheDriveNeverTakes) {
     Study study = small_study();
     study.base.drive.kind = DriveKind::sampled;

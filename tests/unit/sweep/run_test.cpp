@@ -143,6 +143,72 @@ TEST_F(Run, PassesOnWhatTheCallbackThrows) {
     EXPECT_THROW(run(study_, store_, options), std::logic_error);
 }
 
+class RefinedRun : public testing::Test {
+protected:
+    RefinedRun() {
+        study_.x.points = 33;
+        study_.y.points = 33;
+        study_.refine = 3;
+    }
+
+    // the complete chart of the same study
+    SweepResult complete() {
+        Study study = study_;
+        study.refine = 0;
+        Store store(folder_ / "complete.sqlite", study);
+        run(study, store);
+        return load(study, store);
+    }
+
+    ScratchFolder folder_;
+    Study study_ = small_study();
+};
+
+TEST_F(RefinedRun, ComputesAPartOfTheCellsAndHasTheRestRight) {
+    Store store(folder_ / "refined.sqlite", study_);
+    const RunReport report = run(study_, store);
+    EXPECT_EQ(report.ending, Ending::completed);
+    EXPECT_EQ(report.progress.done, report.computed);
+    EXPECT_EQ(report.progress.total, report.computed);
+    const SweepResult refined = load(study_, store);
+    const SweepResult whole = complete();
+    std::size_t computed = 0;
+    std::size_t right = 0;
+    for (std::size_t index = 0; index < refined.cells.size(); ++index) {
+        right += refined.cells[index].category == whole.cells[index].category ? 1 : 0;
+        if (is_inferred(refined, index)) continue;
+        ++computed;
+        EXPECT_TRUE(same_cell(refined.cells[index], whole.cells[index])) << index;
+    }
+    EXPECT_EQ(computed, report.computed);
+    EXPECT_EQ(store.read().size(), computed) << "inferred cells are not kept";
+    EXPECT_LT(4 * computed, 3 * refined.cells.size());
+    EXPECT_GT(static_cast<double>(right), 0.98 * static_cast<double>(refined.cells.size()));
+}
+
+TEST_F(RefinedRun, GoesOnFromAnyPartOfItsCells) {
+    Store whole(folder_ / "whole.sqlite", study_);
+    run(study_, whole);
+    const std::vector<IndexedCell> cells = whole.read();
+    for (const std::size_t stride : {2U, 7U}) {
+        Store part(folder_ / ("part-" + std::to_string(stride)), study_);
+        std::vector<IndexedCell> kept;
+        for (std::size_t k = 0; k < cells.size(); k += stride)
+            kept.push_back(cells[k]);
+        part.write(kept);
+        EXPECT_EQ(thrown_by([&] { load(study_, part); }).kind, ErrorKind::interrupted);
+        run(study_, part);
+        EXPECT_TRUE(same_cells(load(study_, part).cells, load(study_, whole).cells)) << stride;
+        EXPECT_EQ(part.read().size(), cells.size()) << stride;
+    }
+}
+
+TEST_F(RefinedRun, DoesNothingWhenAllIsThere) {
+    Store store(folder_ / "refined.sqlite", study_);
+    run(study_, store);
+    EXPECT_EQ(run(study_, store).computed, 0U);
+}
+
 TEST_F(Run, PassesOnThatTheDiskIsFullAndGoesOnLater) {
     RunOptions options;
     options.cells_per_commit = 1;

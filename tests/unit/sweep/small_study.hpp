@@ -40,7 +40,8 @@ inline bool same_bits(double a, double b) {
 inline bool same_cell(const Cell& a, const Cell& b) {
     const bool same_words = a.status == b.status && a.message == b.message;
     const bool same_category = a.status != Status::done || a.category == b.category;
-    return same_words && same_category &&
+    const bool same_starts = a.starts == b.starts && a.agreement == b.agreement;
+    return same_words && same_category && same_starts &&
            std::all_of(cell_figures().begin(), cell_figures().end(),
                        [&](const CellFigure& figure) { return same_bits(a.*figure.member, b.*figure.member); });
 }

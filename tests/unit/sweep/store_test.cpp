@@ -110,6 +110,19 @@ TEST_F(StoreFile, KeepsTheNumbersThatOthersLose) {
         EXPECT_TRUE(same_cell(back[k].cell, cell_with(values[k]))) << values[k];
 }
 
+TEST_F(StoreFile, KeepsTheVerdictOfEachStart) {
+    Cell cell = cell_with(0.1);
+    cell.starts = {{Status::done, classification::Category::squeal},
+                   {Status::done, classification::Category::none},
+                   {Status::step_limit, classification::Category::undecided}};
+    cell.agreement = Agreement::quiet_unless_disturbed;
+    Store store(file_, study_);
+    store.write(std::vector<IndexedCell>{{3, cell}, {4, cell_with(0.2)}});
+    const std::vector<IndexedCell> back = store.read();
+    EXPECT_TRUE(same_cell(back.at(0).cell, cell));
+    EXPECT_TRUE(same_cell(back.at(1).cell, cell_with(0.2)));
+}
+
 TEST_F(StoreFile, KnowsAndCountsWhatItHolds) {
     Cell failed;
     failed.status = Status::failed;

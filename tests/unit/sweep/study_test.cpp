@@ -16,6 +16,7 @@ namespace {
 
 using parameters::Case;
 using parameters::Direction;
+using parameters::Initial;
 using support::number_between;
 using support::Thrown;
 using support::thrown_by;
@@ -105,6 +106,15 @@ TEST(CaseAt, LeavesADriveThatGoesBothWaysAlone) {
     EXPECT_EQ(case_at(study, {1, 0, 0}).drive.amplitude, study.base.drive.amplitude);
 }
 
+TEST(CaseAt, TakesTheStart) {
+    Study study = small_study();
+    study.base.run.initial = Initial::stuck;
+    EXPECT_EQ(case_at(study, {0, 0, 0}).run.initial, Initial::stuck);
+    study.starts = {Initial::rest, Initial::sliding};
+    EXPECT_EQ(case_at(study, {0, 0, 0}).run.initial, Initial::rest);
+    EXPECT_EQ(case_at(study, {1, 0, 0, 1}).run.initial, Initial::sliding);
+}
+
 TEST(Check, AcceptsAStudyThatCanBeComputed) {
     EXPECT_NO_THROW(check(small_study()));
 }
@@ -173,6 +183,21 @@ const Wrong wrongs[] = {
          s.quantities = {"category", "joint_levels"};
      },
      "chart.quantities names \"joint_levels\" (a cell has no such figure). Did you mean \"joint_level\"?"},
+    {"AStartTwice",
+     [](Study& s) {
+         s.starts = {Initial::stuck, Initial::stuck};
+     },
+     "chart.starts names \"stuck\" twice (each is computed once)"},
+    {"AFinerRefinementThanThereIs", [](Study& s) { s.refine = 7; },
+     "chart.refine = 7 is out of range (the base grid has every 2^refine-th point, and refine is from 0 to 6)"},
+    {"AStartThatIsWrongInEveryCell",
+     [](Study& s) {
+         s.base.drive.kind = parameters::DriveKind::sampled;
+         s.base.drive.times = {0.0, 0.02};
+         s.base.drive.velocities = {0.0, 0.1};
+         s.starts = {Initial::rest, Initial::sliding};
+     },
+     "run.initial = \"sliding\" has no direction (the drive stands still at the start). Start with \"rest\"."},
     {"ACaseThatIsWrongInEveryCell", [](Study& s) { s.base.run.window = 1.0; },
      "run.window = 1 s is longer than run.duration = 0.02 s (the window is the last part of the simulated time). "
      "Make it at most the duration."},
@@ -220,6 +245,30 @@ TEST(CanonicalText, ShowsAxesAndDirections) {
     EXPECT_EQ(text.find("contact.kinetic_friction = "), std::string::npos);
 }
 
+TEST(Check, LetsAnAxisBeWhatOneOfTheStartsNeeds) {
+    Study study = small_study();
+    study.y = {"run.perturbation", 1e-4, 1e-2, 3, Scale::logarithmic};
+    EXPECT_THROW(check(study), Error);
+    study.starts = {Initial::rest, Initial::sliding};
+    EXPECT_NO_THROW(check(study));
+}
+
+TEST(CanonicalText, ShowsRefinementAndStartsWhereThereAreAny) {
+    Study study = small_study();
+    const std::string before = canonical_text(study);
+    EXPECT_EQ(before.find("chart.refine"), std::string::npos);
+    EXPECT_EQ(before.find("chart.starts"), std::string::npos);
+    study.refine = 2;
+    EXPECT_EQ(canonical_text(study), before + "chart.refine = 2\n");
+    study.starts = {Initial::sliding, Initial::rest};
+    const std::string text = canonical_text(study);
+    EXPECT_NE(text.find("\nchart.starts = sliding rest\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("run.initial"), std::string::npos) << text;
+    EXPECT_NE(text.find("run.perturbation"), std::string::npos) << "it counts for one of the starts";
+    study.base.run.initial = Initial::stuck;
+    EXPECT_EQ(canonical_text(study), text) << "the starts replace the case's own";
+}
+
 TEST(CanonicalText, LosesAnAxisThatStandsInItsFirstLine) {
     Study study = small_study();
     study.x = {"joint.mass", 0.1, 0.2, 2, Scale::linear};
@@ -261,6 +310,11 @@ TEST(ReproduceCommand, NamesTheFileAndEachSettingOnce) {
     EXPECT_EQ(reproduce_command(study, {1, 2, 0}, "chart.toml"),
               "stridor simulate chart.toml --set contact.preload=2 --set contact.kinetic_friction=0.8 --set "
               "drive.velocity=-0.1");
+    study.starts = {Initial::rest, Initial::sliding};
+    EXPECT_EQ(reproduce_command(study, {1, 2, 0, 1}, "chart.toml"),
+              "stridor simulate chart.toml --set contact.preload=2 --set contact.kinetic_friction=0.8 --set "
+              "drive.velocity=-0.1 --set run.initial=sliding");
+    study.starts.clear();
     study.base.drive.kind = parameters::DriveKind::sinusoidal;
     EXPECT_EQ(reproduce_command(study, {1, 2, 0}, "my chart's.toml"),
               "stridor simulate 'my chart'\\''s.toml' --set contact.preload=2 --set contact.kinetic_friction=0.8");
