@@ -125,7 +125,7 @@ private:
     std::vector<double> knots_;  // [s] where a sampled drive changes its slope
     record::Recorder& recorder_;
 
-    Mode mode_ = Mode::open;
+    Mode mode_ = Mode::stick;  // a run begins closed
     Lanes s_{};
     double origin_ = 0.0;   // [s] when the steps were last counted from nought
     long count_ = 0;        // [1] steps since
