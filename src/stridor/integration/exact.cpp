@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -45,6 +46,15 @@ double dot(const Lanes& row, const Lanes& s) {
     for (int i = 0; i < lanes; ++i)
         sum += row.at[i] * s.at[i];
     return sum;
+}
+
+// what rounding may make of a row of forces: a contact that rests at the limit of friction (mu_s = mu_d, and a plate that has
+// come to a stop under a steady slip) must not leave it by rounding, nor come back by it. Usually 1e-13 of the forces.
+double force_rounding(const Lanes& row, const Lanes& s) {
+    double size = 0.0;
+    for (int i = 0; i < lanes; ++i)
+        size += std::abs(row.at[i] * s.at[i]);
+    return 0x1p-43 * size;
 }
 
 ContactState contact_of(Mode mode) {
@@ -109,6 +119,7 @@ private:
     void strike(double impulse_ratio);
     void close_contact();
     void enter(Mode mode, int multiplicity, double closing_speed = 0.0);
+    bool holds() const;
     void settle_closed(double w, double closing_speed);
     void report();
     bool is_finite() const;
@@ -237,15 +248,22 @@ void Runner<dofs>::report() {
     has_pending_ = false;
 }
 
+// |T| <= mu_s N, half of what rounding may make of it allowed: the other half keeps the stick from ending at once
+template <int dofs>
+bool Runner<dofs>::holds() const {
+    const Flow& stick = flows_.flow[static_cast<int>(Mode::stick)];
+    return std::all_of(std::begin(stick.test), std::end(stick.test), [&](const EventFunction& test) {
+        return dot(test.row, s_) >= -0.5 * force_rounding(test.row, s_);
+    });
+}
+
 // a closed contact with slip velocity w finds its state; at w = 0 it sticks if it can
 template <int dofs>
 void Runner<dofs>::settle_closed(double w, double closing_speed) {
-    const double friction = flows_.static_friction;
     if (w == 0.0) {
         const double N = dot(flows_.stick_normal, s_);
-        const double T = dot(flows_.stick_force, s_);
-        if (N >= 0.0 && std::abs(T) <= friction * N) return enter(Mode::stick, 0, closing_speed);
-        w = -T;
+        if (N >= 0.0 && holds()) return enter(Mode::stick, 0, closing_speed);
+        w = -dot(flows_.stick_force, s_);
         const Mode mode = w > 0.0 ? Mode::slip_forward : Mode::slip_backward;
         if (dot(flows_.flow[static_cast<int>(mode)].normal_force, s_) >= 0.0) return enter(mode, 1, closing_speed);
         return enter(Mode::open, 2);
@@ -340,6 +358,12 @@ typename Runner<dofs>::Crossing Runner<dofs>::first_event() const {
         Lanes bernstein;
         kernel_.apply(begins_at_root ? &f.divided[order - 1] : &f.test[k].bernstein, 1, s_, &bernstein);
         kernel_.apply(f.test[k].series, term_blocks, s_, series);
+        if (mode_ == Mode::stick) {
+            const double rounding = force_rounding(f.test[k].row, s_);
+            series[0].at[0] += rounding;
+            for (double& coefficient : bernstein.at)
+                coefficient += rounding;
+        }
         const double tau = first_crossing(series, order, bernstein);
         if (tau < first.tau) first = {tau, k};
     }
@@ -409,10 +433,15 @@ void Runner<dofs>::step() {
     if (crossing.test >= 0) return cross(crossing.test);
     if (knot_ >= knots_.size() || span_ == recorder_.schedule().spans.size()) return;
     // the drive changes its slope: the forces of a stuck contact jump
-    if (mode_ != Mode::open) set_surface(s_, knots_[knot_]);
-    if (mode_ == Mode::stick) {
-        s_.at[velocity_lane(closed, 0)] = s_.at[V];
-        settle_closed(0.0, 0.0);
+    if (mode_ != Mode::open) {
+        double& x_speed = s_.at[velocity_lane(closed, 0)];
+        const double pace = std::abs(x_speed) + std::abs(s_.at[V]) + std::abs(s_.at[V + 1]) * flow().step;  // [m/s]
+        set_surface(s_, knots_[knot_]);
+        // a slip whose plate comes to a stop just here ends, whatever rounding has left of its velocity
+        if (mode_ == Mode::stick || std::abs(x_speed - s_.at[V]) <= 0x1p-43 * pace) {
+            x_speed = s_.at[V];
+            settle_closed(0.0, 0.0);
+        }
     }
     ++knot_;
 }
