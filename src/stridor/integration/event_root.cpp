@@ -1,6 +1,6 @@
 // Bernstein's polynomials are positive and add up to 1: a polynomial lies between its smallest and largest coefficient, has
 // no more roots than its coefficients have changes of sign, and rises where they rise. So an interval either has no root, or one,
-// or is halved (de Casteljau). The form of degree 7 misses the series by 1e-9 of its amplitude: whatever it says about a
+// or is halved (de Casteljau). The form of degree 7 misses the series by 1e-9 of the vibration: whatever it says about a
 // sign is confirmed on the series itself.
 
 #include "stridor/integration/event_root.hpp"
@@ -15,8 +15,9 @@ namespace {
 constexpr int degree = 7;
 // below this width an interval holds dips no deeper than rounding
 constexpr double narrowest = 0x1p-27;
-// what the form of degree 7 may miss, as a share of its largest coefficient
-constexpr double missed = 1e-9;
+// what the form of degree 7 may miss, as a share of its largest coefficient: 1e-9 of the vibration, of which an event function
+// may show a small part (2e-8 of itself has been seen)
+constexpr double missed = 1e-6;
 
 // a series and its derivative, summed in four interleaved chains
 class Quotient {
