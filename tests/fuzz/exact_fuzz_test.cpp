@@ -3,15 +3,16 @@
 #include "stridor/base/error.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/field.hpp"
+#include "support/effort.hpp"
 #include "support/motion_laws.hpp"
 #include "support/runs.hpp"
 #include "support/wild_cases.hpp"
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <iostream>
+#include <cstdint>
 #include <string>
 
 namespace stridor {
@@ -58,7 +59,7 @@ std::string failure_of(const Case& c) {
 
 TEST(ExactFuzz, KeepsTheLawsOfTheModelInWildCases) {
     long failures = 0;
-    const support::Runs runs = support::runs(400);
+    const support::Runs runs = support::runs(support::effort(2000, 100));
     for (std::uint64_t number = runs.first; number < runs.first + runs.count; ++number) {
         const Case c = support::wild_case(number);
         const std::string failure = failure_of(c);
