@@ -101,8 +101,8 @@ TEST(ExactFlow, StepsNoFurtherThanItsFastestRate) {
     }
 }
 
-// the smallest and largest Bernstein coefficients bound each event function over the step, to the millionth that a glide allows: the
-// form misses 1e-9 of the vibration, of which the event function may show a small part
+// the smallest and largest Bernstein coefficients bound each event function over the step, to the millionth that a glide
+// allows: the form misses 1e-9 of the vibration, of which the event function may show a small part
 RC_GTEST_PROP(ExactFlow, BoundsItsEventFunctions, ()) {
     static const Flows flows = table_1_flows(*support::whole_between(0, 1) == 0 ? 0.0 : 5.0);
     const Flow& flow = in(flows, all_modes[*support::whole_between(0, 3)]);
