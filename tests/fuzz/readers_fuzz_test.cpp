@@ -5,36 +5,20 @@
 #include "stridor/io/toml_writer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/paper_charts.hpp"
+#include "support/counter_random.hpp"
+#include "support/runs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <charconv>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <string>
 #include <string_view>
 
 namespace stridor::io {
 namespace {
 
-/// Random numbers out of a counter (SplitMix64, Steele, Lea, Flood 2014): run k is the same whatever ran before it.
-class Random {
-public:
-    explicit Random(std::uint64_t run) : state_(run * 0x9e3779b97f4a7c15U) {}
-
-    std::uint64_t next() {
-        std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-        return z ^ (z >> 31U);
-    }
-    std::size_t below(std::size_t bound) { return bound == 0 ? 0 : next() % bound; }
-
-private:
-    std::uint64_t state_;
-};
+using support::CounterRandom;
 
 // what tends to go wrong in numbers, keys and encodings
 constexpr std::array<std::string_view, 27> pieces{
@@ -42,7 +26,7 @@ constexpr std::array<std::string_view, 27> pieces{
     ",",      ";",    "\t",           "#",   "nan",     "-inf", "-",    "+", "1e999", "0x1f",
     "1e-400", "\xff", "\xEF\xBB\xBF", "é",   "\\u0000", "[[",   "kN/mm"};
 
-std::string mutated(std::string text, Random& random) {
+std::string mutated(std::string text, CounterRandom& random) {
     const std::size_t count = 1 + random.below(4);
     for (std::size_t k = 0; k < count && !text.empty(); ++k) {
         const std::size_t at = random.below(text.size());
@@ -74,18 +58,12 @@ std::string mutated(std::string text, Random& random) {
     return text;
 }
 
-std::uint64_t runs() {
-    std::uint64_t count = 1500;
-    const char* asked = std::getenv("STRIDOR_FUZZ_RUNS");
-    if (asked != nullptr) std::from_chars(asked, asked + std::strlen(asked), count);
-    return count;
-}
-
 /// Mutates a valid text again and again; `read` must return or throw an `Error` of the user's kind with a place.
 template <typename Read>
 void fuzz(const std::string& valid, Read read) {
-    for (std::uint64_t run = 0; run < runs(); ++run) {
-        Random random(run);
+    const support::Runs runs = support::runs(1500);
+    for (std::uint64_t run = runs.first; run < runs.first + runs.count; ++run) {
+        CounterRandom random(run);
         const std::string text = mutated(valid, random);
         try {
             read(text);

@@ -7,7 +7,9 @@
 
 #include "stridor/integration/contact_transition.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace stridor::integration {
 
@@ -21,6 +23,14 @@ double dot(const Lanes& row, const Lanes& s) {
     for (int i = 0; i < lanes; ++i)
         sum += row.at[i] * s.at[i];
     return sum;
+}
+
+// |T| <= mu_s N, half of what rounding may make of it allowed: the other half keeps the stick from ending at once
+bool holds(const Flows& flows, const Lanes& closed_state) {
+    const Flow& stick = flows.flow[static_cast<int>(Mode::stick)];
+    return std::all_of(std::begin(stick.test), std::end(stick.test), [&](const EventFunction& test) {
+        return dot(test.row, closed_state) >= -0.5 * force_rounding(test.row, closed_state);
+    });
 }
 
 // lanes of a structure
@@ -97,13 +107,19 @@ Transition land(const Flows& flows, const Lanes& open_state, const SurfaceNumber
 
 }  // namespace
 
+double force_rounding(const Lanes& row, const Lanes& s) {
+    double size = 0.0;
+    for (int i = 0; i < lanes; ++i)
+        size += std::abs(row.at[i] * s.at[i]);
+    return 0x1p-43 * size;
+}
+
 Transition close_contact(const Flows& flows, const Lanes& closed_state, double slip_velocity) {
     double direction = slip_velocity;
     if (slip_velocity == 0.0) {
         const double N = dot(flows.stick_normal, closed_state);
-        const double T = dot(flows.stick_force, closed_state);
-        if (N >= 0.0 && std::abs(T) <= flows.static_friction * N) return {Mode::stick, 0, closed_state};
-        direction = -T;
+        if (N >= 0.0 && holds(flows, closed_state)) return {Mode::stick, 0, closed_state};
+        direction = -dot(flows.stick_force, closed_state);
     }
     const Mode mode = direction > 0.0 ? Mode::slip_forward : Mode::slip_backward;
     if (dot(flows.flow[static_cast<int>(mode)].normal_force, closed_state) < 0.0)

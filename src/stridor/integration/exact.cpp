@@ -272,6 +272,12 @@ typename Runner<dofs>::Crossing Runner<dofs>::first_event() const {
         if ((near >> static_cast<unsigned>(k) & 1U) == 0) continue;
         Lanes series[term_blocks];
         kernel_.apply(f.test[k].series, term_blocks, s_, series);
+        if (mode_ == Mode::stick) {
+            const double rounding = force_rounding(f.test[k].row, s_);
+            series[0].at[0] += rounding;
+            for (double& coefficient : bernstein[k].at)
+                coefficient += rounding;
+        }
         const double tau = first_crossing(series, k == f.test_count - 1 ? multiplicity_ : 0, bernstein[k], kernel_);
         if (tau < first.tau) first = {tau, k};
     }
@@ -363,13 +369,16 @@ void Runner<dofs>::step() {
 template <int dofs>
 void Runner<dofs>::turn_knot() {
     if (mode_ != Mode::open) {
+        const double pace =
+            std::abs(s_.at[x_speed]) + std::abs(s_.at[V]) + std::abs(s_.at[V + 1]) * flow().step;  // [m/s]
         const SurfaceNumbers drive = surface(knots_[knot_]);
         s_.at[V] = drive.velocity;
         s_.at[V + 1] = drive.partner;
-    }
-    if (mode_ == Mode::stick) {
-        s_.at[x_speed] = s_.at[V];
-        enter(close_contact(flows_, s_, 0.0));
+        // a slip whose plate comes to a stop just here ends, whatever rounding has left of its velocity
+        if (mode_ == Mode::stick || std::abs(s_.at[x_speed] - drive.velocity) <= 0x1p-43 * pace) {
+            s_.at[x_speed] = drive.velocity;
+            enter(close_contact(flows_, s_, 0.0));
+        }
     }
     ++knot_;
 }
@@ -413,6 +422,7 @@ Outcome Runner<dofs>::advance(std::stop_token stop) {
 template <int dofs>
 Motion Runner<dofs>::run(std::stop_token stop) {
     const Outcome outcome = advance(std::move(stop));
+    bank();
     const bool is_filled = outcome.reason == Reason::settled;
     return {outcome, is_filled ? energy_ : energy(), recorder_.finish(is_filled ? end_ : outcome.time), silence_,
             cycle_};

@@ -1,0 +1,73 @@
+// The exact engine on cases far from sensible: it ends, with numbers, in the laws of the model, having missed no event.
+
+#include "stridor/base/error.hpp"
+#include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/field.hpp"
+#include "support/effort.hpp"
+#include "support/motion_laws.hpp"
+#include "support/runs.hpp"
+#include "support/wild_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+namespace stridor {
+namespace {
+
+using integration::Motion;
+using integration::Reason;
+using parameters::Case;
+
+// ten samples in the shortest time in which anything happens
+Motion densely_sampled(const Case& c) {
+    const double interval = 0.1 / support::fastest_rate(c);
+    return integration::simulate(c, {record::KeepHistory::yes, {0.0, c.run.duration, interval}});
+}
+
+// friction that feeds a motion (sprag-slip) makes it grow until its energy is no number any more
+bool has_outgrown_numbers(const Motion& motion) {
+    double largest = 0.0;
+    for (const auto& velocity : motion.record.trace.velocity)
+        for (const double v : velocity)
+            largest = std::max(largest, std::abs(v));
+    return !(largest < 1e130);
+}
+
+std::string failure_of(const Case& c) {
+    try {
+        const Motion motion = densely_sampled(c);
+        const Reason reason = motion.outcome.reason;
+        if (reason == Reason::diverged && has_outgrown_numbers(motion)) return {};
+        // a bounce that loses nothing under a growing force comes ever faster, and never rests
+        const bool bounces_for_ever =
+            c.contact.impact == parameters::ImpactLaw::restitution && c.contact.restitution == 1.0;
+        if (reason == Reason::chattering && bounces_for_ever) return {};
+        if (reason != Reason::completed && reason != Reason::settled)
+            return std::string(integration::reason_names[static_cast<std::size_t>(reason)]) + " at " +
+                   std::to_string(motion.outcome.time / c.run.duration) + " of the run";
+        return support::broken_law(c, motion);
+    } catch (const Error& error) {
+        // a sliding start may have no equilibrium, or no direction
+        if (c.run.initial == parameters::Initial::sliding) return {};
+        return error.what();
+    }
+}
+
+TEST(ExactFuzz, KeepsTheLawsOfTheModelInWildCases) {
+    long failures = 0;
+    const support::Runs runs = support::runs(support::effort(2000, 100));
+    for (std::uint64_t number = runs.first; number < runs.first + runs.count; ++number) {
+        const Case c = support::wild_case(number);
+        const std::string failure = failure_of(c);
+        EXPECT_EQ(failure, "") << "wild case " << number << '\n' << parameters::canonical_text(c);
+        failures += failure.empty() ? 0 : 1;
+        ASSERT_LT(failures, 50);
+    }
+}
+
+}  // namespace
+}  // namespace stridor

@@ -1,0 +1,156 @@
+#include "stridor/integration/exact.hpp"
+
+#include "stridor/integration/simulate.hpp"
+#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/rubbing_system.hpp"
+#include "stridor/parameters/paper_cases.hpp"
+#include "stridor/record/schedule.hpp"
+#include "support/random_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stridor::integration {
+namespace {
+
+using model::ContactState;
+using parameters::Case;
+using parameters::DriveKind;
+using parameters::Initial;
+
+Case constant_case(double velocity, Initial initial) {
+    Case c;
+    c.drive.kind = DriveKind::constant;
+    c.drive.velocity = velocity;
+    c.run.initial = initial;
+    c.run.duration = c.run.window = 0.01;
+    return c;
+}
+
+parameters::Drive sampled(std::vector<double> times, std::vector<double> velocities) {
+    parameters::Drive drive;
+    drive.kind = DriveKind::sampled;
+    drive.times = std::move(times);
+    drive.velocities = std::move(velocities);
+    return drive;
+}
+
+// started with the plate, the joint's dashpots pull it up with Cxy |V| m2 / (m1 + m2) = 25 N: more than the preload
+TEST(Exact, OpensAtOnceWhereDashpotsOutweighThePreload) {
+    Case c = constant_case(-1.0, Initial::stuck);
+    c.joint.axial_damping = 100.0;
+    const Motion motion = simulate(c, {record::KeepHistory::yes, {0.0, 1e-4, 1e-6}});
+    EXPECT_EQ(motion.record.history.front().state, ContactState::separation);
+    EXPECT_EQ(motion.record.history.front().from, 0.0);
+    const record::Trace& trace = motion.record.trace;
+    EXPECT_LT(std::abs(trace.displacement[1].front() - trace.displacement[2].front()), 1e-20);
+    EXPECT_LT(std::abs(trace.velocity[1].front() - trace.velocity[2].front()), 1e-20);
+    EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-12);  // integrals and differences known to rounding
+}
+
+// with mu_s = mu_d a steady slip leaves the mass exactly at the limit of friction when its plate comes to a stop
+TEST(Exact, HoldsAtTheLimitOfFrictionWhenThePlateStops) {
+    for (int k = 1; k < 100; ++k) {
+        const double mu = 0.013 * k;
+        const model::Belt belt{1.3, 3e5, 10.0, 97.0, {mu, mu}};
+        for (const double direction : {-0.1, 0.1}) {
+            Case c = constant_case(direction, Initial::sliding);
+            const Motion motion = integrate_exact<2>(
+                model::mass_on_belt(belt), sampled({0.0, 1e-3, 1e-2}, {direction, 0.0, 0.0}), {Initial::sliding, 0.0},
+                {}, record::Recorder(record::schedule(c), {record::KeepHistory::yes, {}}, 2));
+            EXPECT_EQ(motion.outcome.reason, Reason::completed) << mu;
+            // a slip velocity of rounding may take some periods of vibration to vanish
+            EXPECT_EQ(motion.record.history.back().state, ContactState::stick) << mu;
+        }
+    }
+}
+
+TEST(Exact, HoldsAtTheLimitOfFrictionOnAPlateThatBends) {
+    for (int angle = 1; angle < 180; angle += 2) {
+        Case c = constant_case(-0.1, Initial::sliding);
+        c.joint.incidence_angle = angle;
+        c.contact.kinetic_friction = c.contact.static_friction = 0.4;
+        c.run.perturbation = 0.0;
+        c.drive = sampled({0.0, 1e-3, 1e-2}, {-0.1, 0.0, 0.0});
+        const Motion motion = simulate(c, {record::KeepHistory::yes, {}});
+        EXPECT_EQ(motion.outcome.reason, Reason::completed) << angle;
+        EXPECT_EQ(motion.record.history.back().state, ContactState::stick) << angle;
+    }
+}
+
+// --- the same bits whatever the instruction set
+
+Motion by(InstructionSet set, const Case& c) {
+    const double interval = c.run.duration / 997.0;
+    return integrate_exact<3>(
+        model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
+        {c.contact.impact, c.contact.restitution, c.run.early_ending, set},
+        record::Recorder(record::schedule(c), {record::KeepHistory::yes, {0.0, c.run.duration, interval}}, 3));
+}
+
+bool same(const Motion& a, const Motion& b) {
+    const record::Trace& x = a.record.trace;
+    const record::Trace& y = b.record.trace;
+    const bool same_trace = x.time == y.time && x.displacement == y.displacement && x.velocity == y.velocity &&
+                            x.acceleration == y.acceleration && x.normal_force == y.normal_force &&
+                            x.friction_force == y.friction_force && x.gap == y.gap && x.state == y.state;
+    const bool same_history =
+        std::equal(a.record.history.begin(), a.record.history.end(), b.record.history.begin(), b.record.history.end(),
+                   [](const record::ContactInterval& p, const record::ContactInterval& q) {
+                       return p.state == q.state && p.from == q.from && p.to == q.to &&
+                              p.slip_velocity == q.slip_velocity && p.gap_velocity == q.gap_velocity;
+                   });
+    const bool same_tallies =
+        std::equal(a.record.phases.begin(), a.record.phases.end(), b.record.phases.begin(), b.record.phases.end(),
+                   [](const record::Tally& p, const record::Tally& q) {
+                       return p.time == q.time && p.judged_time == q.judged_time &&
+                              std::equal(p.vibration.begin(), p.vibration.end(), q.vibration.begin(), q.vibration.end(),
+                                         [](const record::Vibration& u, const record::Vibration& v) {
+                                             return u.square_time == v.square_time && u.peak_square == v.peak_square;
+                                         });
+                   });
+    const bool same_energy = a.energy.stored == b.energy.stored && a.energy.drive_work == b.energy.drive_work &&
+                             a.energy.dashpot_loss == b.energy.dashpot_loss &&
+                             a.energy.friction_loss == b.energy.friction_loss &&
+                             a.energy.impact_loss == b.energy.impact_loss;
+    return a.outcome.reason == b.outcome.reason && a.outcome.time == b.outcome.time && same_trace && same_history &&
+           same_tallies && same_energy;
+}
+
+class WiderInstructionSet : public testing::TestWithParam<InstructionSet> {
+protected:
+    void SetUp() override {
+        if (!is_available(GetParam())) GTEST_SKIP() << "this machine does not have the instruction set";
+    }
+};
+
+TEST_P(WiderInstructionSet, GivesTable1BitForBit) {
+    using parameters::PaperCase;
+    for (const PaperCase which : {PaperCase::squeal, PaperCase::squeak, PaperCase::creak, PaperCase::quiet}) {
+        const Case c = parameters::paper_case(which);
+        EXPECT_TRUE(same(by(GetParam(), c), by(InstructionSet::baseline, c)));
+    }
+}
+
+TEST_P(WiderInstructionSet, GivesAnyMotionBitForBit) {
+    rc::detail::checkGTest([&] {
+        const int kind = *support::whole_between(0, 2);
+        Case c = kind == 0 ? support::any_constant_case() : support::any_sinusoidal_case();
+        if (kind == 2) c.drive = sampled({0.0, 0.004, 0.011, 0.02}, {0.1, -0.05, -0.05, 0.2});
+        c.contact.impact = static_cast<parameters::ImpactLaw>(*support::whole_between(0, 2));
+        RC_ASSERT(same(by(GetParam(), c), by(InstructionSet::baseline, c)));
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(X86, WiderInstructionSet, testing::Values(InstructionSet::avx2, InstructionSet::avx512),
+                         [](const auto& which) {
+                             return which.param == InstructionSet::avx2 ? std::string("Avx2") : std::string("Avx512");
+                         });
+
+}  // namespace
+}  // namespace stridor::integration

@@ -1,0 +1,92 @@
+// The exact engine against closed forms of one mass: stick 2 lambda/w0, slip 2 (pi - atan lambda)/w0 (see belt_test), the
+// damped vibration, Den Hartog's dry-friction oscillator (see den_hartog_test), and bounces.
+
+#include "stridor/integration/exact.hpp"
+#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/record/schedule.hpp"
+#include "support/belt_run.hpp"
+#include "support/periods.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+namespace stridor {
+namespace {
+
+using model::ContactState;
+
+integration::Motion exactly(const support::BeltRun& run) {
+    parameters::Case c;
+    c.drive = support::constant_drive(1.0);  // one phase, whatever really drives the belt
+    c.run.duration = c.run.window = run.duration;
+    return integration::integrate_exact<2>(model::mass_on_belt(run.belt), run.drive, run.start, {},
+                                           record::Recorder(record::schedule(c), run.request, 2));
+}
+
+TEST(ExactBelt, SticksAndSlipsForTheTimesOfTheClosedForm) {
+    constexpr double w0 = 500.0, distance = 2e-4;
+    for (const double lambda : {0.01, 0.5, 1.0, 2.0, 5.0, 100.0}) {
+        support::BeltRun run;
+        run.belt = {1.0, w0 * w0, 0.0, 100.0, {0.8, 0.3}};
+        run.drive = support::constant_drive(w0 * distance / lambda);
+        run.start = {parameters::Initial::stuck, 0.0};
+        run.request = {record::KeepHistory::yes, {}};
+        const double stick = 2.0 * lambda / w0, slip = 2.0 * (std::numbers::pi - std::atan(lambda)) / w0;
+        run.duration = 20.5 * (stick + slip);
+        const support::Periods periods = support::whole_periods(exactly(run).record.history, ContactState::stick, 1e-9);
+        ASSERT_GE(periods.count, 18);
+        // rounding of some hundred steps; a stick of 1 % of the period is known as well as the period is
+        EXPECT_NEAR(periods.period, stick + slip, 1e-12 * (stick + slip)) << lambda;
+        EXPECT_NEAR(periods.shares[model::index_of(ContactState::stick)], stick / (stick + slip), 1e-12) << lambda;
+    }
+}
+
+// x = A exp(-d t) cos(w t) about the sliding equilibrium, on a belt too fast to be reached: 80 periods to rounding
+TEST(ExactBelt, VibratesAsTheDampedOscillator) {
+    constexpr double m = 0.7, k = 3e5, c = 4.0, F = 50.0, mu = 0.3, push = 0.8;
+    support::BeltRun run;
+    run.belt = {m, k, c, F, {0.5, mu}};
+    run.drive = support::constant_drive(10.0);
+    run.start = {parameters::Initial::sliding, push};
+    run.duration = 0.8;
+    run.request.trace = {0.0, 0.8, 1e-3};
+    const record::Trace trace = exactly(run).record.trace;
+    const double decay = c / (2.0 * m), rate = std::sqrt(k / m - decay * decay);
+    ASSERT_EQ(trace.time.size(), 801U);
+    for (std::size_t i = 0; i < trace.time.size(); ++i) {
+        const double t = trace.time[i];
+        const double x = mu * F / k + push / rate * std::exp(-decay * t) * std::sin(rate * t);
+        ASSERT_NEAR(trace.displacement[0][i], x, 1e-13 * push / rate) << t;
+    }
+}
+
+// largest |x1 - x2| of the last periods: it lies where the slip reverses, z' = 0, which is where states begin
+double den_hartog_amplitude(double g, double r) {
+    support::BeltRun run;
+    run.belt = {1.0, 1.0, 0.0, 1.0, {r, r}};
+    run.drive.amplitude = 1.0 / (g * g - 1.0);
+    run.drive.frequency = g / (2.0 * std::numbers::pi);
+    run.duration = 3000.0;
+    run.request.trace = {2990.0, 3000.0, 1e-3};
+    const record::Trace trace = exactly(run).record.trace;
+    double largest = 0.0;
+    for (std::size_t k = 0; k < trace.time.size(); ++k) {
+        const double belt = run.drive.amplitude * std::sin(g * trace.time[k]);
+        largest = std::max(largest, std::abs(trace.displacement[0][k] - belt));
+    }
+    return largest;
+}
+
+// samples 1e-3 apart miss a peak by g^2 1e-6 / 8 = 5e-7; the printed digits are good to 5e-7
+TEST(ExactDenHartog, HasThePublishedAmplitudes) {
+    for (const auto& [g, r, published] : {std::tuple{1.5, 0.2, 0.765942}, {1.5, 0.6, 0.400000}, {2.0, 0.4, 0.266667}})
+        EXPECT_NEAR(den_hartog_amplitude(g, r), published, 1e-6) << g << ' ' << r;
+}
+
+}  // namespace
+}  // namespace stridor
