@@ -18,13 +18,6 @@ namespace {
 // a rebound that flies for less than this ends in contact: the sum of all later flights is e/(1-e) of it
 constexpr double shortest_flight = 1e-9;  // [s]
 
-double dot(const Lanes& row, const Lanes& s) {
-    double sum = 0.0;
-    for (int i = 0; i < lanes; ++i)
-        sum += row.at[i] * s.at[i];
-    return sum;
-}
-
 // |T| <= mu_s N, half of what rounding may make of it allowed: the other half keeps the stick from ending at once
 bool holds(const Flows& flows, const Lanes& closed_state) {
     const Flow& stick = flows.flow[static_cast<int>(Mode::stick)];
@@ -106,6 +99,13 @@ Transition land(const Flows& flows, const Lanes& open_state, const SurfaceNumber
 }
 
 }  // namespace
+
+double dot(const Lanes& row, const Lanes& s) {
+    double sum = 0.0;
+    for (int i = 0; i < lanes; ++i)
+        sum += row.at[i] * s.at[i];
+    return sum;
+}
 
 double force_rounding(const Lanes& row, const Lanes& s) {
     double size = 0.0;

@@ -30,6 +30,9 @@ struct Transition {
     double drive_work = 0.0;     // [J]
 };
 
+/// The value of a row: a linear functional of a state.
+double dot(const Lanes& row, const Lanes& s);
+
 /// What rounding may make of a row of forces: a contact that rests at the limit of friction (mu_s = mu_d, and a plate that has
 /// come to a stop under a steady slip) must not leave it by rounding, nor come back by it. About 1e-13 of the forces.
 double force_rounding(const Lanes& row, const Lanes& s);

@@ -11,28 +11,21 @@
 
 #include "stridor/integration/exact.hpp"
 
-#include "stridor/integration/contact_transition.hpp"
 #include "stridor/integration/event_root.hpp"
-#include "stridor/integration/exact_account.hpp"
-#include "stridor/integration/exact_flow.hpp"
-#include "stridor/integration/imposed_motion.hpp"
-#include "stridor/integration/limit_cycle.hpp"
-#include "stridor/integration/silence.hpp"
+#include "stridor/integration/exact_runner.hpp"
 #include "stridor/model/contact_forces.hpp"
 #include "stridor/model/energy.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 namespace stridor::integration {
 
-namespace {
-
-using model::ContactState;
 using model::Structure;
+
+namespace {
 
 // so many steps between two looks at the stop request: a millisecond
 constexpr long steps_between_checks = 65536;
@@ -42,124 +35,11 @@ constexpr long steps_between_proofs = 16;
 constexpr int most_events = 1000;
 constexpr double event_window = 1e-3;
 
-double dot(const Lanes& row, const Lanes& s) {
-    double sum = 0.0;
-    for (int i = 0; i < lanes; ++i)
-        sum += row.at[i] * s.at[i];
-    return sum;
-}
-
-ContactState contact_of(Mode mode) {
-    return mode == Mode::open    ? ContactState::separation
-           : mode == Mode::stick ? ContactState::stick
-                                 : ContactState::slip;
-}
-
 double angular_frequency(const parameters::Drive& drive) {
     return drive.kind == parameters::DriveKind::sinusoidal ? 6.283185307179586476925 * drive.frequency : 0.0;
 }
 
-template <int dofs>
-class Runner {
-public:
-    Runner(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start, const Exact& settings,
-           SharedFlows<dofs>& shared, record::Recorder& recorder);
-
-    Motion run(std::stop_token stop);
-
-private:
-    static constexpr int closed = dofs - 1;
-    static constexpr int x_speed = velocity_lane(closed, 0);
-    static constexpr int F = load_lane(closed);
-    static constexpr int V = surface_lane(closed);
-    static constexpr int G = gap_lane(closed);
-    using Vector = typename Structure<dofs>::Vector;
-
-    // what ended a step: an event function, or none
-    struct Crossing {
-        double tau = no_crossing;  // [1]
-        int test = -1;
-    };
-
-    struct Position {
-        Vector displacement;  // [m] u
-        Vector velocity;      // [m/s] u'
-    };
-
-    const Flow& flow() const { return flows_.flow[static_cast<int>(mode_)]; }
-    double time() const { return origin_ + static_cast<double>(count_) * flow().step; }
-    const std::vector<record::Span>& spans() const { return recorder_.schedule().spans; }
-    double sample_time() const { return static_cast<double>(sample_) * recorder_.request().trace.interval; }
-
-    void begin(const Start& start);
-    Outcome advance(std::stop_token stop);
-    Position position(const Lanes& s, Mode mode) const;
-    SurfaceNumbers surface(double time) const;
-    Crossing first_event() const;
-    double next_stop() const;
-    void glide();
-    void step();
-    void pass_boundaries(double& from, double& reach, Crossing& crossing);
-    void turn_knot();
-    void sample(double tau, double time);
-    void end_span();
-    void vibrate(const Totals& sum);
-    void enter(const Transition& next);
-    void report();
-    bool is_finite() const;
-    bool piles_up();
-    EnergyBalance energy() const;
-
-    void watch_for_silence();
-    void watch_for_cycle();
-    void bank();
-    void end_silently();
-    void end_in_cycle(const Totals& period);
-
-    const Structure<dofs>& structure_;
-    ContactCoordinates<dofs> coordinates_;
-    const Kernel& kernel_;
-    const Flows& flows_;
-    Exact settings_;
-    double drive_rate_;  // [rad/s] of a sinusoidal drive
-    ImposedMotion drive_;
-    std::vector<double> knots_;  // [s] where a sampled drive changes its slope
-    record::Recorder& recorder_;
-    double end_ = 0.0;  // [s] of the run
-
-    Mode mode_ = Mode::stick;
-    Lanes s_{};
-    double origin_ = 0.0;   // [s] when the steps were last counted from nought
-    long count_ = 0;        // [1] steps since
-    int multiplicity_ = 0;  // [1] of the root at which the last event function begins, 0 after the first step
-
-    Account account_;
-    Totals banked_;  // of this span, before the account was last cleared
-    EnergyBalance energy_;
-    double initial_energy_ = 0.0;  // [J]
-    Vector initial_displacement_;  // [m]
-
-    std::size_t span_ = 0;
-    std::size_t knot_ = 0;
-    long sample_ = 0;  // number of the next sample
-    long last_sample_ = -1;
-
-    record::ContactInterval pending_;  // the state since the last event; told once time has gone on
-    bool has_pending_ = false;
-    bool has_told_ = false;
-    ContactState told_ = ContactState::slip;
-    double window_begin_ = 0.0;  // [s] of the search for pile-ups
-    int window_events_ = 0;
-
-    bool may_end_early_ = false;
-    std::optional<Sliding> sliding_;
-    Mode sliding_mode_ = Mode::slip_forward;
-    CycleWatch watch_;
-    RecentChanges recent_;
-    bool has_returned_ = false;  // the account holds the time since the watch's first return
-    std::optional<Silence> silence_;
-    std::optional<LimitCycle> cycle_;
-};
+}  // namespace
 
 template <int dofs>
 Runner<dofs>::Runner(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
@@ -173,15 +53,9 @@ Runner<dofs>::Runner(const Structure<dofs>& structure, const parameters::Drive& 
       drive_rate_(angular_frequency(drive)),
       drive_(drive, 1.0),
       recorder_(recorder),
-      end_(spans().empty() ? 0.0 : spans().back().to),
+      book_(recorder, flows_, drive.kind == parameters::DriveKind::sampled ? drive.times : std::vector<double>()),
       watch_(drive.velocity, 1.0 / flows_.flow[static_cast<int>(Mode::stick)].step, closed) {
-    if (drive.kind == parameters::DriveKind::sampled) knots_ = drive.times;
-    const record::TraceRequest& trace = recorder_.request().trace;
-    if (trace.interval > 0.0) {
-        sample_ = static_cast<long>(std::ceil(trace.from / trace.interval - 1e-6));
-        last_sample_ = static_cast<long>(std::floor(trace.to / trace.interval + 1e-6));
-    }
-    may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven && last_sample_ < sample_ &&
+    may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven && !book_.has_samples() &&
                      drive.kind == parameters::DriveKind::constant && drive.velocity != 0.0;
     sliding_mode_ = drive.velocity > 0.0 ? Mode::slip_backward : Mode::slip_forward;
     begin(start);
@@ -206,8 +80,6 @@ void Runner<dofs>::begin(const Start& start) {
     initial_energy_ =
         model::kinetic_energy(structure_, first.velocity) + model::elastic_energy(structure_, first.displacement);
     initial_displacement_ = first.displacement;
-    while (knot_ < knots_.size() && knots_[knot_] <= 0.0)
-        ++knot_;
 }
 
 template <int dofs>
@@ -235,29 +107,12 @@ SurfaceNumbers Runner<dofs>::surface(double time) const {
 template <int dofs>
 void Runner<dofs>::enter(const Transition& next) {
     const double now = time();
-    if (has_pending_ && now > pending_.from) report();
-    pending_ = {contact_of(next.mode), now, 0.0, next.slip_velocity, next.closing_speed};
-    has_pending_ = true;
+    book_.enter(next, now);
     origin_ = now;
     count_ = 0;
     mode_ = next.mode;
     multiplicity_ = next.multiplicity;
     s_ = next.state;
-    energy_.impact_loss += next.impact_loss;
-    energy_.friction_loss += next.friction_loss;
-    energy_.drive_work += next.drive_work;
-}
-
-// states that lasted no time were never there
-template <int dofs>
-void Runner<dofs>::report() {
-    if (!has_told_ || pending_.state != told_) {
-        recorder_.enter(pending_);
-        recent_.add(pending_);
-    }
-    has_told_ = true;
-    told_ = pending_.state;
-    has_pending_ = false;
 }
 
 // --- time goes on
@@ -284,50 +139,44 @@ typename Runner<dofs>::Crossing Runner<dofs>::first_event() const {
     return first;
 }
 
-template <int dofs>
-double Runner<dofs>::next_stop() const {
-    double next = spans()[span_].to;
-    if (sample_ <= last_sample_) next = std::min(next, sample_time());
-    if (knot_ < knots_.size()) next = std::min(next, knots_[knot_]);
-    return next;
-}
-
 // what lies between here and the end of the step: samples, ends of spans, knots of the drive, the end
 template <int dofs>
-void Runner<dofs>::pass_boundaries(double& from, double& reach, Crossing& crossing) {
+bool Runner<dofs>::pass_boundaries(double& from, double& reach, Crossing& crossing) {
     const double now = time();
-    while (span_ < spans().size()) {
-        const double stop = next_stop();
+    while (!book_.is_full()) {
+        const double stop = book_.next_stop_time();
         const double tau = std::max(0.0, (stop - now) / flow().step);
-        if (tau > reach) return;
-        if (sample_ <= last_sample_ && sample_time() <= stop) {
+        if (tau > reach) return false;
+        const Logbook::Stop kind = book_.next_stop();
+        if (kind == Logbook::Stop::sample) {
             sample(tau, stop);
-            ++sample_;
+            book_.pass_sample();
             continue;
         }
-        const bool is_knot = knot_ < knots_.size() && knots_[knot_] <= stop;
-        if (!is_knot) {
-            kernel_.add_part(flow(), s_, from, tau, account_.part[static_cast<int>(mode_)]);
+        if (kind == Logbook::Stop::end_of_span) {
+            kernel_.add_part(flow(), s_, from, tau, book_.part(mode_));
             from = tau;
-            end_span();
+            book_.end_span();
+            has_returned_ = false;
         }
-        if (is_knot || span_ == spans().size()) {
+        if (kind == Logbook::Stop::knot || book_.is_full()) {
             reach = tau;
             crossing = {};
-            return;
+            return kind == Logbook::Stop::knot;
         }
     }
+    return false;
 }
 
 // whole steps far from events
 template <int dofs>
 void Runner<dofs>::glide() {
     const bool proves = may_end_early_ && mode_ == sliding_mode_;
-    const double whole = std::floor((next_stop() - time()) / flow().step);
+    const double whole = std::floor((book_.next_stop_time() - time()) / flow().step);
     const long most = proves ? steps_between_proofs : steps_between_checks;
     const long steps = static_cast<long>(std::min(whole, static_cast<double>(most)));
     if (steps <= 0) return step();
-    const long taken = kernel_.glide(flow(), s_, steps, account_.full[static_cast<int>(mode_)]);
+    const long taken = kernel_.glide(flow(), s_, steps, book_.full(mode_));
     count_ += taken;
     if (taken < steps) return step();
     if (proves) watch_for_silence();
@@ -339,12 +188,12 @@ void Runner<dofs>::step() {
     Crossing crossing = first_event();
     double from = 0.0;
     double reach = std::min(crossing.tau, 1.0);
-    pass_boundaries(from, reach, crossing);
-    Sums& part = account_.part[static_cast<int>(mode_)];
+    const bool is_knot = pass_boundaries(from, reach, crossing);
+    Sums& part = book_.part(mode_);
     if (reach == 1.0 && crossing.test < 0) {
         Sums elsewhere{};  // a step that a span's end parts is counted in parts
         if (from > 0.0) kernel_.add_part(flow(), s_, from, reach, part);
-        kernel_.leap(flow(), s_, from > 0.0 ? elsewhere : account_.full[static_cast<int>(mode_)]);
+        kernel_.leap(flow(), s_, from > 0.0 ? elsewhere : book_.full(mode_));
         ++count_;
         multiplicity_ = 0;
         return;
@@ -360,18 +209,19 @@ void Runner<dofs>::step() {
         const SurfaceNumbers drive = mode_ == Mode::open ? surface(origin_) : SurfaceNumbers{};
         enter(follow(flows_, mode_, crossing.test, s_, drive, {settings_.impact, settings_.restitution}));
         if (may_end_early_) watch_for_cycle();
-    } else if (knot_ < knots_.size() && span_ < spans().size()) {
-        turn_knot();
+    } else if (is_knot) {
+        turn_knot(book_.next_stop_time());  // not the sum of steps, which may fall short of it by rounding
+        book_.pass_knot();
     }
 }
 
 // the drive changes its slope, and the force of a stuck contact jumps
 template <int dofs>
-void Runner<dofs>::turn_knot() {
+void Runner<dofs>::turn_knot(double time) {
     if (mode_ != Mode::open) {
         const double pace =
             std::abs(s_.at[x_speed]) + std::abs(s_.at[V]) + std::abs(s_.at[V + 1]) * flow().step;  // [m/s]
-        const SurfaceNumbers drive = surface(knots_[knot_]);
+        const SurfaceNumbers drive = surface(time);
         s_.at[V] = drive.velocity;
         s_.at[V + 1] = drive.partner;
         // a slip whose plate comes to a stop just here ends, whatever rounding has left of its velocity
@@ -380,7 +230,6 @@ void Runner<dofs>::turn_knot() {
             enter(close_contact(flows_, s_, 0.0));
         }
     }
-    ++knot_;
 }
 
 template <int dofs>
@@ -403,7 +252,7 @@ bool Runner<dofs>::piles_up() {
 
 template <int dofs>
 Outcome Runner<dofs>::advance(std::stop_token stop) {
-    while (span_ < spans().size()) {
+    while (!book_.is_full()) {
         if (!is_finite()) return {Reason::diverged, time()};
         if (stop.stop_requested()) return {Reason::cancelled, time()};
         if (multiplicity_ == 0)
@@ -414,18 +263,17 @@ Outcome Runner<dofs>::advance(std::stop_token stop) {
         if (cycle_) return {Reason::settled, cycle_->time};
         if (count_ == 0 && piles_up()) return {Reason::chattering, time()};
     }
-    if (has_pending_ && end_ > pending_.from) report();
+    book_.close(book_.end());
     // velocities may still be numbers where their squares no longer are
-    return {std::isfinite(energy().residual) ? Reason::completed : Reason::diverged, end_};
+    return {std::isfinite(energy().residual) ? Reason::completed : Reason::diverged, book_.end()};
 }
 
 template <int dofs>
 Motion Runner<dofs>::run(std::stop_token stop) {
     const Outcome outcome = advance(std::move(stop));
-    bank();
     const bool is_filled = outcome.reason == Reason::settled;
-    return {outcome, is_filled ? energy_ : energy(), recorder_.finish(is_filled ? end_ : outcome.time), silence_,
-            cycle_};
+    return {outcome, is_filled ? balance_ : energy(), recorder_.finish(is_filled ? book_.end() : outcome.time),
+            silence_, cycle_};
 }
 
 // --- early endings
@@ -434,7 +282,9 @@ template <int dofs>
 void Runner<dofs>::watch_for_silence() {
     if (!sliding_) sliding_.emplace(flow(), coordinates_.load_scale, s_.at[V]);
     silence_ = sliding_->silence(s_, time());
-    if (silence_) end_silently();
+    if (!silence_) return;
+    balance_ = energy();
+    book_.fill_with_silence(*sliding_, kernel_, s_, time());
 }
 
 template <int dofs>
@@ -442,51 +292,12 @@ void Runner<dofs>::watch_for_cycle() {
     const CycleWatch::Finding finding = watch_.note(time(), mode_, s_);
     if (finding == CycleWatch::Finding::nothing) return;
     if (finding == CycleWatch::Finding::first_return) {
-        bank();
+        book_.bank();
         has_returned_ = true;
     } else if (has_returned_) {
         cycle_ = watch_.cycle();
-        end_in_cycle(totals(flows_, account_));
-    }
-}
-
-template <int dofs>
-void Runner<dofs>::bank() {
-    add(banked_, totals(flows_, account_), 1.0);
-    account_ = {};
-}
-
-// the rest is slip: its vibration in closed form
-template <int dofs>
-void Runner<dofs>::end_silently() {
-    if (has_pending_) report();
-    bank();
-    energy_ = energy();
-    Lanes s = s_;
-    double now = time();
-    while (span_ < spans().size()) {
-        sliding_->pass(kernel_, spans()[span_].to - now, spans()[span_].use, s, account_);
-        add(banked_, totals(flows_, account_), 1.0);
-        account_ = {};
-        now = spans()[span_].to;
-        vibrate(banked_);
-        banked_ = {};
-    }
-}
-
-// the rest is the last period, again and again
-template <int dofs>
-void Runner<dofs>::end_in_cycle(const Totals& period) {
-    bank();
-    energy_ = energy();
-    const double duration = cycle_->period;
-    double now = time();
-    repeat_period(recent_.since(watch_.period_begin()), duration, end_, recorder_);
-    while (span_ < spans().size()) {
-        add(banked_, period, (spans()[span_].to - now) / duration);
-        now = spans()[span_].to;
-        vibrate(banked_);
-        banked_ = {};
+        balance_ = energy();
+        book_.fill_with_cycle(book_.since_banked(), watch_.period_begin(), time());
     }
 }
 
@@ -521,33 +332,9 @@ void Runner<dofs>::sample(double tau, double time) {
 }
 
 template <int dofs>
-void Runner<dofs>::end_span() {
-    bank();
-    energy_.dashpot_loss += banked_.dashpot_loss;
-    energy_.friction_loss += banked_.friction_loss;
-    energy_.drive_work += banked_.drive_work;
-    vibrate(banked_);
-    banked_ = {};
-    has_returned_ = false;
-}
-
-template <int dofs>
-void Runner<dofs>::vibrate(const Totals& sum) {
-    std::array<record::Vibration, static_cast<std::size_t>(dofs)> vibration;
-    for (std::size_t dof = 0; dof < vibration.size(); ++dof)
-        vibration[dof] = {sum.square_time[dof], sum.peak_square[dof]};
-    const record::Span& span = spans()[span_];
-    recorder_.vibrate(span_, span.to - span.from, vibration);
-    ++span_;
-}
-
-template <int dofs>
 EnergyBalance Runner<dofs>::energy() const {
     const Position last = position(s_, mode_);
-    EnergyBalance balance = energy_;
-    balance.dashpot_loss += banked_.dashpot_loss;
-    balance.friction_loss += banked_.friction_loss;
-    balance.drive_work += banked_.drive_work;
+    EnergyBalance balance = book_.losses();
     balance.stored = model::kinetic_energy(structure_, last.velocity) +
                      model::elastic_energy(structure_, last.displacement) - initial_energy_;
     balance.preload_work = structure_.load.dot(last.displacement - initial_displacement_);
@@ -555,6 +342,8 @@ EnergyBalance Runner<dofs>::energy() const {
                        balance.friction_loss + balance.impact_loss;
     return balance;
 }
+
+namespace {
 
 template <int dofs>
 void require_valid_contact(const Structure<dofs>& structure) {

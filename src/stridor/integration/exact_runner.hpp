@@ -1,0 +1,93 @@
+#pragma once
+
+#include "stridor/integration/exact.hpp"
+#include "stridor/integration/exact_logbook.hpp"
+#include "stridor/integration/imposed_motion.hpp"
+
+#include <optional>
+#include <stop_token>
+
+namespace stridor::integration {
+
+/// One run of the exact engine: where the motion is, and what takes it from event to event (exact.cpp).
+template <int dofs>
+class Runner {
+public:
+    Runner(const model::Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
+           const Exact& settings, SharedFlows<dofs>& shared, record::Recorder& recorder);
+
+    Motion run(std::stop_token stop);
+
+private:
+    static constexpr int closed = dofs - 1;
+    static constexpr int x_speed = velocity_lane(closed, 0);
+    static constexpr int F = load_lane(closed);
+    static constexpr int V = surface_lane(closed);
+    static constexpr int G = gap_lane(closed);
+    using Vector = typename model::Structure<dofs>::Vector;
+
+    // what ended a step: an event function, or none
+    struct Crossing {
+        double tau = no_crossing;  // [1]
+        int test = -1;
+    };
+
+    struct Position {
+        Vector displacement;  // [m] u
+        Vector velocity;      // [m/s] u'
+    };
+
+    const Flow& flow() const { return flows_.flow[static_cast<int>(mode_)]; }
+    double time() const { return origin_ + static_cast<double>(count_) * flow().step; }
+
+    void begin(const Start& start);
+    Outcome advance(std::stop_token stop);
+    Position position(const Lanes& s, Mode mode) const;
+    SurfaceNumbers surface(double time) const;
+    Crossing first_event() const;
+    void glide();
+    void step();
+    bool pass_boundaries(double& from, double& reach, Crossing& crossing);
+    void turn_knot(double time);
+    void sample(double tau, double time);
+    void enter(const Transition& next);
+    bool is_finite() const;
+    bool piles_up();
+    EnergyBalance energy() const;
+
+    void watch_for_silence();
+    void watch_for_cycle();
+
+    const model::Structure<dofs>& structure_;
+    ContactCoordinates<dofs> coordinates_;
+    const Kernel& kernel_;
+    const Flows& flows_;
+    Exact settings_;
+    double drive_rate_;  // [rad/s] of a sinusoidal drive
+    ImposedMotion drive_;
+    record::Recorder& recorder_;
+    Logbook book_;
+
+    Mode mode_ = Mode::stick;
+    Lanes s_{};
+    double origin_ = 0.0;   // [s] when the steps were last counted from nought
+    long count_ = 0;        // [1] steps since
+    int multiplicity_ = 0;  // [1] of the root at which the last event function begins, 0 after the first step
+
+    double initial_energy_ = 0.0;  // [J]
+    Vector initial_displacement_;  // [m]
+
+    double window_begin_ = 0.0;  // [s] of the search for pile-ups
+    int window_events_ = 0;
+
+    bool may_end_early_ = false;
+    std::optional<Sliding> sliding_;
+    Mode sliding_mode_ = Mode::slip_forward;
+    CycleWatch watch_;
+    bool has_returned_ = false;  // the account holds the time since the watch's first return
+    std::optional<Silence> silence_;
+    std::optional<LimitCycle> cycle_;
+    EnergyBalance balance_;  // at the proof, if there is one
+};
+
+}  // namespace stridor::integration
