@@ -2,12 +2,14 @@
 
 #include "determinism/swept_study.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/run.hpp"
 #include "support/process.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <set>
 #include <string>
@@ -64,6 +66,25 @@ TEST_P(Sweep, HasTheSameBitsForEveryNumberOfThreads) {
     for (const Cell& cell : cells)
         met.insert(cell.category);
     EXPECT_GE(met.size(), 3U);
+}
+
+// cells one by one, in an order far from theirs, by every instruction set of this machine
+TEST_P(Sweep, HasTheSameBitsInAnyOrderByAnyInstructionSet) {
+    const std::vector<Cell> cells = undisturbed(2);
+    const std::size_t stride = cells.size() / 3 + 1;
+    for (const auto set : {integration::InstructionSet::baseline, integration::InstructionSet::avx2,
+                           integration::InstructionSet::avx512}) {
+        if (!integration::is_available(set)) continue;
+        integration::Workspace workspace;
+        workspace.instruction_set = set;
+        for (std::size_t begin = 0; begin < stride; ++begin)
+            for (std::size_t index = begin; index < cells.size(); index += stride) {
+                // a refined sweep has computed some of them only
+                if (std::isnan(cells[index].slip)) continue;
+                const Cell alone = evaluate_run(study_, index, {}, workspace).at(0);
+                ASSERT_TRUE(same_cell(alone, cells[index])) << index << " by " << static_cast<int>(set);
+            }
+    }
 }
 
 TEST_P(Sweep, HasTheSameBitsHoweverOftenItWasStopped) {
