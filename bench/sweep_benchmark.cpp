@@ -43,6 +43,25 @@ void sweep_cells(benchmark::State& state) {
 }
 BENCHMARK(sweep_cells)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
+// Figure 8's pair as it stands in the paper's axes, without its drawing: so many points along each axis, so many levels of refinement
+void sweep_pair(benchmark::State& state) {
+    sweep::Study study = sweep::figure_8();
+    study.x.points = study.y.points = static_cast<int>(state.range(0));
+    study.refine = static_cast<int>(state.range(1));
+    for ([[maybe_unused]] const auto run : state)
+        run_once(study, 0);
+    state.counters["cells"] = static_cast<double>(sweep::cell_count(study));
+}
+BENCHMARK(sweep_pair)
+    ->ArgNames({"points", "refine"})
+    ->Args({64, 0})
+    ->Args({64, 3})
+    ->Args({200, 0})
+    ->Args({200, 3})
+    ->Args({200, 4})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
 // resident memory may grow with the cells, never with the simulated time: ten times the time, the same peak
 void sweep_memory(benchmark::State& state) {
     const sweep::Study study = small_pair(1e-3 * static_cast<double>(state.range(0)));

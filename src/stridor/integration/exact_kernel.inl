@@ -1,67 +1,149 @@
 // One cell across the lanes of a vector: the eight numbers of its state. Compiled with STRIDOR_ISA naming the instruction set
 // and a namespace of its own, so that no inline function is shared between sets. A vector of eight numbers is one register
-// of AVX-512, two of AVX2, four of the baseline.
+// of AVX-512, two of AVX2, four of the baseline (STRIDOR_WIDTH).
+
+// a call would pass vectors through memory
+#define STRIDOR_INLINE inline __attribute__((always_inline))
 
 namespace stridor::integration::STRIDOR_ISA {
 
 namespace {
 
-using Vector = double __attribute__((vector_size(64)));
-using Mask = long long __attribute__((vector_size(64)));
+// as many numbers as a register of the set holds
+constexpr int width = STRIDOR_WIDTH;
+constexpr int parts = lanes / width;
+using Part = double __attribute__((vector_size(width * sizeof(double))));
+
+// eight numbers
+struct Vector {
+    Part part[parts];
+};
 
 // how near zero a Bernstein coefficient may come, as a share of the largest: degree 7 misses 2e-7 of the vibration, of which an
 // event function may show a small part
 constexpr double nearness = 1e-4;
 
-inline Vector load(const Lanes& lane) {
+STRIDOR_INLINE Vector load(const double* numbers) {
+    // part by part: a copy of the whole would go through memory in other pieces
     Vector v;
-    __builtin_memcpy(&v, lane.at, sizeof v);
+    for (int k = 0; k < parts; ++k)
+        __builtin_memcpy(&v.part[k], numbers + k * width, sizeof(Part));
     return v;
 }
 
-inline void save(const Vector& v, Lanes& lane) {
-    __builtin_memcpy(lane.at, &v, sizeof v);
+STRIDOR_INLINE Vector load(const Lanes& lane) {
+    return load(lane.at);
 }
 
-inline Vector larger(const Vector& a, const Vector& b) {
-    return a > b ? a : b;
+STRIDOR_INLINE void save(const Vector& v, double* numbers) {
+    for (int k = 0; k < parts; ++k)
+        __builtin_memcpy(numbers + k * width, &v.part[k], sizeof(Part));
 }
 
-inline Vector smaller(const Vector& a, const Vector& b) {
-    return a < b ? a : b;
+STRIDOR_INLINE void save(const Vector& v, Lanes& lane) {
+    save(v, lane.at);
+}
+
+STRIDOR_INLINE Vector of(double a, double b, double c, double d, double e, double f, double g, double h) {
+    const double numbers[lanes] = {a, b, c, d, e, f, g, h};
+    Vector v;
+    for (int k = 0; k < parts; ++k)
+        for (int i = 0; i < width; ++i)
+            v.part[k][i] = numbers[k * width + i];
+    return v;
+}
+
+template <typename Each>
+STRIDOR_INLINE Vector each(Each operation) {
+    Vector v;
+    for (int k = 0; k < parts; ++k)
+        v.part[k] = operation(k);
+    return v;
+}
+
+STRIDOR_INLINE Vector operator+(const Vector& a, const Vector& b) {
+    return each([&](int k) { return a.part[k] + b.part[k]; });
+}
+STRIDOR_INLINE Vector operator+(const Vector& a, double b) {
+    return each([&](int k) { return a.part[k] + b; });
+}
+STRIDOR_INLINE Vector operator-(const Vector& a, const Vector& b) {
+    return each([&](int k) { return a.part[k] - b.part[k]; });
+}
+STRIDOR_INLINE Vector operator*(const Vector& a, const Vector& b) {
+    return each([&](int k) { return a.part[k] * b.part[k]; });
+}
+STRIDOR_INLINE Vector operator*(const Vector& a, double b) {
+    return each([&](int k) { return a.part[k] * b; });
+}
+STRIDOR_INLINE Vector larger(const Vector& a, const Vector& b) {
+    return each([&](int k) { return a.part[k] > b.part[k] ? a.part[k] : b.part[k]; });
+}
+STRIDOR_INLINE Vector smaller(const Vector& a, const Vector& b) {
+    return each([&](int k) { return a.part[k] < b.part[k] ? a.part[k] : b.part[k]; });
+}
+
+// a part with its halves exchanged, then its quarters, then its eighths: after combining with itself, all lanes are alike
+template <int step>
+STRIDOR_INLINE Part exchanged(const Part& p) {
+    using Order = long long __attribute__((vector_size(sizeof(Part))));
+    Order order;
+    for (int i = 0; i < width; ++i)
+        order[i] = i ^ step;
+    return __builtin_shuffle(p, order);
+}
+
+template <typename Combine>
+STRIDOR_INLINE double reduced(const Vector& v, Combine combine) {
+    Part all = v.part[0];
+    for (int k = 1; k < parts; ++k)
+        all = combine(all, v.part[k]);
+    if constexpr (width >= 8) all = combine(all, exchanged<4>(all));
+    if constexpr (width >= 4) all = combine(all, exchanged<2>(all));
+    all = combine(all, exchanged<1>(all));
+    return all[0];
+}
+
+STRIDOR_INLINE double largest(const Vector& v) {
+    return reduced(v, [](const Part& a, const Part& b) -> Part { return a > b ? a : b; });
+}
+
+STRIDOR_INLINE double smallest(const Vector& v) {
+    return reduced(v, [](const Part& a, const Part& b) -> Part { return a < b ? a : b; });
+}
+
+// (v0 + v1) + (v2 + v3) and (v4 + v5) + (v6 + v7)
+STRIDOR_INLINE void sums_of_four(const Vector& v, double& first, double& second) {
+    if constexpr (width >= 4) {
+        const auto sum = [](Part p) {
+            p = p + exchanged<1>(p);
+            return Part(p + exchanged<2>(p));
+        };
+        first = sum(v.part[0])[0];
+        second = width == 8 ? sum(v.part[0])[4 % width] : sum(v.part[parts - 1])[0];
+    } else {
+        alignas(64) double n[lanes];
+        save(v, n);
+        first = (n[0] + n[1]) + (n[2] + n[3]);
+        second = (n[4] + n[5]) + (n[6] + n[7]);
+    }
 }
 
 // a matrix times a state; the eighth number of a state is unused
-inline Vector times(const Matrix8& m, const double* s) {
+STRIDOR_INLINE Vector times(const Matrix8& m, const double* s) {
     const Vector a = load(m.column[0]) * s[0] + load(m.column[1]) * s[1];
     const Vector b = load(m.column[2]) * s[2] + load(m.column[3]) * s[3];
     const Vector c = load(m.column[4]) * s[4] + load(m.column[5]) * s[5];
     return (a + b) + (c + load(m.column[6]) * s[6]);
 }
 
-constexpr Mask swap_halves{4, 5, 6, 7, 0, 1, 2, 3};
-constexpr Mask swap_pairs{2, 3, 0, 1, 6, 7, 4, 5};
-constexpr Mask swap_neighbours{1, 0, 3, 2, 5, 4, 7, 6};
-
-inline Vector largest(Vector v) {
-    v = larger(v, __builtin_shuffle(v, swap_halves));
-    v = larger(v, __builtin_shuffle(v, swap_pairs));
-    return larger(v, __builtin_shuffle(v, swap_neighbours));
-}
-
-inline double smallest(Vector v) {
-    v = smaller(v, __builtin_shuffle(v, swap_halves));
-    v = smaller(v, __builtin_shuffle(v, swap_pairs));
-    return smaller(v, __builtin_shuffle(v, swap_neighbours))[0];
-}
-
 // what must be positive if no event function comes near zero during the step
-inline double margin(const Flow& flow, const double* s) {
+STRIDOR_INLINE double margin(const Flow& flow, const double* s) {
     const Vector b = times(flow.test[0].bernstein, s);
-    Vector least = b - nearness * largest(b);
+    Vector least = b + -nearness * largest(b);
     if (flow.test_count > 1) {
         const Vector c = times(flow.test[1].bernstein, s);
-        least = smaller(least, c - nearness * largest(c));
+        least = smaller(least, c + -nearness * largest(c));
     }
     return smallest(least);
 }
@@ -84,27 +166,27 @@ public:
         int k = 0;
         for (int j = 0; j < count; ++j)
             for (int i = 0; i <= j; ++i, ++k)
-                product_[k] += velocity[i] * velocity[j] * weight;
+                product_[k] = product_[k] + velocity[i] * velocity[j] * weight;
         if (count == dofs) return;
-        on_surface_ += force * surface * weight;
-        if (slips) on_slip_ += force * (velocity[0] - surface) * weight;
+        on_surface_ = on_surface_ + force * surface * weight;
+        if (slips) on_slip_ = on_slip_ + force * (velocity[0] - surface) * weight;
     }
 
     void add(const Vector* velocity, int count, const Vector& force, const Vector& surface, bool slips) {
         int k = 0;
         for (int j = 0; j < count; ++j)
             for (int i = 0; i <= j; ++i, ++k)
-                product_[k] += velocity[i] * velocity[j];
+                product_[k] = product_[k] + velocity[i] * velocity[j];
         if (count == dofs) return;
-        on_surface_ += force * surface;
-        if (slips) on_slip_ += force * (velocity[0] - surface);
+        on_surface_ = on_surface_ + force * surface;
+        if (slips) on_slip_ = on_slip_ + force * (velocity[0] - surface);
     }
 
     void watch(const Vector* velocity, int count, const double (&basis)[most_coordinates][most_coordinates]) {
         for (int i = 0; i < dofs; ++i) {
-            Vector u = basis[i][0] * velocity[0];
+            Vector u = velocity[0] * basis[i][0];
             for (int j = 1; j < count; ++j)
-                u += basis[i][j] * velocity[j];
+                u = u + velocity[j] * basis[i][j];
             peak_[i] = larger(peak_[i], u * u);
         }
     }
@@ -126,7 +208,7 @@ private:
 };
 
 template <int dofs, Mode mode>
-inline void step(const Flow& flow, double* s, Meter<dofs>& meter) {
+STRIDOR_INLINE void step(const Flow& flow, double* s, Meter<dofs>& meter) {
     constexpr int count = mode == Mode::open ? dofs : dofs - 1;
     Vector velocity[count];
     for (int j = 0; j < count; ++j)
@@ -140,7 +222,7 @@ inline void step(const Flow& flow, double* s, Meter<dofs>& meter) {
     meter.add(velocity, count, force, surface, mode != Mode::stick);
     meter.watch(velocity, count, flow.basis);
     const Vector next = times(flow.advance, s);
-    __builtin_memcpy(s, &next, sizeof next);
+    save(next, s);
 }
 
 template <int dofs, Mode mode>
@@ -185,7 +267,7 @@ unsigned look(const Flow& flow, const Lanes& s, int multiplicity, Lanes* bernste
         const bool begins_at_root = multiplicity > 0 && k == flow.test_count - 1;
         const Vector b = times(begins_at_root ? flow.divided[multiplicity - 1] : flow.test[k].bernstein, s.at);
         save(b, bernstein[k]);
-        if (!(smallest(b - nearness * largest(b)) > 0.0)) near |= 1U << static_cast<unsigned>(k);
+        if (!(smallest(b + -nearness * largest(b)) > 0.0)) near |= 1U << static_cast<unsigned>(k);
     }
     return near;
 }
@@ -193,9 +275,9 @@ unsigned look(const Flow& flow, const Lanes& s, int multiplicity, Lanes* bernste
 void combine(const Lanes* what, const Lanes* series, int count, Matrix8& result) {
     Vector column[lanes]{};
     for (int k = count - 1; k >= 0; --k) {  // small terms first
-        const Vector each = load(what[k]);
+        const Vector weights = load(what[k]);
         for (int j = 0; j < lanes; ++j)
-            column[j] += each * series[k].at[j];
+            column[j] = column[j] + weights * series[k].at[j];
     }
     for (int j = 0; j < lanes; ++j)
         save(column[j], result.column[j]);
@@ -210,8 +292,8 @@ public:
         const double* a = c + multiplicity;
         for (int k = 0; k < chain; ++k, a += 4) {
             const double n = 4.0 * k;
-            const Vector both{a[0], a[1], a[2], a[3], a[1], a[2], a[3], a[4]};
-            term_[k] = both * Vector{1.0, 1.0, 1.0, 1.0, n + 1.0, n + 2.0, n + 3.0, n + 4.0};
+            const Vector both = of(a[0], a[1], a[2], a[3], a[1], a[2], a[3], a[4]);
+            term_[k] = both * of(1.0, 1.0, 1.0, 1.0, n + 1.0, n + 2.0, n + 3.0, n + 4.0);
         }
     }
 
@@ -222,11 +304,7 @@ public:
         Vector p = term_[chain - 1];
         for (int k = chain - 2; k >= 0; --k)
             p = p * x4 + term_[k];
-        p *= Vector{1.0, x, x2, x3, 1.0, x, x2, x3};
-        p += __builtin_shuffle(p, swap_neighbours);
-        p += __builtin_shuffle(p, swap_pairs);
-        value = p[0];
-        slope = p[4];
+        sums_of_four(p * of(1.0, x, x2, x3, 1.0, x, x2, x3), value, slope);
     }
 
 private:
@@ -258,7 +336,7 @@ double root(const Lanes* series, int multiplicity, double from, double to, doubl
 }
 
 // terms of a series over a part of a step: (2 tau)^n / n! is far below rounding
-inline int terms_for(double tau) {
+STRIDOR_INLINE int terms_for(double tau) {
     return tau <= 0.25 ? 16 : tau <= 0.5 ? 20 : terms;
 }
 
@@ -283,11 +361,11 @@ void apply(const Matrix8* blocks, int count, const Lanes& s, Lanes* result) {
 }
 
 // values at the nodes of a part of a step of a functional given by its series
-inline Vector series_at(const Matrix8 (&series)[term_blocks], const double* s, const Vector& tau, int count) {
+STRIDOR_INLINE Vector series_at(const Matrix8 (&series)[term_blocks], const double* s, const Vector& tau, int count) {
     alignas(64) double coefficient[terms];
     for (int block = 0; block < (count + lanes - 1) / lanes; ++block) {
         const Vector part = times(series[block], s);
-        __builtin_memcpy(coefficient + block * lanes, &part, sizeof part);
+        save(part, coefficient + block * lanes);
     }
     Vector value = Vector{} + coefficient[count - 1];
     for (int k = count - 2; k >= 0; --k)
@@ -297,8 +375,8 @@ inline Vector series_at(const Matrix8 (&series)[term_blocks], const double* s, c
 
 template <int dofs>
 void add_part(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums& sums) {
-    const Vector tau = tau_0 + (tau_1 - tau_0) * load(flow.quadrature.node);
-    const Vector weight = (tau_1 - tau_0) * flow.step * load(flow.quadrature.weight);
+    const Vector tau = load(flow.quadrature.node) * (tau_1 - tau_0) + tau_0;
+    const Vector weight = load(flow.quadrature.weight) * ((tau_1 - tau_0) * flow.step);
     const bool is_open = flow.mode == Mode::open;
     const int count = is_open ? dofs : dofs - 1;
     Vector velocity[dofs];
@@ -310,7 +388,7 @@ void add_part(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums
         force = series_at(flow.force_series, s.at, tau, length);
         // V in stick is x'; a straight V needs no series
         const bool is_straight = flow.surface_rate == 0.0;
-        surface = is_straight ? s.at[2 * dofs - 1] + s.at[2 * dofs] * flow.step * tau
+        surface = is_straight ? tau * (s.at[2 * dofs] * flow.step) + s.at[2 * dofs - 1]
                               : series_at(flow.surface_series, s.at, tau, length);
     }
     Meter<dofs> meter(sums);
