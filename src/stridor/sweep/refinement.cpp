@@ -1,8 +1,6 @@
 #include "stridor/sweep/refinement.hpp"
 
-#include "stridor/analysis/sliding_stability.hpp"
 #include "stridor/base/check.hpp"
-#include "stridor/model/rubbing_system.hpp"
 
 #include <algorithm>
 #include <array>
@@ -162,17 +160,15 @@ private:
 
 }  // namespace
 
-int mark_of(const Study& study, std::size_t index, const Cell& cell) {
+int mark_of(const Study& study, const Cell& cell) {
     if (study.refine == 0) return 0;
     constexpr int statuses = status_names.size();
     constexpr int agreements = agreement_names.size();
-    constexpr int stabilities = analysis::stability_names.size();
+    constexpr int stabilities = 3;  // of steady sliding: stable, divergence, flutter
     int shown = static_cast<int>(cell.status);
     int stability = 0;
     if (cell.status == Status::done) {
-        const CellPlace place = place_of(study, index);
-        const model::Structure structure = model::rubbing_system(case_at(study, place));
-        stability = static_cast<int>(analysis::sliding_stability(structure, study.directions[place.direction]).kind);
+        if (cell.growth_rate > 0.0) stability = cell.mode_frequency > 0.0 ? 2 : 1;
         shown = statuses + static_cast<int>(cell.category);
     }
     return (shown * agreements + static_cast<int>(cell.agreement)) * stabilities + stability;

@@ -27,7 +27,7 @@ inline constexpr int unknown_mark = -1;
 
 /// What refinement sees of a cell: cells with equal marks are alike. Never `unknown_mark`; always 0 in a chart that is
 /// computed completely.
-int mark_of(const Study& study, std::size_t index, const Cell& cell);
+int mark_of(const Study& study, const Cell& cell);
 
 /// How far the computed cells carry.
 struct Refinement {

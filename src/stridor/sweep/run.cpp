@@ -55,7 +55,7 @@ std::vector<int> stored_marks(const Study& study, Store& store) {
                        [&](bool is_there) { return is_there ? 0 : unknown_mark; });
     else
         for (const IndexedCell& indexed : store.read())
-            marks[indexed.index] = mark_of(study, indexed.index, indexed.cell);
+            marks[indexed.index] = mark_of(study, indexed.cell);
     return marks;
 }
 
@@ -84,7 +84,7 @@ public:
     void take(std::vector<IndexedCell> cells) {
         for (const IndexedCell& indexed : cells) {
             count(progress_.counts, indexed.cell);
-            marks_[indexed.index] = mark_of(study_, indexed.index, indexed.cell);
+            marks_[indexed.index] = mark_of(study_, indexed.cell);
         }
         computed_ += cells.size();
         progress_.done += cells.size();
@@ -137,19 +137,23 @@ RunReport run(const Study& study, Store& store, const RunOptions& options) {
     Ledger ledger(study, store, options);
     std::vector<std::size_t> missing = refine(study, ledger.marks()).missing;
     ledger.expect(missing.size() * directions_per_run(study));
-    // a complete chart has one round, a refined one as many as its boundaries take to be followed
+    // a complete chart has one round, a refined one as many as its boundaries take to be followed; cells are written when
+    // enough of them or of time has gathered, for a write waits for the disk
     while (!missing.empty()) {
         Workers workers(study, missing, options.threads, options.stop);
         while (!workers.have_ended())
             ledger.take(workers.take(options.cells_per_commit, Clock::now() + tick));
-        // what was finished is kept before anybody hears of a failure
-        ledger.finish();
-        workers.rethrow();
         const bool was_stopped = ledger.progress().done < ledger.progress().total;
-        if (was_stopped) return {Ending::stopped, ledger.computed(), ledger.progress()};
+        if (was_stopped) {
+            // what was finished is kept before anybody hears of a failure
+            ledger.finish();
+            workers.rethrow();
+            return {Ending::stopped, ledger.computed(), ledger.progress()};
+        }
         missing = refine(study, ledger.marks()).missing;
         if (!missing.empty()) ledger.expect(missing.size() * directions_per_run(study));
     }
+    ledger.finish();
     return {Ending::completed, ledger.computed(), ledger.progress()};
 }
 

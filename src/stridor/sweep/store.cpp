@@ -273,7 +273,7 @@ SweepResult load(const Study& study, Store& store) {
     std::vector<int> marks(cells.size(), unknown_mark);
     std::size_t there = 0;
     for (IndexedCell& indexed : store.read()) {
-        marks[indexed.index] = mark_of(study, indexed.index, indexed.cell);
+        marks[indexed.index] = mark_of(study, indexed.cell);
         cells[indexed.index] = std::move(indexed.cell);
         ++there;
     }

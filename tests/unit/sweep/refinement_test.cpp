@@ -304,22 +304,28 @@ TEST(MarkOf, TellsCellsApartThatRefinementMustNotTakeForAlike) {
     torn.agreement = Agreement::differ;
     Cell failed = quiet;
     failed.status = Status::failed;
-    EXPECT_NE(mark_of(study, 0, quiet), mark_of(study, 0, noisy));
-    EXPECT_NE(mark_of(study, 0, quiet), mark_of(study, 0, torn));
-    EXPECT_NE(mark_of(study, 0, quiet), mark_of(study, 0, failed));
+    EXPECT_NE(mark_of(study, quiet), mark_of(study, noisy));
+    EXPECT_NE(mark_of(study, quiet), mark_of(study, torn));
+    EXPECT_NE(mark_of(study, quiet), mark_of(study, failed));
     Cell other = quiet;
     other.slip = 0.5;
-    EXPECT_EQ(mark_of(study, 0, quiet), mark_of(study, 0, other));
+    EXPECT_EQ(mark_of(study, quiet), mark_of(study, other));
 }
 
 TEST(MarkOf, SeesTheOnsetOfFlutter) {
     Study study = small_study();
     study.refine = 1;
-    Cell cell;
-    cell.status = Status::done;
-    cell.category = classification::Category::none;
-    // mu_d = 0.1 and 0.8 at the same preload, going: mode coupling sets in at 0.449
-    EXPECT_NE(mark_of(study, index_of(study, {0, 0, 0}), cell), mark_of(study, index_of(study, {0, 2, 0}), cell));
+    Cell stable;
+    stable.status = Status::done;
+    stable.category = classification::Category::none;
+    stable.growth_rate = -3.0;
+    stable.mode_frequency = 450.0;
+    Cell fluttering = stable;
+    fluttering.growth_rate = 3.0;
+    EXPECT_NE(mark_of(study, stable), mark_of(study, fluttering));
+    Cell diverging = fluttering;
+    diverging.mode_frequency = 0.0;
+    EXPECT_NE(mark_of(study, fluttering), mark_of(study, diverging));
 }
 
 TEST(Inferred, CellsHaveTheVerdictOfTheirSourceAndNoFigures) {
