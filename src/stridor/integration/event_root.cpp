@@ -96,7 +96,8 @@ double first_crossing(const Lanes (&series)[term_blocks], int multiplicity, cons
         if (shape == Shape::positive || shape == Shape::rising) continue;
         const bool is_last = here.to - here.from <= narrowest || depth + 2 > deepest;
         if (shape == Shape::falling || is_last) {
-            const double root = loops.root(series, multiplicity, here.from, here.to, first_guess(here));
+            const double root = loops.root(series, multiplicity, here.from, here.to, first_guess(here),
+                                           here.b.at[degree] < -slack ? Falling::surely : Falling::perhaps);
             if (root <= 1.0) return root;
             continue;
         }

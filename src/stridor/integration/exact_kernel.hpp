@@ -14,6 +14,9 @@ struct alignas(64) Sums {
     Lanes peak[most_coordinates];  // [m^2/s^2] largest squares of u'
 };
 
+/// Is a function known to be negative at the end of an interval?
+enum class Falling { surely, perhaps };
+
 /// The inner loops of the exact engine, compiled once per instruction set. All give the same bits: each number is computed
 /// by the same additions and multiplications in the same order, only more of them at a time.
 struct Kernel {
@@ -32,7 +35,7 @@ struct Kernel {
 
     /// The root of a series, its first `multiplicity` coefficients left out, in [from, to], where it falls; `no_crossing` if it
     /// is still positive at `to`. Newton's steps from `start`, halved where they leave the bracket.
-    double (*root)(const Lanes* series, int multiplicity, double from, double to, double start);
+    double (*root)(const Lanes* series, int multiplicity, double from, double to, double start, Falling falls);
 
     /// exp(A h tau) s.
     void (*move)(const Flow& flow, const Lanes& s, double tau, Lanes& result);

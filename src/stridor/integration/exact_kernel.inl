@@ -312,13 +312,15 @@ private:
     Vector term_[chain];
 };
 
-double root(const Lanes* series, int multiplicity, double from, double to, double start) {
+double root(const Lanes* series, int multiplicity, double from, double to, double start, Falling falls) {
     // a step this small leaves an error of its square
     constexpr double close = 1e-9;
     const Quotient q(series, multiplicity);
     double value = 0.0, slope = 0.0;
-    q.at(to, value, slope);
-    if (!(value <= 0.0)) return no_crossing;
+    if (falls == Falling::perhaps) {
+        q.at(to, value, slope);
+        if (!(value <= 0.0)) return no_crossing;
+    }
     double x = start;
     for (int k = 0; k < 80; ++k) {
         q.at(x, value, slope);
