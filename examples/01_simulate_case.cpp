@@ -15,9 +15,7 @@ using stridor::parameters::PaperCase;
 
 int main() {
     for (const PaperCase which : {PaperCase::quiet, PaperCase::squeal, PaperCase::squeak, PaperCase::creak}) {
-        stridor::parameters::Case c = stridor::parameters::paper_case(which);
-        c.run.step = 1e-6;  // [s] a tenth of the time of the shipped 1e-7
-
+        const stridor::parameters::Case c = stridor::parameters::paper_case(which);
         const stridor::integration::Motion motion = stridor::integration::simulate(c);
         if (!stridor::integration::has_result(motion.outcome)) return 1;
 
