@@ -2,6 +2,7 @@
 
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "support/constant_case.hpp"
 #include "support/effort.hpp"
 #include "support/event_driven.hpp"
 #include "support/periods.hpp"
@@ -31,12 +32,8 @@ constexpr double duration = 0.6;  // [s]
 constexpr double h = support::effort(1e-7, 1e-6);
 
 Case constant_case(PaperCase which, double velocity) {
-    Case c = parameters::paper_case(which);
-    c.drive.kind = parameters::DriveKind::constant;
-    c.drive.velocity = velocity;
+    Case c = support::constant_case(which, velocity, duration);
     c.run.initial = parameters::Initial::stuck;
-    c.run.duration = duration;
-    c.run.window = duration;
     c.run.engine = parameters::Engine::beta_2;
     c.run.step = h;
     return c;
@@ -119,7 +116,6 @@ TEST(ConstantDrive, SquealIsPeriodicAt430Hertz) {
 TEST(CaptureByTheStickTrial, TurnsPureSlipIntoStickSlip) {
     Case c = constant_case(PaperCase::squeak, -0.1);
     c.run.initial = parameters::Initial::rest;
-    c.run.engine = parameters::Engine::beta_2;
     c.run.step = 1e-5;
     EXPECT_NEAR(by_beta_2(c, ContactState::stick).shares[stick], 0.33, 0.01);
     c.run.step = 1e-6;
@@ -129,7 +125,6 @@ TEST(CaptureByTheStickTrial, TurnsPureSlipIntoStickSlip) {
 TEST(CaptureByTheStickTrial, IsGoneWithASmallerStep) {
     Case c = constant_case(PaperCase::squeak, -0.1);
     c.run.initial = parameters::Initial::rest;
-    c.run.engine = parameters::Engine::beta_2;
     c.run.step = 1e-7;
     // the mass comes closest to the plate in its first vibration, within 5 ms: a tenth of the time shows it
     c.run.duration = c.run.window = support::effort(duration, 0.1 * duration);

@@ -3,6 +3,7 @@
 #include "stridor/analysis/rates.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "support/constant_case.hpp"
 #include "support/effort.hpp"
 #include "support/event_driven.hpp"
 
@@ -17,14 +18,7 @@ namespace {
 
 using parameters::Case;
 using parameters::PaperCase;
-
-Case constant_case(PaperCase which, double velocity, double duration) {
-    Case c = parameters::paper_case(which);
-    c.drive.kind = parameters::DriveKind::constant;
-    c.drive.velocity = velocity;
-    c.run.duration = c.run.window = duration;
-    return c;
-}
+using support::constant_case;
 
 struct Distance {
     double largest = 0.0;   // [m] between the engines

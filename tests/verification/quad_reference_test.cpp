@@ -3,6 +3,7 @@
 #include "support/quad_reference.hpp"
 
 #include "stridor/parameters/paper_cases.hpp"
+#include "support/constant_case.hpp"
 #include "support/effort.hpp"
 #include "support/event_driven.hpp"
 #include "support/periods.hpp"
@@ -21,6 +22,7 @@ namespace {
 using model::ContactState;
 using parameters::Case;
 using parameters::PaperCase;
+using support::constant_case;
 using support::Quad;
 using support::quad_reference;
 using support::QuadOptions;
@@ -83,14 +85,6 @@ TEST(FirstFall, IsNotDisturbedByTheRootThatHasJustHappened) {
     const auto root = support::first_fall(support::without_root_at_zero(p, 3), 1);
     ASSERT_TRUE(root.has_value());
     EXPECT_LT(difference(*root, Quad(1) / 3), quad_rounding);
-}
-
-Case constant_case(PaperCase which, double velocity, double duration) {
-    Case c = parameters::paper_case(which);
-    c.drive.kind = parameters::DriveKind::constant;
-    c.drive.velocity = velocity;
-    c.run.duration = c.run.window = duration;
-    return c;
 }
 
 // [s] in a state between two instants

@@ -297,8 +297,7 @@ EnergyBalance Runner<dofs>::energy() const {
     balance.dashpot_loss = h * work_.dashpot;
     balance.friction_loss = h * work_.friction;
     balance.impact_loss = h * work_.impact;
-    balance.residual = balance.stored - balance.preload_work - balance.drive_work + balance.dashpot_loss +
-                       balance.friction_loss + balance.impact_loss;
+    balance.residual = unexplained(balance);
     return balance;
 }
 

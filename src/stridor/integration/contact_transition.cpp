@@ -18,9 +18,13 @@ namespace {
 // a rebound that flies for less than this ends in contact: the sum of all later flights is e/(1-e) of it
 constexpr double shortest_flight = 1e-9;  // [s]
 
+const Flow& flow_of(const Flows& flows, Mode mode) {
+    return flows.flow[static_cast<int>(mode)];
+}
+
 // |T| <= mu_s N, half of what rounding may make of it allowed: the other half keeps the stick from ending at once
 bool holds(const Flows& flows, const Lanes& closed_state) {
-    const Flow& stick = flows.flow[static_cast<int>(Mode::stick)];
+    const Flow& stick = flow_of(flows, Mode::stick);
     return std::all_of(std::begin(stick.test), std::end(stick.test), [&](const EventFunction& test) {
         return dot(test.row, closed_state) >= -0.5 * force_rounding(test.row, closed_state);
     });
@@ -82,7 +86,7 @@ Transition land(const Flows& flows, const Lanes& open_state, const SurfaceNumber
 
     Transition next;
     const double rebound = -restitution * closing;
-    const double N = dot(flows.stick_normal, closed_state);
+    const double N = dot(flow_of(flows, Mode::stick).normal_force, closed_state);
     const bool flies = rebound > 0.0 && (N <= 0.0 || 2.0 * rebound * m_g > shortest_flight * N);
     if (flies) {
         next = open_contact(flows, closed_state, 1);
@@ -117,13 +121,12 @@ double force_rounding(const Lanes& row, const Lanes& s) {
 Transition close_contact(const Flows& flows, const Lanes& closed_state, double slip_velocity) {
     double direction = slip_velocity;
     if (slip_velocity == 0.0) {
-        const double N = dot(flows.stick_normal, closed_state);
+        const double N = dot(flow_of(flows, Mode::stick).normal_force, closed_state);
         if (N >= 0.0 && holds(flows, closed_state)) return {Mode::stick, 0, closed_state};
-        direction = -dot(flows.stick_force, closed_state);
+        direction = -dot(flow_of(flows, Mode::stick).friction_force, closed_state);
     }
     const Mode mode = direction > 0.0 ? Mode::slip_forward : Mode::slip_backward;
-    if (dot(flows.flow[static_cast<int>(mode)].normal_force, closed_state) < 0.0)
-        return open_contact(flows, closed_state, 2);
+    if (dot(flow_of(flows, mode).normal_force, closed_state) < 0.0) return open_contact(flows, closed_state, 2);
     Transition next{mode, slip_velocity == 0.0 ? 1 : 0, closed_state};
     next.slip_velocity = slip_velocity;
     return next;

@@ -10,4 +10,9 @@ double EnergyBalance::relative_residual() const {
     return turnover > 0.0 ? residual / turnover : 0.0;
 }
 
+double unexplained(const EnergyBalance& balance) {
+    return balance.stored - balance.preload_work - balance.drive_work + balance.dashpot_loss + balance.friction_loss +
+           balance.impact_loss;
+}
+
 }  // namespace stridor::integration

@@ -21,4 +21,7 @@ struct EnergyBalance {
     double relative_residual() const;
 };
 
+/// What the other terms of a balance leave over [J]: its residual.
+double unexplained(const EnergyBalance& balance);
+
 }  // namespace stridor::integration

@@ -35,10 +35,6 @@ constexpr long steps_between_proofs = 16;
 constexpr int most_events = 1000;
 constexpr double event_window = 1e-3;
 
-double angular_frequency(const parameters::Drive& drive) {
-    return drive.kind == parameters::DriveKind::sinusoidal ? 6.283185307179586476925 * drive.frequency : 0.0;
-}
-
 }  // namespace
 
 template <int dofs>
@@ -50,7 +46,6 @@ Runner<dofs>::Runner(const Structure<dofs>& structure, const parameters::Drive& 
       flows_(shared.of(coordinates_, structure.friction,
                        drive.kind == parameters::DriveKind::sinusoidal ? drive.frequency : 0.0, kernel_)),
       settings_(settings),
-      drive_rate_(angular_frequency(drive)),
       drive_(drive, 1.0),
       recorder_(recorder),
       book_(recorder, flows_, drive.kind == parameters::DriveKind::sampled ? drive.times : std::vector<double>()),
@@ -99,7 +94,8 @@ typename Runner<dofs>::Position Runner<dofs>::position(const Lanes& s, Mode mode
 template <int dofs>
 SurfaceNumbers Runner<dofs>::surface(double time) const {
     const model::SurfaceMotion motion = drive_.at(time);
-    return {motion.velocity, drive_rate_ > 0.0 ? -motion.acceleration / drive_rate_ : motion.acceleration};
+    const double omega = flow().surface_rate;
+    return {motion.velocity, omega > 0.0 ? -motion.acceleration / omega : motion.acceleration};
 }
 
 // --- the contact changes its state
@@ -338,8 +334,7 @@ EnergyBalance Runner<dofs>::energy() const {
     balance.stored = model::kinetic_energy(structure_, last.velocity) +
                      model::elastic_energy(structure_, last.displacement) - initial_energy_;
     balance.preload_work = structure_.load.dot(last.displacement - initial_displacement_);
-    balance.residual = balance.stored - balance.preload_work - balance.drive_work + balance.dashpot_loss +
-                       balance.friction_loss + balance.impact_loss;
+    balance.residual = unexplained(balance);
     return balance;
 }
 

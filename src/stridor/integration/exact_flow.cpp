@@ -149,9 +149,7 @@ public:
         : c_(c),
           friction_(friction),
           loops_(loops),
-          omega_(two_pi * drive_frequency) {
-        flows_.drive_frequency = drive_frequency;
-    }
+          omega_(two_pi * drive_frequency) {}
 
     Flows run() {
         describe();
@@ -196,8 +194,6 @@ private:
         flows_.tangent_on_gap = c_.tangent_on_gap;
         flows_.static_friction = friction_.static_coefficient;
         flows_.kinetic_friction = friction_.kinetic_coefficient;
-        flows_.stick_force = sum(internal_force(0), surface_acceleration(), c_.mass(0));
-        flows_.stick_normal = sum(internal_force(closed), flows_.stick_force, -c_.tangent_on_gap);
     }
 
     // largest rate [1/s] of z'' = -M^-1 (K z + C z'): norms of the matrices scaled by the square roots of the masses
@@ -274,7 +270,11 @@ private:
         test.row = row;
         store(series, test.series);
         loops_.combine(monomials().bernstein.data(), series.data(), terms, test.bernstein);
-        // it may begin at a root, if it is the last: an impact, a lift-off, a slip that has just begun
+    }
+
+    // the last event function, where it may begin at a root: an impact, a lift-off, a slip that has just begun
+    void set_divided(Flow& flow) {
+        const Series series = series_of(flow.test[flow.test_count - 1].row);
         for (int m = 1; m <= most_multiplicity; ++m)
             loops_.combine(monomials().bernstein.data(), series.data() + m, terms - m, flow.divided[m - 1]);
     }
@@ -306,6 +306,7 @@ private:
         }
         set_powers(flow, Mode::open, a, rate(dofs, 0.0));
         set_test(flow, unit(gap_lane(closed)));
+        set_divided(flow);
         set_velocities(flow, dofs);
     }
 
@@ -313,8 +314,8 @@ private:
         Rows a = closed_generator();
         a[static_cast<std::size_t>(velocity_lane(closed, 0))] = surface_acceleration();
         set_powers(flow, Mode::stick, a, std::max(rate(closed, 0.0), omega_));
-        flow.normal_force = flows_.stick_normal;
-        flow.friction_force = flows_.stick_force;
+        flow.friction_force = sum(internal_force(0), surface_acceleration(), c_.mass(0));
+        flow.normal_force = sum(internal_force(closed), flow.friction_force, -c_.tangent_on_gap);
         const Lanes limit = scaled(flow.normal_force, friction_.static_coefficient);
         set_test(flow, sum(limit, flow.friction_force, -1.0));
         set_test(flow, sum(limit, flow.friction_force, 1.0));
@@ -334,6 +335,7 @@ private:
         set_powers(flow, mode, a, std::max(rate(closed, in_x), omega_));
         set_test(flow, flow.normal_force);
         set_test(flow, scaled(sum(unit(velocity_lane(closed, 0)), unit(surface_lane(closed)), -1.0), sign));
+        set_divided(flow);
         set_velocities(flow, closed);
         set_sampled(flow.normal_force, flow.force, flow.force_series);
         set_sampled(unit(surface_lane(closed)), flow.surface, flow.surface_series);

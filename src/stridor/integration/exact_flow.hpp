@@ -30,6 +30,7 @@ public:
             last_->coordinates.stiffness == coordinates.stiffness && last_->coordinates.load == coordinates.load &&
             last_->friction.static_coefficient == friction.static_coefficient &&
             last_->friction.kinetic_coefficient == friction.kinetic_coefficient &&
+            last_->coordinates.tangent_on_gap == coordinates.tangent_on_gap &&
             last_->drive_frequency == drive_frequency;
         if (!is_same)
             last_ = std::make_unique<Entry>(Entry{coordinates, friction, drive_frequency,

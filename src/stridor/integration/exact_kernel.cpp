@@ -24,10 +24,16 @@ bool is_available(InstructionSet set) {
     return set == InstructionSet::baseline;
 }
 
+std::vector<InstructionSet> available_instruction_sets() {
+    std::vector<InstructionSet> sets;
+    for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
+        if (is_available(set)) sets.push_back(set);
+    return sets;
+}
+
 InstructionSet widest_instruction_set() {
-    for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2})
-        if (is_available(set)) return set;
-    return InstructionSet::baseline;
+    static const InstructionSet widest = available_instruction_sets().back();
+    return widest;
 }
 
 const Kernel& kernel(InstructionSet set, int dofs) {

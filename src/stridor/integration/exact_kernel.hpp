@@ -2,7 +2,7 @@
 
 #include "stridor/integration/exact_tables.hpp"
 
-#include <string_view>
+#include <vector>
 
 namespace stridor::integration {
 
@@ -51,6 +51,9 @@ enum class InstructionSet { baseline, avx2, avx512 };
 
 /// Whether this machine has the instruction set.
 bool is_available(InstructionSet set);
+
+/// Those of this machine, the baseline first, the widest last.
+std::vector<InstructionSet> available_instruction_sets();
 
 /// The widest this machine has.
 InstructionSet widest_instruction_set();

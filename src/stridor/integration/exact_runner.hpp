@@ -63,7 +63,6 @@ private:
     const Kernel& kernel_;
     const Flows& flows_;
     Exact settings_;
-    double drive_rate_;  // [rad/s] of a sinusoidal drive
     ImposedMotion drive_;
     record::Recorder& recorder_;
     Logbook book_;

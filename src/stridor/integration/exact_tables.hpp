@@ -15,7 +15,6 @@ namespace stridor::integration {
 inline constexpr int lanes = 8;
 inline constexpr int terms = 24;  // of the series: 1/24! is far below rounding
 inline constexpr int term_blocks = terms / lanes;
-inline constexpr int nodes = 8;       // of Gauss' quadrature over a step
 inline constexpr int most_tests = 2;  // event functions of a contact state
 inline constexpr int most_coordinates = 3;
 inline constexpr int most_multiplicity = 3;  // of the root an event function begins with
@@ -84,9 +83,6 @@ struct Flows {
     double tangent_on_gap;                               // [1]
     double static_friction;                              // [1]
     double kinetic_friction;                             // [1]
-    double drive_frequency;                              // [Hz] 0 unless sinusoidal
-    Lanes stick_force;   // T that would hold the contact, as a row over the closed state
-    Lanes stick_normal;  // N with it
     Flow flow[modes];
 };
 

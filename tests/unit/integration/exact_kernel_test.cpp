@@ -44,13 +44,6 @@ bool same(const Sums& a, const Sums& b) {
            same(a.peak[0].at, b.peak[0].at, lanes * std::size(a.peak));
 }
 
-std::vector<InstructionSet> available_sets() {
-    std::vector<InstructionSet> sets;
-    for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
-        if (is_available(set)) sets.push_back(set);
-    return sets;
-}
-
 TEST(InstructionSets, BaselineIsEverywhere) {
     EXPECT_TRUE(is_available(InstructionSet::baseline));
     EXPECT_TRUE(is_available(widest_instruction_set()));
@@ -68,7 +61,7 @@ RC_GTEST_PROP(InstructionSets, MoveGlideAndAddUpBitForBitAlike, ()) {
     const long taken = reference.glide(flow, glided, 20, sums);
     reference.leap(flow, leapt, sums);
     reference.add_part(flow, s, 0.1, tau, part);
-    for (const InstructionSet set : available_sets()) {
+    for (const InstructionSet set : available_instruction_sets()) {
         const Kernel& k = kernel(set, 3);
         Lanes here;
         k.move(flow, s, tau, here);
