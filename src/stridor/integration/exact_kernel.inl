@@ -161,25 +161,16 @@ public:
         on_surface_ = load(sums.on_surface);
     }
 
-    void add(const Vector* velocity, int count, const Vector& force, const Vector& surface, bool slips,
-             const Vector& weight) {
+    // `weigh` puts the weights of the nodes in, or leaves that for later
+    template <typename Weigh>
+    void add(const Vector* velocity, int count, const Vector& force, const Vector& surface, bool slips, Weigh weigh) {
         int k = 0;
         for (int j = 0; j < count; ++j)
             for (int i = 0; i <= j; ++i, ++k)
-                product_[k] = product_[k] + velocity[i] * velocity[j] * weight;
+                product_[k] = product_[k] + weigh(velocity[i] * velocity[j]);
         if (count == dofs) return;
-        on_surface_ = on_surface_ + force * surface * weight;
-        if (slips) on_slip_ = on_slip_ + force * (velocity[0] - surface) * weight;
-    }
-
-    void add(const Vector* velocity, int count, const Vector& force, const Vector& surface, bool slips) {
-        int k = 0;
-        for (int j = 0; j < count; ++j)
-            for (int i = 0; i <= j; ++i, ++k)
-                product_[k] = product_[k] + velocity[i] * velocity[j];
-        if (count == dofs) return;
-        on_surface_ = on_surface_ + force * surface;
-        if (slips) on_slip_ = on_slip_ + force * (velocity[0] - surface);
+        on_surface_ = on_surface_ + weigh(force * surface);
+        if (slips) on_slip_ = on_slip_ + weigh(force * (velocity[0] - surface));
     }
 
     void watch(const Vector* velocity, int count, const double (&basis)[most_coordinates][most_coordinates]) {
@@ -219,7 +210,7 @@ STRIDOR_INLINE void step(const Flow& flow, double* s, Meter<dofs>& meter) {
         surface = load(flow.surface.column[2 * dofs - 1]) * s[2 * dofs - 1] +
                   load(flow.surface.column[2 * dofs]) * s[2 * dofs];
     }
-    meter.add(velocity, count, force, surface, mode != Mode::stick);
+    meter.add(velocity, count, force, surface, mode != Mode::stick, [](const Vector& sum) { return sum; });
     meter.watch(velocity, count, flow.basis);
     const Vector next = times(flow.advance, s);
     save(next, s);
@@ -394,7 +385,8 @@ void add_part(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums
                               : series_at(flow.surface_series, s.at, tau, length);
     }
     Meter<dofs> meter(sums);
-    meter.add(velocity, count, force, surface, flow.mode != Mode::stick, weight);
+    meter.add(velocity, count, force, surface, flow.mode != Mode::stick,
+              [&](const Vector& sum) { return sum * weight; });
     meter.watch(velocity, count, flow.basis);
     meter.save_to(sums);
 }
