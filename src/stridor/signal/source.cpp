@@ -1,0 +1,74 @@
+#include "stridor/signal/source.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace stridor::signal {
+
+namespace {
+
+// frames that are moved at a time
+constexpr std::size_t block_frames = 1U << 14U;
+
+class InMemory final : public Source {
+public:
+    explicit InMemory(std::vector<Signal> channels) : channels_(std::move(channels)) {
+        layout_.rate = channels_.front().rate;
+        layout_.frames = channels_.front().samples.size();
+        for (const Signal& channel : channels_) {
+            STRIDOR_EXPECT(channel.rate == layout_.rate && channel.samples.size() == *layout_.frames);
+            layout_.channels.push_back({"", channel.unit});
+        }
+    }
+
+    const Layout& layout() const override { return layout_; }
+
+    std::size_t read(std::span<double> frames) override {
+        const std::size_t width = channels_.size();
+        STRIDOR_EXPECT(frames.size() % width == 0);
+        const std::size_t count = std::min<std::size_t>(frames.size() / width, *layout_.frames - next_);
+        for (std::size_t frame = 0; frame < count; ++frame)
+            for (std::size_t channel = 0; channel < width; ++channel)
+                frames[frame * width + channel] = channels_[channel].samples[next_ + frame];
+        next_ += count;
+        return count;
+    }
+
+private:
+    std::vector<Signal> channels_;
+    Layout layout_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+std::vector<Signal> read_all(Source& source, std::uint64_t limit) {
+    const Layout& layout = source.layout();
+    const std::size_t width = layout.channels.size();
+    std::vector<Signal> channels(width);
+    for (std::size_t channel = 0; channel < width; ++channel)
+        channels[channel] = {layout.rate, layout.channels[channel].unit, {}};
+
+    std::vector<double> block(block_frames * width);
+    std::uint64_t held = 0;
+    while (const std::size_t count = source.read(block)) {
+        held += count * width;
+        if (held > limit)
+            throw Error(ErrorKind::input, {"the recording is too long to be held as a whole",
+                                           "it has more than " + std::to_string(limit) + " samples", "Cut it?"});
+        for (std::size_t channel = 0; channel < width; ++channel)
+            for (std::size_t frame = 0; frame < count; ++frame)
+                channels[channel].samples.push_back(block[frame * width + channel]);
+    }
+    return channels;
+}
+
+std::unique_ptr<Source> source_of(std::vector<Signal> channels) {
+    STRIDOR_EXPECT(!channels.empty());
+    return std::make_unique<InMemory>(std::move(channels));
+}
+
+}  // namespace stridor::signal

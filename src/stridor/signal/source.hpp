@@ -1,0 +1,51 @@
+#pragma once
+
+#include "stridor/signal/signal.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace stridor::signal {
+
+/// One channel of a recording.
+struct Channel {
+    std::string name;               // "left", "friction force"; may be empty
+    std::string unit = full_scale;  // of its samples
+};
+
+/// What is known of a recording before its first sample.
+struct Layout {
+    double rate = 0.0;  // [Hz] frames per second
+    std::vector<Channel> channels{};
+    std::optional<std::uint64_t> frames{};  // samples per channel; nothing where the file does not say
+};
+
+/// A recording that is read in blocks, once, from its first frame to its last: hours of it never stand in memory.
+class Source {
+public:
+    virtual ~Source() = default;
+
+    virtual const Layout& layout() const = 0;
+
+    /// Fills `frames` with the next samples in the channels' units, shape [frame][channel], and returns how many frames
+    /// it could fill: fewer than fit only at the end, where it returns 0.
+    ///
+    /// The span holds a whole number of frames. Throws `Error` (input) for a damaged file and `Error` (io) where reading
+    /// fails.
+    virtual std::size_t read(std::span<double> frames) = 0;
+};
+
+/// The channels of a source, each as a signal of its own; the source is at its end afterwards.
+///
+/// Throws `Error` (input) if it holds more than `limit` samples altogether: what is long is read in blocks.
+std::vector<Signal> read_all(Source& source, std::uint64_t limit = std::uint64_t{1} << 28U);
+
+/// Signals of one rate and length as a source.
+std::unique_ptr<Source> source_of(std::vector<Signal> channels);
+
+}  // namespace stridor::signal
