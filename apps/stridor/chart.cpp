@@ -38,9 +38,9 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void refuse_if_nothing_is_valid(const sweep::SweepResult& result) {
-    for (const sweep::Cell& cell : result.cells)
+    for (const sweep::CellVerdict& cell : result.cells)
         if (cell.status == sweep::Status::done) return;
-    const sweep::Cell& first = result.cells.front();
+    const sweep::Cell first = sweep::computed_cell(result, 0);  // the corners of a chart are always computed
     const bool is_input = first.status == sweep::Status::invalid || first.status == sweep::Status::step_limit;
     throw Error(is_input ? ErrorKind::input : ErrorKind::numerical,
                 {"no cell of the chart has a result", first.message, "Check the axes and run.step."});
@@ -51,9 +51,9 @@ std::string starts_text(const sweep::SweepResult& result) {
     if (result.study.starts.empty()) return {};
     std::string text = fmt::format("from {} starts:", result.study.starts.size());
     for (std::size_t k = 0; k < sweep::agreement_names.size(); ++k) {
-        const auto number = std::count_if(result.cells.begin(), result.cells.end(), [k](const sweep::Cell& cell) {
-            return static_cast<std::size_t>(cell.agreement) == k;
-        });
+        const auto number = std::count_if(
+            result.cells.begin(), result.cells.end(),
+            [k](const sweep::CellVerdict& cell) { return static_cast<std::size_t>(cell.agreement) == k; });
         std::string name(sweep::agreement_names[k]);
         std::replace(name.begin(), name.end(), '_', ' ');
         if (number > 0) text += fmt::format(" {} {} ", name, number);
@@ -71,7 +71,8 @@ void chart(const ChartOptions& options) {
     io::write_file((out / "chart.toml").string(), io::study_toml(study));
     report_failures(result, (out / "chart.toml").string());
     refuse_if_nothing_is_valid(result);
-    io::write_file((out / "chart.csv").string(), io::chart_csv(result, "chart.toml"));
+    io::write_file((out / "chart.csv").string(),
+                   [&](const io::Sink& sink) { io::chart_csv(result, "chart.toml", sink); });
     io::write_file((out / "boundaries.csv").string(), io::boundaries_csv(study, sweep::boundaries(result)));
     io::write_chart_netcdf((out / "chart.nc").string(), result);
     draw_charts(result, out);
@@ -80,7 +81,7 @@ void chart(const ChartOptions& options) {
         return;
     }
     sweep::Counts counts;
-    for (const sweep::Cell& cell : result.cells)
+    for (const sweep::CellVerdict& cell : result.cells)
         sweep::count(counts, cell);
     const std::size_t computed = sweep::computed_count(result);
     const std::string share = study.refine == 0 ? "" : fmt::format(", {} of them computed", computed);

@@ -11,14 +11,14 @@
 namespace stridor::app {
 
 sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::path& store_file, int threads) {
-    sweep::Store store(store_file, study);
+    const auto store = std::make_shared<sweep::Store>(store_file, study);
     const Interrupt interrupt;
     ProgressDisplay display;
     sweep::RunOptions options;
     options.threads = threads;
     options.stop = interrupt.token();
     options.progress = [&](const sweep::Progress& progress) { display.show(progress); };
-    const sweep::RunReport report = sweep::run(study, store, options);
+    const sweep::RunReport report = sweep::run(study, *store, options);
     display.finish();
     if (report.ending == sweep::Ending::stopped)
         throw Error(ErrorKind::interrupted,
@@ -39,7 +39,7 @@ void report_failures(const sweep::SweepResult& result, const std::string& chart_
     if (failures == 0) return;
     say(fmt::format("{} of {} cells have no result and are drawn hatched; the first: {} ({})", failures,
                     result.cells.size(), sweep::status_names[static_cast<std::size_t>(result.cells[first].status)],
-                    result.cells[first].message));
+                    sweep::computed_cell(result, first).message));
     say("  reproduce: " + sweep::reproduce_command(result.study, sweep::shown_place(result, first), chart_file));
 }
 

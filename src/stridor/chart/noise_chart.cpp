@@ -26,13 +26,13 @@ constexpr std::array all_categories{Category::none, Category::squeak, Category::
 constexpr std::size_t failed_kind = all_categories.size();
 
 // the kind of a cell: its category's place in `all_categories`, or `failed_kind`
-std::size_t kind_of(const sweep::Cell& cell) {
+std::size_t kind_of(const sweep::CellVerdict& cell) {
     if (cell.status != sweep::Status::done) return failed_kind;
     const auto* const found = std::find(all_categories.begin(), all_categories.end(), cell.category);
     return static_cast<std::size_t>(found - all_categories.begin());
 }
 
-std::span<const sweep::Cell> cells_of(const sweep::SweepResult& result, std::size_t direction) {
+std::span<const sweep::CellVerdict> cells_of(const sweep::SweepResult& result, std::size_t direction) {
     const std::size_t count =
         static_cast<std::size_t>(result.study.x.points) * static_cast<std::size_t>(result.study.y.points);
     STRIDOR_EXPECT(result.cells.size() == count * result.study.directions.size());
@@ -43,7 +43,7 @@ std::span<const sweep::Cell> cells_of(const sweep::SweepResult& result, std::siz
 std::string failures(const sweep::SweepResult& result) {
     std::string list;
     for (std::size_t status = 1; status < sweep::status_names.size(); ++status) {
-        const bool occurs = std::any_of(result.cells.begin(), result.cells.end(), [&](const sweep::Cell& cell) {
+        const bool occurs = std::any_of(result.cells.begin(), result.cells.end(), [&](const sweep::CellVerdict& cell) {
             return static_cast<std::size_t>(cell.status) == status;
         });
         if (!occurs) continue;
@@ -101,13 +101,11 @@ std::vector<Text> category_texts() {
 }
 
 // which values the colours of a figure begin and end with: a few odd cells do not wash out all others
-Range value_range(const sweep::SweepResult& result, const sweep::CellFigure& figure) {
+Range value_range(std::vector<double> values, const sweep::CellFigure& figure) {
     constexpr double odd_share = 0.02;    // usual 0.02; 0 lets a single value take half of the colours
     constexpr double level_span = 100.0;  // [dB] what lies lower is rest, and would take all colours
-    std::vector<double> values;
-    for (const sweep::Cell& cell : result.cells)
-        if (cell.status == sweep::Status::done && std::isfinite(cell.*figure.member))
-            values.push_back(cell.*figure.member);
+    values.erase(std::remove_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); }),
+                 values.end());
     std::sort(values.begin(), values.end());
     const bool is_share = figure.unit == "1" && (values.empty() || (values.front() >= 0.0 && values.back() <= 1.0));
     if (is_share || values.empty()) return {0.0, 1.0};
@@ -117,11 +115,18 @@ Range value_range(const sweep::SweepResult& result, const sweep::CellFigure& fig
     return range.from < range.to ? range : Range{range.from - 0.5, range.from + 0.5};
 }
 
-bool reaches_beyond(const sweep::SweepResult& result, const sweep::CellFigure& figure, const Range& range) {
-    return std::any_of(result.cells.begin(), result.cells.end(), [&](const sweep::Cell& cell) {
-        const double value = cell.*figure.member;
-        return cell.status == sweep::Status::done && std::isfinite(value) && (value < range.from || value > range.to);
-    });
+bool reaches_beyond(std::span<const double> values, const Range& range) {
+    return std::any_of(values.begin(), values.end(),
+                       [&](double value) { return std::isfinite(value) && (value < range.from || value > range.to); });
+}
+
+// one figure of every cell; NaN where the cell is not done or has no such value
+std::vector<double> shown_values(const sweep::SweepResult& result, const sweep::CellFigure& figure) {
+    std::vector<double> values = sweep::figure_values(result, figure.member);
+    for (std::size_t index = 0; index < values.size(); ++index)
+        if (result.cells[index].status != sweep::Status::done || !std::isfinite(values[index]))
+            values[index] = sweep::Cell::unknown;
+    return values;
 }
 
 std::string spelled(std::string_view name) {
@@ -130,7 +135,7 @@ std::string spelled(std::string_view name) {
     return words;
 }
 
-bool is_torn(const sweep::Cell& cell) {
+bool is_torn(const sweep::CellVerdict& cell) {
     return cell.agreement == sweep::Agreement::quiet_unless_disturbed;
 }
 
@@ -171,13 +176,13 @@ Scene noise_chart(const sweep::SweepResult& result) {
     std::vector<CategoryCells> maps;
     for (std::size_t d = 0; d < scene.panels.size(); ++d) {
         CategoryCells map{cell_edges(result.study.x), cell_edges(result.study.y), {}, fills};
-        for (const sweep::Cell& cell : cells_of(result, d))
-            map.kinds.push_back(kind_of(cell));
+        for (const sweep::CellVerdict& cell : cells_of(result, d))
+            map.kinds.push_back(static_cast<std::uint16_t>(kind_of(cell)));
         maps.push_back(std::move(map));
     }
     const auto occurs = [&](std::size_t kind) {
         return std::any_of(result.cells.begin(), result.cells.end(),
-                           [&](const sweep::Cell& cell) { return kind_of(cell) == kind; });
+                           [&](const sweep::CellVerdict& cell) { return kind_of(cell) == kind; });
     };
     for (std::size_t kind = 0; kind < fills.size(); ++kind) {
         const bool is_category = kind < 4;
@@ -220,9 +225,10 @@ Scene figure_chart(const sweep::SweepResult& result, std::string_view name) {
     }
     const std::string& title = result.study.base.title;
     Scene scene = empty_chart(result, (title.empty() ? "" : title + ": ") + spelled(figure->name));
-    const ColourScale colours{value_range(result, *figure), AxisScale::linear};
+    const std::vector<double> values = shown_values(result, *figure);
+    const ColourScale colours{value_range(values, *figure), AxisScale::linear};
     const Fill no_value{{0xD9, 0xD9, 0xD9}, Texture::none, {}};
-    if (reaches_beyond(result, *figure, colours.range))
+    if (reaches_beyond(values, colours.range))
         scene.caption.emplace_back("Values beyond the scale have the colour of its end.");
     for (Text& text : refinement_caption(result, "the others have the value of the nearest corner of their block."))
         scene.caption.push_back(std::move(text));
@@ -230,13 +236,12 @@ Scene figure_chart(const sweep::SweepResult& result, std::string_view name) {
     for (std::size_t d = 0; d < scene.panels.size(); ++d) {
         ValueCells map{cell_edges(result.study.x), cell_edges(result.study.y), {}, colours, no_value};
         Boxes failed{{}, failed_fill()};
-        const std::span<const sweep::Cell> cells = cells_of(result, d);
+        const std::span<const sweep::CellVerdict> cells = cells_of(result, d);
         const std::size_t columns = map.x_edges.size() - 1;
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const bool is_done = cells[i].status == sweep::Status::done;
-            const std::size_t source = sweep::source_of(result, d * cells.size() + i);
-            const double value = is_done ? result.cells[source].*figure->member : sweep::Cell::unknown;
-            map.values.push_back(std::isfinite(value) ? value : sweep::Cell::unknown);
+            const double value = values[d * cells.size() + i];
+            map.values.push_back(value);
             has_gap = has_gap || (is_done && !std::isfinite(value));
             if (!is_done)
                 failed.boxes.push_back({{map.x_edges[i % columns], map.x_edges[i % columns + 1]},

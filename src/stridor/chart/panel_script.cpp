@@ -84,9 +84,9 @@ public:
     }
 
     void operator()(const ValueCells& cells) {
-        std::vector<std::size_t> kinds;
+        std::vector<std::uint16_t> kinds;
         for (const double value : cells.values)
-            kinds.push_back(colour_step(cells.colours, value));
+            kinds.push_back(static_cast<std::uint16_t>(colour_step(cells.colours, value)));
         std::string rows;
         std::vector<Box> missing;
         for (const CellRun& run : cell_runs(cells.x_edges, cells.y_edges, kinds)) {

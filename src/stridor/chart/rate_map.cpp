@@ -30,9 +30,10 @@ Panel map_panel(const sweep::SweepResult& result, std::size_t direction, const R
     panel.x = field_axis(study.x);
     panel.y = field_axis(study.y);
     ValueCells cells{cell_edges(study.x), cell_edges(study.y), {}, percent, failed_fill()};
-    for (std::size_t i = 0; i < count; ++i) {
-        const sweep::Cell& cell = result.cells[sweep::source_of(result, direction * count + i)];
-        cells.values.push_back(cell.status == sweep::Status::done ? 100.0 * cell.*rate.member : sweep::Cell::unknown);
+    const std::vector<double> values = sweep::figure_values(result, rate.member);
+    for (std::size_t i = direction * count; i < (direction + 1) * count; ++i) {
+        const bool is_done = result.cells[i].status == sweep::Status::done;
+        cells.values.push_back(is_done ? 100.0 * values[i] : sweep::Cell::unknown);
     }
     panel.layers.emplace_back(std::move(cells));
     return panel;
@@ -40,7 +41,7 @@ Panel map_panel(const sweep::SweepResult& result, std::size_t direction, const R
 
 bool has_failures(const sweep::SweepResult& result) {
     return std::any_of(result.cells.begin(), result.cells.end(),
-                       [](const sweep::Cell& cell) { return cell.status != sweep::Status::done; });
+                       [](const sweep::CellVerdict& cell) { return cell.status != sweep::Status::done; });
 }
 
 bool is_refined(const sweep::SweepResult& result) {

@@ -107,7 +107,7 @@ std::vector<Shade> shades(const Strip& strip, const Range& x, std::size_t column
 }
 
 std::vector<CellRun> cell_runs(const std::vector<double>& x_edges, const std::vector<double>& y_edges,
-                               const std::vector<std::size_t>& kinds) {
+                               const std::vector<std::uint16_t>& kinds) {
     std::vector<CellRun> runs;
     if (x_edges.size() < 2 || y_edges.size() < 2) return runs;
     const std::size_t columns = x_edges.size() - 1;

@@ -31,6 +31,6 @@ struct CellRun {
 
 /// Joins the cells of each row that are of one kind; rows from the lowest, each from its left end. Empty edges: none.
 std::vector<CellRun> cell_runs(const std::vector<double>& x_edges, const std::vector<double>& y_edges,
-                               const std::vector<std::size_t>& kinds);
+                               const std::vector<std::uint16_t>& kinds);
 
 }  // namespace stridor::chart

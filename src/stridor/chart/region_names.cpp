@@ -6,6 +6,7 @@
 #include "stridor/chart/texture.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -14,8 +15,8 @@ namespace stridor::chart {
 namespace {
 
 struct Place {
-    std::size_t row = 0;
-    std::size_t column = 0;
+    std::uint32_t row = 0;
+    std::uint32_t column = 0;
 };
 
 // the cells of a map with their edges on paper [mm]
@@ -28,9 +29,9 @@ public:
             y_.push_back(area.bottom + height_of(area) * position(panel.y, edge));
     }
 
-    std::size_t columns() const { return x_.size() - 1; }
-    std::size_t rows() const { return y_.size() - 1; }
-    std::size_t index(Place p) const { return p.row * columns() + p.column; }
+    std::uint32_t columns() const { return static_cast<std::uint32_t>(x_.size() - 1); }
+    std::uint32_t rows() const { return static_cast<std::uint32_t>(y_.size() - 1); }
+    std::size_t index(Place p) const { return std::size_t{p.row} * columns() + p.column; }
     std::size_t kind(Place p) const { return cells_.kinds[index(p)]; }
     double left(Place p) const { return x_[p.column]; }
     double right(Place p) const { return x_[p.column + 1]; }
@@ -51,9 +52,9 @@ private:
     std::vector<double> x_;  // [mm]
     std::vector<double> y_;  // [mm]
 
-    static std::size_t before(const std::vector<double>& edges, double value) {
+    static std::uint32_t before(const std::vector<double>& edges, double value) {
         const auto next = std::upper_bound(edges.begin(), edges.end(), value);
-        return static_cast<std::size_t>(
+        return static_cast<std::uint32_t>(
             std::clamp<std::ptrdiff_t>(next - edges.begin() - 1, 0, static_cast<std::ptrdiff_t>(edges.size()) - 2));
     }
 };
@@ -64,7 +65,7 @@ std::vector<Place> region_from(const Map& map, Place start, std::vector<char>& s
     seen[map.index(start)] = 1;
     for (std::size_t i = 0; i < region.size(); ++i) {
         const Place here = region[i];
-        const auto visit = [&](std::size_t row, std::size_t column) {
+        const auto visit = [&](std::uint32_t row, std::uint32_t column) {
             // unsigned steps below zero land beyond the other end
             if (row >= map.rows() || column >= map.columns()) return;
             const Place next{row, column};
@@ -83,8 +84,8 @@ std::vector<Place> region_from(const Map& map, Place start, std::vector<char>& s
 // counts a region's cells in any rectangle of cells at once: a summed-area table
 class Counter {
 public:
-    Counter(const Map& map, const std::vector<Place>& region) : width_(map.columns() + 1) {
-        sums_.assign(width_ * (map.rows() + 1), 0);
+    Counter(const Map& map, const std::vector<Place>& region) : width_(map.columns() + 1U) {
+        sums_.assign(width_ * (map.rows() + 1U), 0);
         for (const Place& p : region)
             at(p.row + 1, p.column + 1) = 1;
         for (std::size_t r = 1; r <= map.rows(); ++r)
@@ -100,14 +101,15 @@ public:
 
 private:
     std::size_t width_;
-    std::vector<long> sums_;
+    std::vector<std::int32_t> sums_;  // a chart has at most 4096 by 4096 cells
 
-    long& at(std::size_t row, std::size_t column) { return sums_[row * width_ + column]; }
+    std::int32_t& at(std::size_t row, std::size_t column) { return sums_[row * width_ + column]; }
 };
 
 // middles and corners of a region's cells: where the middle of a name may stand
 std::vector<Dot> candidates(const Map& map, const std::vector<Place>& region) {
     std::vector<Dot> dots;
+    dots.reserve(4 * region.size());
     for (const Place& p : region)
         for (const double x : {0.5 * (map.left(p) + map.right(p)), map.right(p)})
             for (const double y : {0.5 * (map.bottom(p) + map.top(p)), map.top(p)})
@@ -122,14 +124,15 @@ std::optional<Dot> roomiest(const Map& map, const std::vector<Place>& region, co
     for (double growth = 1.0; !places.empty(); growth *= 1.1) {
         const double half_width = 0.5 * extent.width * growth;
         const double half_height = 0.5 * extent.height * growth;
-        std::vector<Dot> fitting;
-        for (const auto& [x, y] : places) {
-            const auto under = map.cells_under({x - half_width, x + half_width, y - half_height, y + half_height});
-            if (under && counter.is_full(under->first, under->second)) fitting.push_back({x, y});
-        }
         // of the last places with room the middle one
-        if (fitting.empty()) return growth == 1.0 ? std::nullopt : std::optional(places[places.size() / 2]);
-        places = std::move(fitting);
+        const Dot middle = places[places.size() / 2];
+        const auto has_no_room = [&](const Dot& at) {
+            const auto under =
+                map.cells_under({at.x - half_width, at.x + half_width, at.y - half_height, at.y + half_height});
+            return !under || !counter.is_full(under->first, under->second);
+        };
+        places.erase(std::remove_if(places.begin(), places.end(), has_no_room), places.end());
+        if (places.empty()) return growth == 1.0 ? std::nullopt : std::optional(middle);
     }
     return std::nullopt;
 }
@@ -142,8 +145,8 @@ std::vector<Note> region_names(const CategoryCells& cells, const std::vector<Tex
     const Map map(cells, panel, area);
     std::vector<char> seen(cells.kinds.size(), 0);
     std::vector<Note> notes;
-    for (std::size_t row = 0; row < map.rows(); ++row)
-        for (std::size_t column = 0; column < map.columns(); ++column) {
+    for (std::uint32_t row = 0; row < map.rows(); ++row)
+        for (std::uint32_t column = 0; column < map.columns(); ++column) {
             const Place start{row, column};
             if (seen[map.index(start)] != 0) continue;
             const std::vector<Place> region = region_from(map, start, seen);

@@ -115,9 +115,9 @@ struct Boxes {
 
 /// Cells of a map with one kind each out of a list of fills.
 struct CategoryCells {
-    std::vector<double> x_edges;     // rising, shape [column + 1]
-    std::vector<double> y_edges;     // rising, shape [row + 1]
-    std::vector<std::size_t> kinds;  // index into fills, shape [row][column]
+    std::vector<double> x_edges;       // rising, shape [column + 1]
+    std::vector<double> y_edges;       // rising, shape [row + 1]
+    std::vector<std::uint16_t> kinds;  // index into fills, shape [row][column]
     std::vector<Fill> fills;
 };
 

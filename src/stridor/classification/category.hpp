@@ -1,13 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace stridor::classification {
 
 /// The categories of the paper, and `undecided` where the evidence is too thin. A cell that could not be computed has
 /// no category at all: it carries a status.
-enum class Category { none, squeal, squeak, creak, undecided };
+enum class Category : std::uint8_t { none, squeal, squeak, creak, undecided };
 
 inline constexpr std::array<std::string_view, 5> category_names{"none", "squeal", "squeak", "creak", "undecided"};
 

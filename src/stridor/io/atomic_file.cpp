@@ -133,21 +133,55 @@ std::pair<int, std::string> open_temporary(const std::string& folder, const std:
     }
 }
 
-void write_directly(const std::string& path, std::string_view bytes) {
+using Make = std::function<void(const Sink& sink)>;
+
+// small pieces are gathered: a system call each would cost more than making them
+void write_pieces(int descriptor, const Make& make, const std::string& path) {
+    constexpr std::size_t enough = std::size_t{1} << 18U;
+    std::string gathered;
+    make([&](std::string_view bytes) {
+        gathered += bytes;
+        if (gathered.size() < enough) return;
+        write_all(descriptor, gathered, path);
+        gathered.clear();
+    });
+    write_all(descriptor, gathered, path);
+}
+
+void write_directly(const std::string& path, const Make& make) {
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
     if (!file.is_open()) throw failure("write", path, errno);
-    write_all(file.number(), bytes, path);
+    write_pieces(file.number(), make, path);
     close(file, path);
 }
 
-void replace(const std::string& target, std::string_view bytes, std::optional<mode_t> mode) {
+/// What a path names: the file to be replaced, or the name of a new one.
+struct Target {
+    std::string path;
+    std::optional<mode_t> mode;  // of the file that is there
+    bool is_regular = true;
+};
+
+Target target_of(const std::string& path) {
+    struct stat status {};
+    const bool exists = ::stat(path.c_str(), &status) == 0;
+    if (exists && S_ISDIR(status.st_mode)) throw failure("write", path, EISDIR, "Name a file in it.");
+    if (!exists) return {path, std::nullopt};
+    std::error_code code;
+    const std::filesystem::path resolved = std::filesystem::canonical(path, code);
+    return {code ? path : resolved.string(), status.st_mode & 07777U, S_ISREG(status.st_mode)};
+}
+
+// `fill` is given the open temporary and its name
+void replace(const std::string& target, const std::function<void(int descriptor, const std::string& temporary)>& fill,
+             std::optional<mode_t> mode) {
     const std::string parent = std::filesystem::path(target).parent_path().string();
     const std::string folder = parent.empty() ? "." : parent;
     auto [descriptor, name] = open_temporary(folder, target);
     Temporary temporary(std::move(name));
     Descriptor file(descriptor);
     if (mode && ::fchmod(file.number(), *mode) != 0) throw failure("write", target, errno);
-    write_all(file.number(), bytes, target);
+    fill(file.number(), temporary.path());
     flush(file.number(), target);
     close(file, target);
     if (::rename(temporary.path().c_str(), target.c_str()) != 0) throw failure("write", target, errno);
@@ -169,15 +203,30 @@ std::string read_file(const std::string& path) {
 }
 
 void write_file(const std::string& path, std::string_view bytes) {
-    struct stat status {};
-    const bool exists = ::stat(path.c_str(), &status) == 0;
-    if (exists && S_ISDIR(status.st_mode)) throw failure("write", path, EISDIR, "Name a file in it.");
+    write_file(path, [bytes](const Sink& sink) { sink(bytes); });
+}
+
+void write_file(const std::string& path, const Make& make) {
+    const Target target = target_of(path);
     // renaming onto a device or a pipe would replace it
-    if (exists && !S_ISREG(status.st_mode)) return write_directly(path, bytes);
-    std::error_code code;
-    const std::filesystem::path resolved = std::filesystem::canonical(path, code);
-    const std::string target = exists && !code ? resolved.string() : path;
-    replace(target, bytes, exists ? std::optional<mode_t>(status.st_mode & 07777U) : std::nullopt);
+    if (!target.is_regular) return write_directly(path, make);
+    replace(
+        target.path, [&](int descriptor, const std::string&) { write_pieces(descriptor, make, target.path); },
+        target.mode);
+}
+
+void write_file_by_name(const std::string& path, std::size_t room,
+                        const std::function<void(const std::string& temporary)>& make) {
+    const Target target = target_of(path);
+    if (!target.is_regular) throw failure("write", path, ESPIPE);
+    replace(
+        target.path,
+        [&](int descriptor, const std::string& temporary) {
+            if (const int code = ::posix_fallocate(descriptor, 0, static_cast<off_t>(room)); code != 0)
+                throw failure("write", target.path, code);
+            make(temporary);
+        },
+        target.mode);
 }
 
 }  // namespace stridor::io

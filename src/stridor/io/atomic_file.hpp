@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -20,5 +22,17 @@ std::string read_file(const std::string& path);
 /// a device or a pipe is written directly. On any failure the temporary is removed and `Error` (io) names the file and
 /// the reason. A program that wants the error of a file size limit rather than its signal ignores SIGXFSZ.
 void write_file(const std::string& path, std::string_view bytes);
+
+/// Takes the next bytes of a file.
+using Sink = std::function<void(std::string_view bytes)>;
+
+/// The same for content that is made piece by piece: `make` is called once and hands its pieces to the sink. What it throws
+/// goes on to the caller, and the file stays as it was.
+void write_file(const std::string& path, const std::function<void(const Sink& sink)>& make);
+
+/// The same for a file that another library writes: `make` is given the temporary name, of a file that has had `room` bytes
+/// on the disk. A device or a pipe is refused.
+void write_file_by_name(const std::string& path, std::size_t room,
+                        const std::function<void(const std::string& temporary)>& make);
 
 }  // namespace stridor::io

@@ -57,7 +57,8 @@ public:
         end_row();
     }
 
-    std::string text() && { return std::move(text_); }
+    /// What was written since it was taken last.
+    std::string take() { return std::exchange(text_, {}); }
 
 private:
     void field(const std::string& text) {
@@ -112,28 +113,6 @@ std::vector<sweep::CellFigure> figures_in_order() {
     return figures;
 }
 
-void chart_row(Table& table, const sweep::SweepResult& result, std::size_t index,
-               const std::vector<sweep::CellFigure>& figures, const std::string& file) {
-    const sweep::Study& study = result.study;
-    const sweep::Cell& cell = result.cells[index];
-    const sweep::CellPlace place = sweep::place_of(study, index);
-    const bool is_done = cell.status == sweep::Status::done;
-    table.number(sweep::value_at(study.x, place.ix));
-    table.number(sweep::value_at(study.y, place.iy));
-    table.word(parameters::direction_names[static_cast<std::size_t>(study.directions[place.direction])]);
-    table.word(sweep::status_names[static_cast<std::size_t>(cell.status)]);
-    table.word(is_done ? classification::name(cell.category) : std::string_view());
-    for (const sweep::CellFigure& figure : figures)
-        table.number(cell.*figure.member);
-    table.word(sweep::source_names[sweep::is_inferred(result, index) ? 1 : 0]);
-    if (!study.starts.empty()) table.word(sweep::agreement_names[static_cast<std::size_t>(cell.agreement)]);
-    for (std::size_t start = 0; start < study.starts.size(); ++start)
-        table.word(start < cell.starts.size() ? sweep::word(cell.starts[start]) : std::string_view());
-    table.word(cell.message);
-    table.word(is_done ? std::string() : sweep::reproduce_command(study, sweep::shown_place(result, index), file));
-    table.end_row();
-}
-
 std::vector<Column> chart_columns(const sweep::Study& study, const std::vector<sweep::CellFigure>& figures) {
     const std::string word_unit(no_unit);
     std::vector<Column> columns{{"x", unit_of(study.x.parameter)},
@@ -157,6 +136,51 @@ std::string chart_opening(std::string_view what, const sweep::Study& study) {
            comments(sweep::canonical_text(study));
 }
 
+/// The rows of a chart.
+class ChartTable {
+public:
+    ChartTable(const sweep::SweepResult& result, const std::string& file, const Sink& sink)
+        : result_(result),
+          file_(file),
+          sink_(sink) {}
+
+    void header() {
+        table_.header(chart_columns(result_.study, figures_));
+        sink_(table_.take());
+    }
+
+    // `cell` is what was computed there; of an inferred cell only the verdict is known
+    void row(std::size_t index, const sweep::Cell& cell) {
+        const sweep::Study& study = result_.study;
+        const sweep::CellVerdict& verdict = result_.cells[index];
+        const sweep::CellPlace place = sweep::place_of(study, index);
+        const bool is_done = verdict.status == sweep::Status::done;
+        table_.number(sweep::value_at(study.x, place.ix));
+        table_.number(sweep::value_at(study.y, place.iy));
+        table_.word(parameters::direction_names[static_cast<std::size_t>(study.directions[place.direction])]);
+        table_.word(sweep::status_names[static_cast<std::size_t>(verdict.status)]);
+        table_.word(is_done ? classification::name(verdict.category) : std::string_view());
+        for (const sweep::CellFigure& figure : figures_)
+            table_.number(cell.*figure.member);
+        table_.word(sweep::source_names[sweep::is_inferred(result_, index) ? 1 : 0]);
+        if (!study.starts.empty()) table_.word(sweep::agreement_names[static_cast<std::size_t>(verdict.agreement)]);
+        for (std::size_t start = 0; start < study.starts.size(); ++start)
+            table_.word(start < cell.starts.size() ? sweep::word(cell.starts[start]) : std::string_view());
+        table_.word(cell.message);
+        table_.word(is_done ? std::string()
+                            : sweep::reproduce_command(study, sweep::shown_place(result_, index), file_));
+        table_.end_row();
+        sink_(table_.take());
+    }
+
+private:
+    const sweep::SweepResult& result_;
+    const std::string& file_;
+    const Sink& sink_;
+    std::vector<sweep::CellFigure> figures_ = figures_in_order();
+    Table table_{chart_opening("chart", result_.study)};
+};
+
 std::vector<Column> trace_columns(const std::vector<std::string>& dofs) {
     std::vector<Column> columns{{"time", "s"}};
     constexpr std::array<std::pair<std::string_view, std::string_view>, 3> motions{
@@ -174,14 +198,19 @@ std::vector<Column> trace_columns(const std::vector<std::string>& dofs) {
 
 }  // namespace
 
-std::string chart_csv(const sweep::SweepResult& result, const std::string& file) {
-    const sweep::Study& study = result.study;
-    const std::vector<sweep::CellFigure> figures = figures_in_order();
-    Table table(chart_opening("chart", study));
-    table.header(chart_columns(study, figures));
-    for (std::size_t index = 0; index < result.cells.size(); ++index)
-        chart_row(table, result, index, figures, file);
-    return std::move(table).text();
+void chart_csv(const sweep::SweepResult& result, const std::string& file, const Sink& sink) {
+    ChartTable table(result, file, sink);
+    table.header();
+    std::size_t next = 0;
+    const auto put_inferred_until = [&](std::size_t end) {
+        for (; next < end; ++next)
+            table.row(next, sweep::Cell{});
+    };
+    result.computed->visit(0, result.cells.size(), [&](const sweep::IndexedCell& computed) {
+        put_inferred_until(computed.index);
+        table.row(next++, computed.cell);
+    });
+    put_inferred_until(result.cells.size());
 }
 
 std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::Boundary>& boundaries) {
@@ -211,7 +240,7 @@ std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::B
             table.end_row();
         }
     }
-    return std::move(table).text();
+    return table.take();
 }
 
 std::string trace_csv(const parameters::Case& c, const record::Trace& trace) {
@@ -227,7 +256,7 @@ std::string trace_csv(const parameters::Case& c, const record::Trace& trace) {
         table.word(model::contact_state_names[model::index_of(trace.state[sample])]);
         table.end_row();
     }
-    return std::move(table).text();
+    return table.take();
 }
 
 std::string history_csv(const parameters::Case& c, const record::ContactHistory& history) {
@@ -243,7 +272,7 @@ std::string history_csv(const parameters::Case& c, const record::ContactHistory&
             table.number(value);
         table.end_row();
     }
-    return std::move(table).text();
+    return table.take();
 }
 
 }  // namespace stridor::io

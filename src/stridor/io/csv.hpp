@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/io/atomic_file.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/contact_history.hpp"
 #include "stridor/record/trace.hpp"
@@ -19,8 +20,9 @@ namespace stridor::io {
 /// Columns: x, y, direction, status, category, slip, stick, separation, the other figures of `sweep::cell_figures`,
 /// source, of a chart with starts agreement and one column per start, message, reproduce. Only done cells have a
 /// category, only those of them that were computed figures; cells that are not done have in `reproduce` the command that
-/// runs them alone, with `file` as the chart file's name.
-std::string chart_csv(const sweep::SweepResult& result, const std::string& file);
+/// runs them alone, with `file` as the chart file's name. The text goes to the sink row by row: that of a large chart is too
+/// long to be held.
+void chart_csv(const sweep::SweepResult& result, const std::string& file, const Sink& sink);
 
 /// "stridor.boundaries/1": a row per vertex of each line, in order.
 std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::Boundary>& boundaries);

@@ -30,17 +30,6 @@ Json axis_object(const sweep::Axis& axis) {
             {"values", std::move(values)}};
 }
 
-// an array of verdicts per start; null where a cell was inferred
-Json starts_object(const sweep::SweepResult& result) {
-    Json object = Json::object();
-    for (std::size_t start = 0; start < result.study.starts.size(); ++start) {
-        Json& verdicts = object[std::string(name_of(sweep::start_names(), result.study.starts[start]))] = Json::array();
-        for (const sweep::Cell& cell : result.cells)
-            verdicts.push_back(start < cell.starts.size() ? Json(sweep::word(cell.starts[start])) : Json());
-    }
-    return object;
-}
-
 Json boundaries_array(const sweep::SweepResult& result) {
     Json array = Json::array();
     for (const sweep::Boundary& boundary : sweep::boundaries(result)) {
@@ -62,33 +51,50 @@ Json boundaries_array(const sweep::SweepResult& result) {
     return array;
 }
 
+// fills in what an inferred cell has not: figures, message, and the verdicts of single starts
+void put_computed(Json& object, const sweep::SweepResult& result) {
+    std::vector<std::pair<Json*, double sweep::Cell::*>> figures;
+    for (const sweep::CellFigure& figure : sweep::cell_figures())
+        figures.emplace_back(&object[std::string(figure.name)], figure.member);
+    std::vector<Json*> starts;
+    for (const parameters::Initial start : result.study.starts)
+        starts.push_back(&object["starts"][std::string(name_of(sweep::start_names(), start))]);
+    Json& message = object["message"];
+    result.computed->visit(0, result.cells.size(), [&](const sweep::IndexedCell& computed) {
+        const auto& [index, cell] = computed;
+        for (const auto& [values, member] : figures)
+            (*values)[index] = cell.*member;
+        for (std::size_t start = 0; start < cell.starts.size(); ++start)
+            (*starts[start])[index] = sweep::word(cell.starts[start]);
+        if (!cell.message.empty()) message[index] = cell.message;
+    });
+}
+
 Json cells_object(const sweep::SweepResult& result) {
     Json object = Json::object();
-    Json& status = object["status"] = Json::array();
-    for (const sweep::Cell& cell : result.cells)
-        status.push_back(name_of(sweep::status_names, cell.status));
-    Json& category = object["category"] = Json::array();
-    for (const sweep::Cell& cell : result.cells) {
-        const bool is_done = cell.status == sweep::Status::done;
-        category.push_back(is_done ? Json(classification::name(cell.category)) : Json());
-    }
-    for (const sweep::CellFigure& figure : sweep::cell_figures()) {
-        Json& values = object[std::string(figure.name)] = Json::array();
-        for (const sweep::Cell& cell : result.cells)
-            values.push_back(cell.*figure.member);
-    }
+    const auto put = [&](const std::string& name, const auto& value_of) {
+        Json values = Json::array();
+        for (const sweep::CellVerdict& cell : result.cells)
+            values.push_back(value_of(cell));
+        object[name] = std::move(values);
+    };
+    const Json nulls(Json::array_t(result.cells.size()));
+    put("status", [](const sweep::CellVerdict& cell) { return name_of(sweep::status_names, cell.status); });
+    put("category", [](const sweep::CellVerdict& cell) {
+        return cell.status == sweep::Status::done ? Json(classification::name(cell.category)) : Json();
+    });
+    for (const sweep::CellFigure& figure : sweep::cell_figures())
+        object[std::string(figure.name)] = nulls;
     Json& source = object["source"] = Json::array();
     for (std::size_t index = 0; index < result.cells.size(); ++index)
         source.push_back(sweep::source_names[sweep::is_inferred(result, index) ? 1 : 0]);
-    if (!result.study.starts.empty()) {
-        Json& agreement = object["agreement"] = Json::array();
-        for (const sweep::Cell& cell : result.cells)
-            agreement.push_back(name_of(sweep::agreement_names, cell.agreement));
-        object["starts"] = starts_object(result);
-    }
-    Json& message = object["message"] = Json::array();
-    for (const sweep::Cell& cell : result.cells)
-        message.push_back(cell.message.empty() ? Json() : Json(cell.message));
+    if (!result.study.starts.empty())
+        put("agreement",
+            [](const sweep::CellVerdict& cell) { return name_of(sweep::agreement_names, cell.agreement); });
+    for (const parameters::Initial start : result.study.starts)
+        object["starts"][std::string(name_of(sweep::start_names(), start))] = nulls;
+    object["message"] = nulls;
+    put_computed(object, result);
     return object;
 }
 

@@ -73,50 +73,103 @@ int put_directions(NetcdfDataset& file, const sweep::Study& study) {
     return dimension;
 }
 
-void put_cells(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const int> dimensions) {
-    std::vector<signed char> category;
-    std::vector<signed char> status;
-    for (const sweep::Cell& cell : result.cells) {
-        const bool is_done = cell.status == sweep::Status::done;
-        category.push_back(static_cast<signed char>(is_done ? static_cast<int>(cell.category) : -1));
-        status.push_back(static_cast<signed char>(cell.status));
-    }
-    file.flags("category", dimensions, category, classification::category_names,
-               {"", "category of the motion; missing where the cell is not done"});
-    file.flags("status", dimensions, status, sweep::status_names, {"", "how the cell ended"});
-    std::vector<signed char> source;
+// the numbers of some verdict of all cells, as bytes
+template <typename NumberOf>
+std::vector<signed char> numbers_of(const sweep::SweepResult& result, NumberOf number_of) {
+    std::vector<signed char> numbers;
     for (std::size_t index = 0; index < result.cells.size(); ++index)
-        source.push_back(sweep::is_inferred(result, index) ? 1 : 0);
-    file.flags("source", dimensions, source, sweep::source_names,
+        numbers.push_back(static_cast<signed char>(number_of(index)));
+    return numbers;
+}
+
+void put_verdicts(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const int> dimensions) {
+    const auto category = [&](std::size_t index) {
+        const sweep::CellVerdict& cell = result.cells[index];
+        return cell.status == sweep::Status::done ? static_cast<int>(cell.category) : -1;
+    };
+    file.flags("category", dimensions, numbers_of(result, category), classification::category_names,
+               {"", "category of the motion; missing where the cell is not done"});
+    const auto status = [&](std::size_t index) { return result.cells[index].status; };
+    file.flags("status", dimensions, numbers_of(result, status), sweep::status_names, {"", "how the cell ended"});
+    const auto source = [&](std::size_t index) { return sweep::is_inferred(result, index) ? 1 : 0; };
+    file.flags("source", dimensions, numbers_of(result, source), sweep::source_names,
                {"", "was the cell computed, or inferred from neighbours that agree?"});
-    std::vector<double> values(result.cells.size());
-    for (const sweep::CellFigure& figure : sweep::cell_figures()) {
-        std::transform(result.cells.begin(), result.cells.end(), values.begin(),
-                       [&](const sweep::Cell& cell) { return cell.*figure.member; });
-        file.doubles(std::string(figure.name), dimensions, values, {figure.unit, figure.sentence});
+}
+
+/// Puts the figures of computed cells into the file, a row of the chart at a time.
+class FigureWriter {
+public:
+    FigureWriter(NetcdfDataset& file, const sweep::Study& study, std::span<const int> dimensions)
+        : file_(file),
+          columns_(static_cast<std::size_t>(study.x.points)),
+          rows_(static_cast<std::size_t>(study.y.points)),
+          values_(sweep::cell_figures().size(), std::vector<double>(columns_, sweep::Cell::unknown)) {
+        // of a refined chart most are missing
+        const Packing packing = study.refine > 0 ? Packing::deflate : Packing::none;
+        for (const sweep::CellFigure& figure : sweep::cell_figures())
+            variables_.push_back(
+                file.doubles(std::string(figure.name), dimensions, packing, {figure.unit, figure.sentence}));
     }
+
+    void put(const sweep::IndexedCell& computed) {
+        if (computed.index / columns_ != row_) finish_row();
+        row_ = computed.index / columns_;
+        for (std::size_t k = 0; k < values_.size(); ++k)
+            values_[k][computed.index % columns_] = computed.cell.*sweep::cell_figures()[k].member;
+    }
+
+    void finish_row() {
+        const std::array start{row_ / rows_, row_ % rows_, std::size_t{0}};
+        const std::array count{std::size_t{1}, std::size_t{1}, columns_};
+        for (std::size_t k = 0; k < values_.size(); ++k) {
+            file_.put(variables_[k], start, count, values_[k]);
+            std::fill(values_[k].begin(), values_[k].end(), sweep::Cell::unknown);
+        }
+    }
+
+private:
+    NetcdfDataset& file_;
+    std::size_t columns_;
+    std::size_t rows_;
+    std::vector<std::vector<double>> values_;  // of one row, shape [figure][column]
+    std::vector<int> variables_;
+    std::size_t row_ = 0;  // counted through all directions
+};
+
+void put_figures(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const int> dimensions) {
+    FigureWriter writer(file, result.study, dimensions);
+    result.computed->visit(0, result.cells.size(), [&](const sweep::IndexedCell& computed) { writer.put(computed); });
+    writer.finish_row();
 }
 
 // what each start led to, and whether they agree
 void put_starts(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const int> dimensions) {
+    const std::size_t cells = result.cells.size();
     std::vector<std::string> names;
-    std::vector<signed char> verdicts;
-    for (std::size_t start = 0; start < result.study.starts.size(); ++start) {
-        names.emplace_back(sweep::start_names()[static_cast<std::size_t>(result.study.starts[start])]);
-        for (const sweep::Cell& cell : result.cells)
-            verdicts.push_back(static_cast<signed char>(
-                start < cell.starts.size() ? static_cast<int>(sweep::number_of(cell.starts[start])) : -1));
-    }
+    for (const parameters::Initial start : result.study.starts)
+        names.emplace_back(sweep::start_names()[static_cast<std::size_t>(start)]);
+    std::vector<signed char> verdicts(names.size() * cells, -1);
+    result.computed->visit(0, cells, [&](const sweep::IndexedCell& computed) {
+        for (std::size_t start = 0; start < computed.cell.starts.size(); ++start)
+            verdicts[start * cells + computed.index] =
+                static_cast<signed char>(sweep::number_of(computed.cell.starts[start]));
+    });
     std::vector<int> with_start{file.dimension("start", names.size())};
     file.words("start", with_start, names, {"", "how the motion starts"});
     with_start.insert(with_start.end(), dimensions.begin(), dimensions.end());
     file.flags("start_verdict", with_start, verdicts, sweep::verdict_words,
                {"", "category, or status without one, from this start; missing where the cell was inferred"});
-    std::vector<signed char> agreement;
-    for (const sweep::Cell& cell : result.cells)
-        agreement.push_back(static_cast<signed char>(cell.agreement));
-    file.flags("agreement", dimensions, agreement, sweep::agreement_names,
+    const auto agreement = [&](std::size_t index) { return result.cells[index].agreement; };
+    file.flags("agreement", dimensions, numbers_of(result, agreement), sweep::agreement_names,
                {"", "do all starts lead to the same verdict?"});
+}
+
+// what a chart takes on the disk at most [bytes], generously
+std::size_t room_of(const sweep::SweepResult& result) {
+    constexpr std::size_t frame = std::size_t{1} << 20U;
+    const std::size_t bytes_of_figures = sweep::cell_figures().size() * sizeof(double);
+    const std::size_t filled = result.study.refine > 0 ? sweep::computed_count(result) : result.cells.size();
+    return frame + filled * bytes_of_figures + result.cells.size() * (4 + result.study.starts.size());
 }
 
 void put_trace(NetcdfDataset& file, const record::Trace& trace) {
@@ -173,17 +226,21 @@ void put_history(NetcdfDataset& file, const record::ContactHistory& history) {
 void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result) {
     const sweep::Study& study = result.study;
     const std::string canonical = sweep::canonical_text(study);
-    NetcdfDataset file(path);
-    put_origin(file, "chart", study.base.title.empty() ? "noise chart" : study.base.title);
-    const int direction = put_directions(file, study);
-    const int y = put_axis(file, coordinate_name(study.y, study.x), study.y, "Y");
-    const int x = put_axis(file, coordinate_name(study.x, study.y), study.x, "X");
-    file.attribute("study", canonical);
-    file.attribute("study_hash", base::hash_text(canonical));
-    file.attribute("case", study_toml(study, {.comments = Comments::none, .heading = ""}));
-    put_cells(file, result, std::array{direction, y, x});
-    if (!study.starts.empty()) put_starts(file, result, std::array{direction, y, x});
-    write_file(path, file.finish());
+    write_file_by_name(path, room_of(result), [&](const std::string& temporary) {
+        NetcdfDataset file(path, temporary);
+        put_origin(file, "chart", study.base.title.empty() ? "noise chart" : study.base.title);
+        const int direction = put_directions(file, study);
+        const int y = put_axis(file, coordinate_name(study.y, study.x), study.y, "Y");
+        const int x = put_axis(file, coordinate_name(study.x, study.y), study.x, "X");
+        const std::array dimensions{direction, y, x};
+        file.attribute("study", canonical);
+        file.attribute("study_hash", base::hash_text(canonical));
+        file.attribute("case", study_toml(study, {.comments = Comments::none, .heading = ""}));
+        put_verdicts(file, result, dimensions);
+        put_figures(file, result, dimensions);
+        if (!study.starts.empty()) put_starts(file, result, dimensions);
+        file.finish();
+    });
 }
 
 void write_trace_netcdf(const std::string& path, const parameters::Case& c, const record::Record& record) {
@@ -195,7 +252,7 @@ void write_trace_netcdf(const std::string& path, const parameters::Case& c, cons
     file.attribute("case", case_toml(c, {.comments = Comments::none, .heading = ""}));
     if (!record.trace.time.empty()) put_trace(file, record.trace);
     if (!record.history.empty()) put_history(file, record.history);
-    write_file(path, file.finish());
+    write_file(path, file.bytes());
 }
 
 }  // namespace stridor::io

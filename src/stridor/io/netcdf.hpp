@@ -6,9 +6,10 @@
 
 #include <string>
 
-/// NetCDF-4 files after the CF conventions 1.10. A file is made in memory and then written whole (`write_file`): the HDF5
-/// library below cannot be trusted with a full disk. The same content gives the same bytes. Not for two threads at a time:
-/// the library has global state. Throws `Error` (io).
+/// NetCDF-4 files after the CF conventions 1.10, written beside their name and renamed. The HDF5 library below cannot be
+/// trusted with a full disk: a trace is made in memory, and for a chart, which may not fit there, the room is made sure of
+/// first. The same content gives the same bytes. Not for two threads at a time: the library has global state. Throws `Error`
+/// (io).
 namespace stridor::io {
 
 /// A chart: dimensions (direction, y, x), the last two named after their parameters ("kinetic_friction", "preload"; with the

@@ -23,6 +23,10 @@ NetcdfDataset::NetcdfDataset(std::string name) : name_(std::move(name)) {
     check(nc_create_mem("stridor.nc", NC_NETCDF4, first_size, &id_));
 }
 
+NetcdfDataset::NetcdfDataset(std::string name, const std::string& path) : name_(std::move(name)) {
+    check(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
+}
+
 NetcdfDataset::~NetcdfDataset() {
     if (id_ >= 0) nc_abort(id_);
 }
@@ -64,6 +68,27 @@ int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensi
     return number;
 }
 
+int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensions, Packing packing,
+                           const Description& description) {
+    const int number = define(name, NC_DOUBLE, dimensions, description);
+    const double missing = std::numeric_limits<double>::quiet_NaN();
+    check(nc_def_var_fill(id_, number, NC_FILL, &missing));
+    if (packing == Packing::none) return number;
+    // a row of the last dimension is packed for itself, and the library's cache for the variable holds that row only:
+    // it would hold 16 MB
+    std::vector<std::size_t> chunk(dimensions.size(), 1);
+    check(nc_inq_dimlen(id_, dimensions.back(), &chunk.back()));
+    check(nc_def_var_chunking(id_, number, NC_CHUNKED, chunk.data()));
+    check(nc_def_var_deflate(id_, number, 1, 1, 1));
+    check(nc_set_var_chunk_cache(id_, number, chunk.back() * sizeof(double), 1, 1.0F));
+    return number;
+}
+
+void NetcdfDataset::put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
+                        std::span<const double> values) {
+    check(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()));
+}
+
 int NetcdfDataset::words(const std::string& name, std::span<const int> dimensions,
                          const std::vector<std::string>& values, const Description& description) {
     const int number = define(name, NC_STRING, dimensions, description);
@@ -90,7 +115,11 @@ int NetcdfDataset::flags(const std::string& name, std::span<const int> dimension
     return number;
 }
 
-std::string NetcdfDataset::finish() {
+void NetcdfDataset::finish() {
+    check(nc_close(std::exchange(id_, -1)));
+}
+
+std::string NetcdfDataset::bytes() {
     NC_memio memory{};
     check(nc_close_memio(std::exchange(id_, -1), &memory));
     const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);

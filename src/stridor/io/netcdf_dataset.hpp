@@ -17,12 +17,18 @@ struct Description {
     Missing missing = Missing::as_nan;
 };
 
-/// A netCDF-4 file being made in memory, a thin cover over the C library; `name` appears in errors.
+/// How numbers lie in the file: as they are, or packed without loss, which is worth the time where most are missing.
+enum class Packing { none, deflate };
+
+/// A netCDF-4 file being made, a thin cover over the C library; `name` appears in errors.
 ///
-/// Dimensions are known by the numbers the library gives them. Variables are written whole, in one call.
+/// Dimensions are known by the numbers the library gives them. Variables are written whole, in one call, or in parts.
 class NetcdfDataset {
 public:
+    /// In memory, to be taken by `bytes`.
     explicit NetcdfDataset(std::string name);
+    /// In the file `path`, which may be there.
+    NetcdfDataset(std::string name, const std::string& path);
     NetcdfDataset(const NetcdfDataset&) = delete;
     NetcdfDataset& operator=(const NetcdfDataset&) = delete;
     ~NetcdfDataset();
@@ -33,6 +39,12 @@ public:
     /// Each returns the variable's number.
     int doubles(const std::string& name, std::span<const int> dimensions, std::span<const double> values,
                 const Description& description);
+    /// Numbers that come in parts, by `put`; until then they are missing.
+    int doubles(const std::string& name, std::span<const int> dimensions, Packing packing,
+                const Description& description);
+    /// Puts values into the box of a variable that begins at `start` and is `count` wide, each of shape [dimension].
+    void put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
+             std::span<const double> values);
     int words(const std::string& name, std::span<const int> dimensions, const std::vector<std::string>& values,
               const Description& description);
     /// Numbers of names (CF flags); -1 where there is none.
@@ -40,8 +52,10 @@ public:
               std::span<const std::string_view> names, const Description& description);
     void attribute(int variable, const std::string& name, const std::string& text);
 
-    /// Ends the file and gives its bytes; nothing may be added after it.
-    std::string finish();
+    /// Ends the file; nothing may be added after it.
+    void finish();
+    /// Ends a file in memory and gives its bytes.
+    std::string bytes();
 
 private:
     void check(int code) const;

@@ -35,7 +35,7 @@ public:
     Verdicts(const SweepResult& result, std::size_t direction) : result_(result), direction_(direction) {}
 
     std::size_t at(int iy, int ix) const {
-        const Cell& cell = result_.cells[index_of(result_.study, {direction_, iy, ix})];
+        const CellVerdict& cell = result_.cells[index_of(result_.study, {direction_, iy, ix})];
         return number_of({cell.status, cell.category});
     }
 

@@ -1,8 +1,10 @@
 #include "stridor/sweep/cell.hpp"
 
+#include "stridor/base/check.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace stridor::sweep {
 
@@ -36,7 +38,47 @@ constexpr std::array figures{
                &Cell::proof_time},
 };
 
+class InMemory final : public ComputedCells {
+public:
+    explicit InMemory(std::vector<IndexedCell> cells) : cells_(std::move(cells)) {}
+
+    void visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) override {
+        auto cell =
+            std::lower_bound(cells_.begin(), cells_.end(), first,
+                             [](const IndexedCell& indexed, std::size_t index) { return indexed.index < index; });
+        for (; cell != cells_.end() && cell->index < last; ++cell) {
+            IndexedCell copy = *cell;
+            use(copy);
+        }
+    }
+
+private:
+    std::vector<IndexedCell> cells_;
+};
+
 }  // namespace
+
+std::shared_ptr<ComputedCells> in_memory(std::vector<IndexedCell> cells) {
+    STRIDOR_EXPECT(std::is_sorted(cells.begin(), cells.end(),
+                                  [](const IndexedCell& a, const IndexedCell& b) { return a.index < b.index; }));
+    return std::make_shared<InMemory>(std::move(cells));
+}
+
+CellVerdict verdict_of(const Cell& cell) {
+    return {cell.status, cell.category, cell.agreement, static_cast<std::uint8_t>(shown_start(cell))};
+}
+
+SweepResult complete(Study study, std::vector<Cell> cells) {
+    STRIDOR_EXPECT(cells.size() == cell_count(study));
+    SweepResult result{std::move(study), {}};
+    std::vector<IndexedCell> indexed;
+    for (std::size_t index = 0; index < cells.size(); ++index) {
+        result.cells.push_back(verdict_of(cells[index]));
+        indexed.push_back({index, std::move(cells[index])});
+    }
+    result.computed = in_memory(std::move(indexed));
+    return result;
+}
 
 std::span<const CellFigure> cell_figures() {
     return figures;
@@ -63,9 +105,25 @@ std::size_t computed_count(const SweepResult& result) {
     return count;
 }
 
+Cell computed_cell(const SweepResult& result, std::size_t index) {
+    STRIDOR_EXPECT(!is_inferred(result, index));
+    Cell cell;
+    result.computed->visit(index, index + 1, [&](IndexedCell& indexed) { cell = std::move(indexed.cell); });
+    return cell;
+}
+
+std::vector<double> figure_values(const SweepResult& result, double Cell::*figure) {
+    std::vector<double> values(result.cells.size(), Cell::unknown);
+    result.computed->visit(0, values.size(),
+                           [&](const IndexedCell& indexed) { values[indexed.index] = indexed.cell.*figure; });
+    for (std::size_t index = 0; index < values.size(); ++index)
+        values[index] = values[source_of(result, index)];
+    return values;
+}
+
 CellPlace shown_place(const SweepResult& result, std::size_t index) {
     CellPlace place = place_of(result.study, index);
-    place.start = shown_start(result.cells[source_of(result, index)]);
+    place.start = result.cells[index].shown_start;
     return place;
 }
 

@@ -4,7 +4,11 @@
 #include "stridor/sweep/study.hpp"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,7 +17,7 @@
 namespace stridor::sweep {
 
 /// How a cell ended. Only a done cell has figures; the others are drawn hatched and never guessed.
-enum class Status {
+enum class Status : std::uint8_t {
     done,
     invalid,     // the axes' values contradict each other there (mu_d > mu_s)
     step_limit,  // the time step is unstable there
@@ -24,7 +28,7 @@ enum class Status {
 inline constexpr std::array<std::string_view, 5> status_names{"done", "invalid", "step_limit", "diverged", "failed"};
 
 /// Do the starts of a cell lead to the same verdict?
-enum class Agreement {
+enum class Agreement : std::uint8_t {
     agree,                   // they do, or there is one start only
     differ,                  // to different ones, but not to quiet and noise
     quiet_unless_disturbed,  // one to none, another to a noise: what is heard depends on the start
@@ -88,12 +92,44 @@ std::span<const CellFigure> cell_figures();
 /// The figure with this name; nothing if there is none.
 const CellFigure* find_cell_figure(std::string_view name);
 
-/// A finished sweep: cells in index order (see `place_of`).
+/// A computed cell with its index in the study.
+struct IndexedCell {
+    std::size_t index = 0;
+    Cell cell;
+};
+
+/// The computed cells of a sweep, wherever they are kept: those of a large chart do not fit into memory.
+class ComputedCells {
+public:
+    virtual ~ComputedCells() = default;
+
+    /// Shows those with first <= index < last, in index order, one at a time.
+    virtual void visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) = 0;
+};
+
+/// Cells kept in memory; in index order.
+std::shared_ptr<ComputedCells> in_memory(std::vector<IndexedCell> cells);
+
+/// What is known of every cell of a chart, computed or inferred.
+struct CellVerdict {
+    Status status = Status::failed;
+    classification::Category category = classification::Category::undecided;  // meaningless unless done
+    Agreement agreement = Agreement::agree;
+    std::uint8_t shown_start = 0;  // the start of which it is, into study.starts; 0 if there are none
+};
+
+CellVerdict verdict_of(const Cell& cell);
+
+/// A finished sweep; cells in index order (see `place_of`).
 struct SweepResult {
     Study study;
-    std::vector<Cell> cells;
+    std::vector<CellVerdict> cells;
     std::vector<std::size_t> sources{};  // the computed cell each takes after, itself unless inferred; empty: itself
+    std::shared_ptr<ComputedCells> computed{};  // with their figures
 };
+
+/// A sweep that computed every cell, kept in memory; shape [cell].
+SweepResult complete(Study study, std::vector<Cell> cells);
 
 /// The computed cell that a cell takes after; itself unless it was inferred.
 std::size_t source_of(const SweepResult& result, std::size_t index);
@@ -106,6 +142,12 @@ bool is_inferred(const SweepResult& result, std::size_t index);
 
 /// Number of cells that were not inferred.
 std::size_t computed_count(const SweepResult& result);
+
+/// The cell at an index, which was not inferred.
+Cell computed_cell(const SweepResult& result, std::size_t index);
+
+/// One figure of every cell: of an inferred one that of the cell it takes after; shape [cell].
+std::vector<double> figure_values(const SweepResult& result, double Cell::*figure);
 
 /// The place of a cell with the start that it shows.
 CellPlace shown_place(const SweepResult& result, std::size_t index);

@@ -191,17 +191,11 @@ Refinement refine(const Study& study, std::span<const int> marks) {
     return result;
 }
 
-SweepResult inferred(const Study& study, std::vector<Cell> cells, std::vector<std::size_t> sources) {
+std::vector<CellVerdict> inferred(std::vector<CellVerdict> cells, std::span<const std::size_t> sources) {
     STRIDOR_EXPECT(cells.size() == sources.size());
-    for (std::size_t index = 0; index < cells.size(); ++index) {
-        if (sources[index] == index) continue;
-        const Cell& source = cells[sources[index]];
-        cells[index] = Cell{};
-        cells[index].status = source.status;
-        cells[index].category = source.category;
-        cells[index].agreement = source.agreement;
-    }
-    return {study, std::move(cells), std::move(sources)};
+    for (std::size_t index = 0; index < cells.size(); ++index)
+        cells[index] = cells[sources[index]];
+    return cells;
 }
 
 }  // namespace stridor::sweep

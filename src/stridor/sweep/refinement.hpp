@@ -39,8 +39,7 @@ struct Refinement {
 /// What to compute next, given the marks of all cells (shape [cell]); a run is known when all its cells are.
 Refinement refine(const Study& study, std::span<const int> marks);
 
-/// The sweep of these cells; a cell whose source is another has its status, category and agreement, no figures and no
-/// verdicts of single starts.
-SweepResult inferred(const Study& study, std::vector<Cell> cells, std::vector<std::size_t> sources);
+/// The verdicts of all cells, given those of the computed ones: a cell whose source is another has that one's.
+std::vector<CellVerdict> inferred(std::vector<CellVerdict> cells, std::span<const std::size_t> sources);
 
 }  // namespace stridor::sweep

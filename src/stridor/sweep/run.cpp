@@ -54,8 +54,8 @@ std::vector<int> stored_marks(const Study& study, Store& store) {
         std::transform(stored.begin(), stored.end(), marks.begin(),
                        [&](bool is_there) { return is_there ? 0 : unknown_mark; });
     else
-        for (const IndexedCell& indexed : store.read())
-            marks[indexed.index] = mark_of(study, indexed.cell);
+        store.visit(0, marks.size(),
+                    [&](const IndexedCell& indexed) { marks[indexed.index] = mark_of(study, indexed.cell); });
     return marks;
 }
 
@@ -83,7 +83,7 @@ public:
 
     void take(std::vector<IndexedCell> cells) {
         for (const IndexedCell& indexed : cells) {
-            count(progress_.counts, indexed.cell);
+            count(progress_.counts, verdict_of(indexed.cell));
             marks_[indexed.index] = mark_of(study_, indexed.cell);
         }
         computed_ += cells.size();

@@ -151,7 +151,7 @@ std::optional<IndexedCell> cell_in(const Statement& row, std::size_t cells) {
 
 }  // namespace
 
-void count(Counts& counts, const Cell& cell) {
+void count(Counts& counts, const CellVerdict& cell) {
     ++counts.statuses[static_cast<std::size_t>(cell.status)];
     if (cell.status == Status::done) ++counts.categories[static_cast<std::size_t>(cell.category)];
 }
@@ -254,40 +254,47 @@ void Store::write(std::span<const IndexedCell> cells) {
     transaction.commit();
 }
 
-std::vector<IndexedCell> Store::read() {
-    std::vector<IndexedCell> cells;
-    Statement rows = database_.prepare("SELECT " + cell_columns() + " FROM cell ORDER BY id");
+void Store::visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) {
+    Statement rows = database_.prepare("SELECT " + cell_columns() + " FROM cell WHERE id >= ? AND id < ? ORDER BY id");
+    rows.bind(1, static_cast<std::int64_t>(first));
+    rows.bind(2, static_cast<std::int64_t>(last));
     while (rows.step()) {
         std::optional<IndexedCell> cell = cell_in(rows, cells_);
         if (!cell)
             throw Error(ErrorKind::io,
                         {"the store " + file().string() + " is damaged",
                          "cell " + std::to_string(rows.integer(0)) + " is none of this study", other_out});
-        cells.push_back(std::move(*cell));
+        use(*cell);
     }
+}
+
+std::vector<IndexedCell> Store::read() {
+    std::vector<IndexedCell> cells;
+    visit(0, cells_, [&](IndexedCell& cell) { cells.push_back(std::move(cell)); });
     return cells;
 }
 
-SweepResult load(const Study& study, Store& store) {
-    std::vector<Cell> cells(cell_count(study));
+SweepResult load(const Study& study, std::shared_ptr<Store> store) {
+    std::vector<CellVerdict> cells(cell_count(study));
     std::vector<int> marks(cells.size(), unknown_mark);
     std::size_t there = 0;
-    for (IndexedCell& indexed : store.read()) {
+    store->visit(0, cells.size(), [&](const IndexedCell& indexed) {
         marks[indexed.index] = mark_of(study, indexed.cell);
-        cells[indexed.index] = std::move(indexed.cell);
+        cells[indexed.index] = verdict_of(indexed.cell);
         ++there;
-    }
+    });
     Refinement refinement = refine(study, marks);
     if (!refinement.missing.empty()) {
         const std::size_t known =
             study.refine == 0 ? cells.size() : there + refinement.missing.size() * directions_per_run(study);
         throw Error(ErrorKind::interrupted,
                     {"the sweep is not finished",
-                     "the store " + store.file().string() + " holds " + std::to_string(there) + " of " +
+                     "the store " + store->file().string() + " holds " + std::to_string(there) + " of " +
                          (study.refine == 0 ? "" : "at least ") + std::to_string(known) + " cells",
                      "Run the same command again: it goes on where it stopped."});
     }
-    return inferred(study, std::move(cells), std::move(refinement.sources));
+    cells = inferred(std::move(cells), refinement.sources);
+    return {study, std::move(cells), std::move(refinement.sources), std::move(store)};
 }
 
 }  // namespace stridor::sweep

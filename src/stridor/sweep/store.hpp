@@ -7,6 +7,8 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,13 +28,7 @@ struct Counts {
     std::array<std::size_t, classification::category_names.size()> categories{};  // [1] by Category, done cells only
 };
 
-void count(Counts& counts, const Cell& cell);
-
-/// A cell with its index in the study.
-struct IndexedCell {
-    std::size_t index = 0;
-    Cell cell;
-};
+void count(Counts& counts, const CellVerdict& cell);
 
 /// The finished cells of one study in one SQLite file, from the first cell on: the sweep's only memory.
 ///
@@ -42,7 +38,7 @@ struct IndexedCell {
 /// cells are in it, never inferred ones. `PRAGMA application_id` and `user_version` say what the file is.
 ///
 /// The file belongs to one process while a store is open, and survives the death of that process at any moment.
-class Store {
+class Store final : public ComputedCells {
 public:
     /// Opens the store of this study, or makes it.
     ///
@@ -60,6 +56,9 @@ public:
     /// Keeps cells, all or none, on disk when it returns. Throws `Error` (io) if that fails; the store stays good.
     void write(std::span<const IndexedCell> cells);
 
+    /// Throws `Error` (io) at a row that no sweep wrote.
+    void visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) override;
+
     /// All cells that are there, in index order.
     std::vector<IndexedCell> read();
 
@@ -73,8 +72,8 @@ private:
     std::size_t cells_ = 0;  // [1] of the study
 };
 
-/// The finished sweep, cells in index order; those that refinement left out are inferred. Throws `Error` (interrupted) if
-/// cells are missing.
-SweepResult load(const Study& study, Store& store);
+/// The finished sweep; cells that refinement left out are inferred, the computed ones stay in the store. Throws `Error`
+/// (interrupted) if cells are missing.
+SweepResult load(const Study& study, std::shared_ptr<Store> store);
 
 }  // namespace stridor::sweep

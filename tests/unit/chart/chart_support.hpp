@@ -3,6 +3,7 @@
 #include "stridor/chart/scene.hpp"
 #include "stridor/sweep/cell.hpp"
 
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -19,20 +20,28 @@ std::vector<Kind> layers_of(const Panel& panel) {
     return found;
 }
 
-/// A sweep over preload (log, 4 values) and kinetic friction (linear, 3 values), both directions, every cell quiet.
+/// A study over preload (log, 4 values) and kinetic friction (linear, 3 values), both directions.
+inline sweep::Study small_study() {
+    sweep::Study study;
+    study.x = {"contact.preload", 1.0, 1000.0, 4, sweep::Scale::logarithmic};
+    study.y = {"contact.kinetic_friction", 0.0, 0.6, 3, sweep::Scale::linear};
+    return study;
+}
+
+/// Its cells, every one quiet.
+inline std::vector<sweep::Cell> quiet_cells() {
+    sweep::Cell cell;
+    cell.status = sweep::Status::done;
+    cell.category = classification::Category::none;
+    cell.slip = 1.0;
+    cell.stick = 0.0;
+    cell.separation = 0.0;
+    return {sweep::cell_count(small_study()), cell};
+}
+
+/// The sweep of these.
 inline sweep::SweepResult quiet_sweep() {
-    sweep::SweepResult result;
-    result.study.x = {"contact.preload", 1.0, 1000.0, 4, sweep::Scale::logarithmic};
-    result.study.y = {"contact.kinetic_friction", 0.0, 0.6, 3, sweep::Scale::linear};
-    result.cells.resize(sweep::cell_count(result.study));
-    for (sweep::Cell& cell : result.cells) {
-        cell.status = sweep::Status::done;
-        cell.category = classification::Category::none;
-        cell.slip = 1.0;
-        cell.stick = 0.0;
-        cell.separation = 0.0;
-    }
-    return result;
+    return sweep::complete(small_study(), quiet_cells());
 }
 
 /// A folder of its own for one test, gone with it.

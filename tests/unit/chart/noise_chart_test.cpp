@@ -141,13 +141,15 @@ TEST(NoiseChart, SaysHowManyCellsWereComputed) {
 }
 
 TEST(FigureChart, GivesInferredCellsTheValueOfTheComputedOneTheyTakeAfter) {
-    sweep::SweepResult result = quiet_sweep();
-    for (std::size_t index = 0; index < result.cells.size(); ++index) {
-        result.cells[index].frequency = 400.0 + static_cast<double>(index);
-        result.sources.push_back(index);
+    std::vector<sweep::Cell> cells = quiet_cells();
+    std::vector<std::size_t> sources;
+    for (std::size_t index = 0; index < cells.size(); ++index) {
+        cells[index].frequency = 400.0 + static_cast<double>(index);
+        sources.push_back(index);
     }
-    result.sources[14] = 16;
-    result.cells[14].frequency = sweep::Cell::unknown;
+    sources[14] = 16;
+    sweep::SweepResult result = sweep::complete(small_study(), cells);
+    result.sources = sources;
     const Scene scene = figure_chart(result, "frequency");
     EXPECT_EQ(layers_of<ValueCells>(scene.panels[1]).at(0).values[2], 416.0);
     EXPECT_NE(plain_text(scene.caption.back()).find("nearest corner"), std::string::npos);
@@ -161,12 +163,12 @@ TEST(NoiseChart, OfOneDirectionIsOnePanel) {
 }
 
 TEST(FigureChart, ColoursValuesAndMarksWhatHasNone) {
-    sweep::SweepResult result = quiet_sweep();
-    for (std::size_t i = 0; i < result.cells.size(); ++i)
-        result.cells[i].frequency = 400.0 + static_cast<double>(i);
-    result.cells[1].frequency = sweep::Cell::unknown;
-    result.cells[2].status = sweep::Status::diverged;
-    const Scene scene = figure_chart(result, "frequency");
+    std::vector<sweep::Cell> quiet = quiet_cells();
+    for (std::size_t i = 0; i < quiet.size(); ++i)
+        quiet[i].frequency = 400.0 + static_cast<double>(i);
+    quiet[1].frequency = sweep::Cell::unknown;
+    quiet[2].status = sweep::Status::diverged;
+    const Scene scene = figure_chart(sweep::complete(small_study(), quiet), "frequency");
     ASSERT_TRUE(scene.colour_bar.has_value());
     EXPECT_EQ(scene.colour_bar->unit, "Hz");
     const ValueCells cells = layers_of<ValueCells>(scene.panels[0]).at(0);
@@ -186,12 +188,12 @@ TEST(FigureChart, SharesAreDrawnFromZeroToOne) {
 }
 
 TEST(FigureChart, ALevelOfRestDoesNotTakeAllColours) {
-    sweep::SweepResult result = quiet_sweep();
-    for (sweep::Cell& cell : result.cells)
+    std::vector<sweep::Cell> quiet = quiet_cells();
+    for (sweep::Cell& cell : quiet)
         cell.joint_level = 150.0;
-    result.cells[0].joint_level = -200.0;
-    result.cells[1].joint_level = -std::numeric_limits<double>::infinity();
-    const Scene scene = figure_chart(result, "joint_level");
+    quiet[0].joint_level = -200.0;
+    quiet[1].joint_level = -std::numeric_limits<double>::infinity();
+    const Scene scene = figure_chart(sweep::complete(small_study(), quiet), "joint_level");
     EXPECT_EQ(scene.colour_bar->colours.range, (Range{50.0, 150.0}));
     EXPECT_TRUE(std::isnan(layers_of<ValueCells>(scene.panels[0]).at(0).values[1]));
 }

@@ -116,9 +116,9 @@ RC_GTEST_PROP(CellRuns, CoverEachCellOnceWithItsKind, ()) {
         x.push_back(i);
     for (int i = 0; i <= rows; ++i)
         y.push_back(i);
-    std::vector<std::size_t> kinds;
+    std::vector<std::uint16_t> kinds;
     for (int i = 0; i < columns * rows; ++i)
-        kinds.push_back(static_cast<std::size_t>(*support::whole_between(0, 2)));
+        kinds.push_back(static_cast<std::uint16_t>(*support::whole_between(0, 2)));
     const std::vector<CellRun> runs = cell_runs(x, y, kinds);
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {

@@ -67,7 +67,7 @@ TEST(RegionNames, RegionsMeetBySidesNotByCorners) {
 
 RC_GTEST_PROP(RegionNames, StandOnCellsOfTheirKindOnly, ()) {
     Example map = example(12, 8);
-    for (std::size_t& kind : map.cells.kinds)
+    for (std::uint16_t& kind : map.cells.kinds)
         kind = *support::whole_between(0, 9) == 0 ? 1U : 0U;
     for (const Note& note : names_of(map)) {
         const Extent extent = note_extent(note.text, 8.0);

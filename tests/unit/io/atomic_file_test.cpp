@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 
 #include <csignal>
+#include <fstream>
+#include <stdexcept>
 
 namespace stridor::io {
 namespace {
@@ -55,6 +57,58 @@ TEST(AtomicFile, LeavesTheOldFileWhenTheDiskIsFull) {
     EXPECT_NE(std::string(error->what()).find(path), std::string::npos);
     EXPECT_EQ(read_file(path), "old");
     EXPECT_EQ(scratch.entries(), 1) << "the temporary file is still there";
+}
+
+TEST(AtomicFile, TakesItsContentInPieces) {
+    const Scratch scratch;
+    std::string whole;
+    write_file(scratch.path("f"), [&](const Sink& sink) {
+        for (int piece = 0; piece < 2000; ++piece) {
+            const std::string text(static_cast<std::size_t>(piece), static_cast<char>('a' + piece % 26));
+            sink(text);
+            whole += text;
+        }
+    });
+    EXPECT_EQ(read_file(scratch.path("f")), whole);
+}
+
+TEST(AtomicFile, LeavesTheOldFileWhenItsMakerFails) {
+    const Scratch scratch;
+    const std::string path = scratch.path("f");
+    write_file(path, "old");
+    EXPECT_THROW(write_file(path,
+                            [](const Sink& sink) {
+                                sink("half");
+                                throw std::runtime_error("no more");
+                            }),
+                 std::runtime_error);
+    EXPECT_EQ(read_file(path), "old");
+    EXPECT_EQ(scratch.entries(), 1);
+}
+
+TEST(AtomicFile, GivesAnotherWriterATemporaryName) {
+    const Scratch scratch;
+    const std::string path = scratch.path("f");
+    write_file(path, "old");
+    write_file_by_name(path, 10, [&](const std::string& temporary) {
+        EXPECT_EQ(std::filesystem::file_size(temporary), 10U);
+        EXPECT_EQ(read_file(path), "old");
+        std::ofstream(temporary, std::ios::trunc) << "new";
+    });
+    EXPECT_EQ(read_file(path), "new");
+    EXPECT_EQ(scratch.entries(), 1);
+}
+
+TEST(AtomicFile, AsksNobodyToWriteWhereTheRoomIsMissing) {
+    const Scratch scratch;
+    const SmallDisk disk(4096);
+    const auto error = error_of([&] {
+        write_file_by_name(scratch.path("f"), 10000, [](const std::string&) { FAIL() << "it would not fit"; });
+    });
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->kind(), ErrorKind::io);
+    EXPECT_EQ(scratch.entries(), 0);
+    EXPECT_TRUE(error_of([] { write_file_by_name("/dev/null", 0, [](const std::string&) {}); }));
 }
 
 TEST(AtomicFile, SaysThatTheDiskIsFull) {

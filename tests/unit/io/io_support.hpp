@@ -73,15 +73,19 @@ inline std::string squeal_toml() {
                      {.comments = Comments::none, .heading = ""});
 }
 
-/// A small chart with a cell of every status; numbers tell the cell they belong to.
-inline sweep::SweepResult small_chart() {
-    sweep::SweepResult result;
-    result.study = sweep::figure_8();
-    result.study.x.points = 4;
-    result.study.y.points = 3;
-    result.cells.resize(sweep::cell_count(result.study));
-    for (std::size_t index = 0; index < result.cells.size(); ++index) {
-        sweep::Cell& cell = result.cells[index];
+/// 4 by 3 points in two directions.
+inline sweep::Study small_study() {
+    sweep::Study study = sweep::figure_8();
+    study.x.points = 4;
+    study.y.points = 3;
+    return study;
+}
+
+/// A cell of every status for them; numbers tell the cell they belong to.
+inline std::vector<sweep::Cell> small_cells() {
+    std::vector<sweep::Cell> cells(sweep::cell_count(small_study()));
+    for (std::size_t index = 0; index < cells.size(); ++index) {
+        sweep::Cell& cell = cells[index];
         cell.status = static_cast<sweep::Status>(index % sweep::status_names.size());
         if (cell.status != sweep::Status::done) {
             cell.message = "cell \"" + std::to_string(index) + "\", not done";
@@ -92,32 +96,39 @@ inline sweep::SweepResult small_chart() {
             cell.*figure.member = 0.1 * static_cast<double>(index);
         cell.frequency = sweep::Cell::unknown;
     }
-    return result;
+    return cells;
+}
+
+/// The chart of these cells.
+inline sweep::SweepResult small_chart() {
+    return sweep::complete(small_study(), small_cells());
 }
 
 /// A refined chart: two of its cells were inferred.
 inline sweep::SweepResult refined_chart() {
-    const sweep::SweepResult whole = small_chart();
-    std::vector<std::size_t> sources(whole.cells.size());
-    for (std::size_t index = 0; index < sources.size(); ++index)
-        sources[index] = index;
-    sources[1] = 0;
-    sources[13] = 15;
-    sweep::Study study = whole.study;
-    study.refine = 1;
-    return sweep::inferred(study, whole.cells, sources);
+    sweep::SweepResult result = small_chart();
+    result.study.refine = 1;
+    std::vector<sweep::IndexedCell> computed;
+    for (std::size_t index = 0; index < result.cells.size(); ++index) {
+        result.sources.push_back(index == 1 ? 0 : index == 13 ? 15 : index);
+        if (!sweep::is_inferred(result, index)) computed.push_back({index, sweep::computed_cell(result, index)});
+    }
+    result.computed = sweep::in_memory(std::move(computed));
+    result.cells = sweep::inferred(result.cells, result.sources);
+    return result;
 }
 
 /// A chart from two starts: where the cell is done the first one is quiet.
 inline sweep::SweepResult chart_of_starts() {
-    sweep::SweepResult result = small_chart();
-    result.study.starts = {parameters::Initial::rest, parameters::Initial::sliding};
-    for (sweep::Cell& cell : result.cells) {
+    sweep::Study study = small_study();
+    study.starts = {parameters::Initial::rest, parameters::Initial::sliding};
+    std::vector<sweep::Cell> cells = small_cells();
+    for (sweep::Cell& cell : cells) {
         sweep::Cell quiet = cell;
         quiet.category = classification::Category::none;
         cell = sweep::joined({quiet, cell});
     }
-    return result;
+    return sweep::complete(study, std::move(cells));
 }
 
 }  // namespace stridor::io

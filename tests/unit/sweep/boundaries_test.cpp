@@ -29,7 +29,7 @@ SweepResult drawn(const std::vector<std::string>& rows) {
         {'n', Category::none}, {'l', Category::squeal}, {'k', Category::squeak}, {'c', Category::creak}};
     for (auto row = rows.rbegin(); row != rows.rend(); ++row)
         for (const char letter : *row) {
-            Cell& cell = result.cells.emplace_back();
+            CellVerdict& cell = result.cells.emplace_back();
             if (letter == 'x') continue;
             cell.status = Status::done;
             cell.category = categories.at(letter);
@@ -109,7 +109,7 @@ TEST(Boundaries, SayHowFarOffTheyMayLie) {
 TEST(Boundaries, StandByDirectionAndPair) {
     SweepResult result = drawn({"nlc", "nlc"});
     result.study.directions = {parameters::Direction::going, parameters::Direction::coming};
-    const std::vector<Cell> cells = result.cells;
+    const std::vector<CellVerdict> cells = result.cells;
     result.cells.insert(result.cells.end(), cells.begin(), cells.end());
     const std::vector<Boundary> lines = boundaries(result);
     ASSERT_EQ(lines.size(), 4U);

@@ -329,27 +329,33 @@ TEST(MarkOf, SeesTheOnsetOfFlutter) {
 }
 
 TEST(Inferred, CellsHaveTheVerdictOfTheirSourceAndNoFigures) {
-    Study study = square(3, 1);
-    std::vector<Cell> cells(9);
-    std::vector<std::size_t> sources{0, 0, 2, 0, 4, 2, 6, 6, 8};
-    for (Cell& cell : cells) {
+    SweepResult result;
+    result.study = square(3, 1);
+    result.sources = {0, 0, 2, 0, 4, 2, 6, 6, 8};
+    std::vector<CellVerdict> verdicts(9);
+    std::vector<IndexedCell> computed;
+    for (const std::size_t index : {0U, 2U, 4U, 6U, 8U}) {
+        Cell cell;
         cell.status = Status::done;
         cell.category = classification::Category::creak;
         cell.agreement = Agreement::quiet_unless_disturbed;
         cell.starts = {{Status::done, classification::Category::none}, {Status::done, classification::Category::creak}};
-        cell.slip = 0.25;
+        cell.slip = 0.25 * static_cast<double>(index);
+        verdicts[index] = verdict_of(cell);
+        computed.push_back({index, cell});
     }
-    cells[1] = cells[3] = cells[5] = cells[7] = Cell{};
-    const SweepResult result = inferred(study, cells, sources);
+    result.cells = inferred(verdicts, result.sources);
+    result.computed = in_memory(std::move(computed));
     EXPECT_TRUE(is_inferred(result, 1));
     EXPECT_FALSE(is_inferred(result, 2));
     EXPECT_EQ(source_of(result, 5), 2U);
     EXPECT_EQ(result.cells[5].category, classification::Category::creak);
     EXPECT_EQ(result.cells[5].agreement, Agreement::quiet_unless_disturbed);
-    EXPECT_TRUE(result.cells[5].starts.empty());
-    for (const CellFigure& figure : cell_figures())
-        EXPECT_TRUE(std::isnan(result.cells[5].*figure.member)) << figure.name;
-    EXPECT_EQ(result.cells[4].slip, 0.25);
+    EXPECT_EQ(result.cells[5].shown_start, 1U);
+    EXPECT_EQ(computed_count(result), 5U);
+    EXPECT_EQ(computed_cell(result, 4).slip, 1.0);
+    EXPECT_EQ(figure_values(result, &Cell::slip), (std::vector<double>{0, 0, 0.5, 0, 1, 0.5, 1.5, 1.5, 2}))
+        << "what is drawn there";
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -48,6 +49,23 @@ inline bool same_cell(const Cell& a, const Cell& b) {
 
 inline bool same_cells(const std::vector<Cell>& a, const std::vector<Cell>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_cell);
+}
+
+/// The finished sweep of a store that lives longer than it.
+inline SweepResult load(const Study& study, Store& store) {
+    return load(study, std::shared_ptr<Store>(std::shared_ptr<void>(), &store));
+}
+
+/// All cells of a sweep; those that were inferred have their verdict only.
+inline std::vector<Cell> all_cells(const SweepResult& result) {
+    std::vector<Cell> cells(result.cells.size());
+    for (std::size_t index = 0; index < cells.size(); ++index) {
+        cells[index].status = result.cells[index].status;
+        cells[index].category = result.cells[index].category;
+        cells[index].agreement = result.cells[index].agreement;
+    }
+    result.computed->visit(0, cells.size(), [&](IndexedCell& computed) { cells[computed.index] = computed.cell; });
+    return cells;
 }
 
 /// A folder of its own, gone with it; in memory where the system has such a place, since a store waits for the disk at
