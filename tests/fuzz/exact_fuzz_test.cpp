@@ -3,9 +3,11 @@
 #include "stridor/base/error.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/paper_cases.hpp"
 #include "support/effort.hpp"
 #include "support/motion_laws.hpp"
 #include "support/runs.hpp"
+#include "support/shrink.hpp"
 #include "support/wild_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -63,10 +65,35 @@ TEST(ExactFuzz, KeepsTheLawsOfTheModelInWildCases) {
     for (std::uint64_t number = runs.first; number < runs.first + runs.count; ++number) {
         const Case c = support::wild_case(number);
         const std::string failure = failure_of(c);
-        EXPECT_EQ(failure, "") << "wild case " << number << '\n' << parameters::canonical_text(c);
-        failures += failure.empty() ? 0 : 1;
+        if (failure.empty()) continue;
+        const Case plain = support::shrunk(c, [](const Case& each) { return !failure_of(each).empty(); });
+        ADD_FAILURE() << "wild case " << number << ": " << failure << "\nfails as well: " << support::command_of(plain)
+                      << "\nwith: " << failure_of(plain);
+        ++failures;
         ASSERT_LT(failures, 50);
     }
+}
+
+// what is written of a failure is no more than it takes
+TEST(Shrinking, KeepsWhatTheFailureNeeds) {
+    const auto fails = [](const Case& c) {
+        return c.contact.preload > 123.4 && c.run.initial != parameters::Initial::rest;
+    };
+    int shrunk_cases = 0;
+    for (std::uint64_t number = 0; number < 200; ++number) {
+        const Case c = support::wild_case(number);
+        if (!fails(c)) continue;
+        ++shrunk_cases;
+        const Case plain = support::shrunk(c, fails);
+        EXPECT_TRUE(fails(plain));
+        Case squeal = parameters::paper_case(parameters::PaperCase::squeal);
+        squeal.contact.preload = plain.contact.preload;
+        squeal.run.initial = plain.run.initial;
+        squeal.run.perturbation = plain.run.perturbation;
+        EXPECT_EQ(parameters::canonical_text(plain), parameters::canonical_text(squeal)) << number;
+        EXPECT_NE(support::command_of(plain).find("--set contact.preload="), std::string::npos);
+    }
+    EXPECT_GT(shrunk_cases, 10);
 }
 
 }  // namespace

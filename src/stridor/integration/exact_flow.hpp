@@ -32,9 +32,10 @@ public:
             last_->friction.kinetic_coefficient == friction.kinetic_coefficient &&
             last_->coordinates.tangent_on_gap == coordinates.tangent_on_gap &&
             last_->drive_frequency == drive_frequency;
-        if (!is_same)
-            last_ = std::make_unique<Entry>(Entry{coordinates, friction, drive_frequency,
-                                                  prepare_flows(coordinates, friction, drive_frequency, loops)});
+        if (is_same) return last_->flows;
+        // the memory is kept: fresh pages would take a third of the time of preparing
+        if (!last_) last_ = std::make_unique<Entry>();
+        *last_ = {coordinates, friction, drive_frequency, prepare_flows(coordinates, friction, drive_frequency, loops)};
         return last_->flows;
     }
 
