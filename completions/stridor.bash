@@ -19,7 +19,7 @@ _stridor() {
         check) options="--help --set --json" ;;
         simulate) options="--help --set --no-early --json --trace --trace-from --trace-to --trace-interval --history --figure --zoom" ;;
         stability) options="--help --set --over --figure --json" ;;
-        chart) options="--help --set --no-early --out --threads --json" ;;
+        chart) options="--help --set --no-early --out --threads --preview --json" ;;
         figure) options="--help" ;;
         verify) options="--help" ;;
         completion) options="--help" ;;

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace stridor::app {
 
@@ -27,6 +28,7 @@ struct ChartOptions {
     std::string out;
     int threads = 0;
     bool json = false;
+    bool preview = false;
 };
 
 void make_folder(const std::filesystem::path& folder) {
@@ -62,9 +64,11 @@ std::string starts_text(const sweep::SweepResult& result) {
 }
 
 void chart(const ChartOptions& options) {
-    const sweep::Study study = io::read_study(io::load_toml(options.input.file, options.input.overrides));
-    const std::filesystem::path out =
-        options.out.empty() ? std::filesystem::path(options.input.file).stem() : std::filesystem::path(options.out);
+    sweep::Study study = io::read_study(io::load_toml(options.input.file, options.input.overrides));
+    if (options.preview) study = sweep::preview(std::move(study));
+    const std::string name =
+        std::filesystem::path(options.input.file).stem().string() + (options.preview ? "-preview" : "");
+    const std::filesystem::path out = options.out.empty() ? name : options.out;
     make_folder(out);
     const sweep::SweepResult result = compute(study, out / "chart.sqlite", options.threads);
     // the resolved chart, overrides included, stands beside its results: what a reproduce command runs
@@ -101,10 +105,14 @@ void add_chart(CLI::App& program) {
         "chart", "Compute and draw a noise chart over two parameters; resumes where it was stopped.");
     add_case_options(*command, options->input);
     add_no_early_option(*command, options->input);
-    command->add_option("--out", options->out, "folder for store, figures and tables (default: the file's name)")
+    command
+        ->add_option("--out", options->out,
+                     "folder for store, figures and tables (default: the file's name, with -preview for one)")
         ->type_name("DIR");
     command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
         ->check(CLI::Range(0, 4096));
+    command->add_flag("--preview", options->preview,
+                      "a quick look: at most 64 by 64 points, refined, a quarter of the time simulated");
     command->add_flag("--json", options->json, "print the chart as one JSON document (schema stridor.chart/1)");
     command->footer(
         "Ctrl-C stops and keeps all finished cells; the same command goes on. A killed run loses at most half a second "

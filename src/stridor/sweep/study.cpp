@@ -248,6 +248,20 @@ void check(const Study& study) {
         check_corners(study, start);
 }
 
+Study preview(Study study) {
+    constexpr int points = 64;
+    constexpr int refinement = 3;
+    constexpr double shorter = 0.25;
+    for (Axis* axis : {&study.x, &study.y})
+        axis->points = std::min(axis->points, points);
+    study.refine = std::max(study.refine, refinement);
+    if (is_constant(study)) {
+        study.base.run.duration *= shorter;
+        study.base.run.window = 0.5 * study.base.run.duration;
+    }
+    return study;
+}
+
 std::string canonical_text(const Study& study) {
     Case c = widest_case(study);
     c.drive.velocity = std::abs(c.drive.velocity);

@@ -69,6 +69,10 @@ parameters::Case case_at(const Study& study, const CellPlace& place);
 /// twice, a start twice, an unknown quantity to draw, a refinement beyond `most_refinement`; and for what is wrong with the case in every cell, whatever the axes say.
 void check(const Study& study);
 
+/// A quick look at a study: at most 64 by 64 points, refined, and of a constant drive a quarter of the simulated time, judged
+/// by its later half. Cells near boundaries, whose motion settles late or is irregular, may get another verdict.
+Study preview(Study study);
+
 /// All that decides the results, as lines of "key = value": the canonical case without the two quantities that the axes
 /// set, then the axes and the directions, and the refinement and the starts if there are any. A store belongs to exactly one such text. The title and the quantities to
 /// draw are not in it, nor the sign of a constant drive's velocity: the directions give it.

@@ -1,6 +1,7 @@
 #include "stridor/sweep/study.hpp"
 
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/paper_cases.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"
 #include "unit/sweep/small_study.hpp"
@@ -303,6 +304,23 @@ RC_GTEST_PROP(ReproduceCommand, GivesTheCaseOfItsCellBitForBit, ()) {
         const parameters::Field& field = *parameters::find_field(key);
         RC_ASSERT(same_bits(parameters::get_quantity(c, field), parameters::get_quantity(expected, field)));
     }
+}
+
+TEST(Preview, AsksForLessAndStaysAStudyThatCanBeComputed) {
+    Study study = small_study();
+    study.x.points = 200;
+    study.refine = 5;
+    const Study quick = preview(study);
+    EXPECT_EQ(quick.x.points, 64);
+    EXPECT_EQ(quick.y.points, 3) << "not more than there were";
+    EXPECT_EQ(quick.refine, 5);
+    EXPECT_EQ(quick.base.run.duration, 0.25 * study.base.run.duration);
+    EXPECT_EQ(quick.base.run.window, 0.5 * quick.base.run.duration);
+    EXPECT_NO_THROW(check(quick));
+    // phases of a sinusoidal drive need their time
+    study.base = parameters::paper_case(parameters::PaperCase::squeal);
+    EXPECT_EQ(preview(study).base.run.duration, study.base.run.duration);
+    EXPECT_NO_THROW(check(preview(study)));
 }
 
 TEST(ReproduceCommand, NamesTheFileAndEachSettingOnce) {
