@@ -177,25 +177,27 @@ std::size_t SignalFile::read(std::span<double> frames) {
     return count;
 }
 
-std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOptions& options,
-                                        const std::optional<std::string>& sidecar) {
+SignalInput open_input(const std::string& path) {
+    return {open_bytes(path), path == standard_input ? "standard input" : path, sidecar_text(path)};
+}
+
+std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOptions& options) {
     RawSignal raw = open_raw(input, options);
     signal::Layout layout = raw.source->layout();
-    check_options(options, layout, input.name);
-    std::optional<Sidecar> beside;
-    if (sidecar) beside = parse_sidecar(*sidecar, sidecar_path(input.name));
+    std::optional<Sidecar> sidecar;
+    if (input.sidecar) sidecar = parse_sidecar(*input.sidecar, sidecar_path(input.name));
     SignalFacts facts{input.name, raw.format, {}, {}, raw.notes, raw.metadata};
-    if (beside) {
-        apply_sidecar(*beside, layout, sidecar_path(input.name));
-        facts.metadata.insert(facts.metadata.end(), beside->metadata.begin(), beside->metadata.end());
+    if (sidecar) {
+        apply_sidecar(*sidecar, layout, sidecar_path(input.name));
+        facts.metadata.insert(facts.metadata.end(), sidecar->metadata.begin(), sidecar->metadata.end());
     }
-    Calibrator(raw, options, beside).apply(layout, facts);
+    check_options(options, layout, input.name);
+    Calibrator(raw, options, sidecar).apply(layout, facts);
     return std::make_unique<SignalFile>(std::move(raw), std::move(layout), std::move(facts), options.channel);
 }
 
 std::unique_ptr<SignalFile> open_signal(const std::string& path, const OpenOptions& options) {
-    const SignalInput input{open_bytes(path), path == standard_input ? "standard input" : path};
-    return open_signal(input, options, sidecar_text(path));
+    return open_signal(open_input(path), options);
 }
 
 }  // namespace stridor::io

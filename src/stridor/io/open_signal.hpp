@@ -64,8 +64,8 @@ private:
 /// refused with their frame, while reading.
 std::unique_ptr<SignalFile> open_signal(const std::string& path, const OpenOptions& options = {});
 
-/// The same of bytes that are already open: to read them twice, or from memory. There is no sidecar unless given.
-std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOptions& options = {},
-                                        const std::optional<std::string>& sidecar = std::nullopt);
+/// The same in two steps: what is open can be read twice, even standard input; and bytes in memory can be read.
+SignalInput open_input(const std::string& path);
+std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOptions& options = {});
 
 }  // namespace stridor::io

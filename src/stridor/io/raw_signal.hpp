@@ -4,6 +4,7 @@
 #include "stridor/signal/source.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +23,8 @@ struct RawSignal {
 /// A file that is to be read.
 struct SignalInput {
     std::shared_ptr<const Bytes> bytes;
-    std::string name;  // for messages
+    std::string name{};                    // for messages
+    std::optional<std::string> sidecar{};  // text of the JSON file beside it
 };
 
 }  // namespace stridor::io
