@@ -108,6 +108,24 @@ io::SignalOutput write(const ConvertOptions& options, const io::SignalSummary& s
     return output;
 }
 
+// why a channel has its unit
+std::string origin(io::Calibration calibration, const io::FullScale& scale) {
+    const std::string value = fmt::format(" (1 in the file is {:.6g} {}, says ", scale.value, scale.unit);
+    switch (calibration) {
+        case io::Calibration::option:
+            return value + "--full-scale)";
+        case io::Calibration::sidecar:
+            return value + "the sidecar)";
+        case io::Calibration::description:
+            return value + "its description)";
+        case io::Calibration::file:
+            return "";
+        case io::Calibration::none:
+            return " (not calibrated)";
+    }
+    return "";
+}
+
 std::string report(const io::SignalSummary& summary) {
     const signal::Layout& layout = summary.layout;
     const auto frames = static_cast<double>(*layout.frames);
@@ -118,12 +136,7 @@ std::string report(const io::SignalSummary& summary) {
         const signal::Channel& channel = layout.channels[k];
         const std::string name = channel.name.empty() ? "" : " " + channel.name;
         text += fmt::format("  channel {}{}: peak {:.6g} {}", k + 1, name, summary.peaks[k], channel.unit);
-        if (summary.facts.calibrations[k] == io::Calibration::none)
-            text += " (not calibrated)";
-        else
-            text += fmt::format(" (1 in the file is {:.6g} {}, by its {})", summary.facts.full_scales[k].value,
-                                channel.unit, io::name(summary.facts.calibrations[k]));
-        text += "\n";
+        text += origin(summary.facts.calibrations[k], summary.facts.full_scales[k]) + "\n";
     }
     return text;
 }

@@ -83,7 +83,13 @@ Error bad_unit(std::string_view symbol) {
     return {ErrorKind::input, {"unknown unit \"" + std::string(symbol) + "\"", "", std::move(help)}};
 }
 
-Unit parse_symbol(std::string_view text) {
+/// A unit, or the part of its text that is unknown.
+struct Attempt {
+    std::optional<Unit> unit{};
+    std::string_view unknown{};
+};
+
+std::optional<Unit> find_symbol(std::string_view text) {
     for (const Symbol& symbol : symbols)
         if (symbol.name == text) return symbol.unit;
     for (const auto& [prefix, factor] : prefixes) {
@@ -91,34 +97,36 @@ Unit parse_symbol(std::string_view text) {
         for (const Symbol& symbol : symbols) {
             const bool matches = symbol.takes_prefix && symbol.name == text.substr(prefix.size());
             // kg is exactly 1, not 1000 * 0.001 by luck of rounding
-            if (matches) return {symbol.unit.dimension, text == "kg" ? 1.0 : factor * symbol.unit.factor};
+            if (matches) return Unit{symbol.unit.dimension, text == "kg" ? 1.0 : factor * symbol.unit.factor};
         }
     }
-    throw bad_unit(text);
+    return std::nullopt;
 }
 
 // one symbol with an optional power: "mm", "s^2", "s²", "s^-1"
-Unit parse_factor(std::string_view text) {
+Attempt try_factor(std::string_view text) {
     int power = 1;
     const std::size_t caret = text.find('^');
     if (caret != std::string_view::npos) {
         const std::string_view digits = text.substr(caret + 1);
         const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), power);
         const bool is_whole = result.ec == std::errc{} && result.ptr == digits.data() + digits.size();
-        if (!is_whole || std::abs(power) > 9) throw bad_unit(text);
+        if (!is_whole || std::abs(power) > 9) return {{}, text};
         text = text.substr(0, caret);
     } else if (text.ends_with("²")) {
         power = 2;
         text.remove_suffix(std::string_view("²").size());
     }
-    const Unit base = parse_symbol(text);
+    const std::optional<Unit> symbol = find_symbol(text);
+    if (!symbol) return {{}, text};
+    const Unit& base = *symbol;
     Unit unit{{base.dimension.mass * power, base.dimension.length * power, base.dimension.time * power,
                base.dimension.angle * power, base.dimension.current * power},
               1.0};
     for (int k = 0; k < std::abs(power); ++k)
         unit.factor *= base.factor;
     if (power < 0) unit.factor = 1.0 / unit.factor;
-    return unit;
+    return {unit, {}};
 }
 
 Unit product(const Unit& a, const Unit& b, int sign) {
@@ -126,6 +134,29 @@ Unit product(const Unit& a, const Unit& b, int sign) {
              a.dimension.time + sign * b.dimension.time, a.dimension.angle + sign * b.dimension.angle,
              a.dimension.current + sign * b.dimension.current},
             sign > 0 ? a.factor * b.factor : a.factor / b.factor};
+}
+
+Attempt try_unit(std::string_view text) {
+    text = trimmed(text);
+    if (text.empty()) return {{}, text};
+    Unit unit;
+    int sign = 1;
+    while (true) {
+        std::size_t end = text.find_first_of(" */");
+        const std::size_t dot = text.find("·");
+        if (dot < end) end = dot;
+        const Attempt factor = try_factor(text.substr(0, end));
+        if (!factor.unit) return factor;
+        unit = product(unit, *factor.unit, sign);
+        if (end == std::string_view::npos) return {unit, {}};
+        // one separator, blanks around it allowed; a blank alone is a product
+        std::string_view rest = trimmed(text.substr(end));
+        sign = rest.starts_with('/') ? -1 : 1;
+        if (rest.starts_with('/') || rest.starts_with('*')) rest.remove_prefix(1);
+        if (rest.starts_with("·")) rest.remove_prefix(std::string_view("·").size());
+        text = trimmed(rest);
+        if (text.empty()) return {{}, rest};
+    }
 }
 
 // the power of ten that a ratio of units is, up to the rounding of its factors; nothing for minutes and radians
@@ -165,25 +196,14 @@ std::string describe(Dimension dimension) {
     return text;
 }
 
+std::optional<Unit> find_unit(std::string_view text) {
+    return try_unit(text).unit;
+}
+
 Unit parse_unit(std::string_view text) {
-    text = trimmed(text);
-    if (text.empty()) throw bad_unit(text);
-    Unit unit;
-    int sign = 1;
-    while (true) {
-        std::size_t end = text.find_first_of(" */");
-        const std::size_t dot = text.find("·");
-        if (dot < end) end = dot;
-        unit = product(unit, parse_factor(text.substr(0, end)), sign);
-        if (end == std::string_view::npos) return unit;
-        // one separator, blanks around it allowed; a blank alone is a product
-        std::string_view rest = trimmed(text.substr(end));
-        sign = rest.starts_with('/') ? -1 : 1;
-        if (rest.starts_with('/') || rest.starts_with('*')) rest.remove_prefix(1);
-        if (rest.starts_with("·")) rest.remove_prefix(std::string_view("·").size());
-        text = trimmed(rest);
-        if (text.empty()) throw bad_unit(rest);
-    }
+    const Attempt attempt = try_unit(text);
+    if (!attempt.unit) throw bad_unit(attempt.unknown);
+    return *attempt.unit;
 }
 
 double parse_quantity(std::string_view text, std::string_view unit) {

@@ -175,6 +175,11 @@ std::vector<std::string> check_riff(const SignalInput& input) {
     if (!data->has_format) throw refusal(input.name, "the WAV file does not say what its samples are", "no fmt chunk");
     if (data->channels == 0) throw refusal(input.name, "the WAV file has 0 channels", "", "Is its header damaged?");
     if (data->rate == 0) throw refusal(input.name, "the WAV file has a rate of 0 Hz", "", "Is its header damaged?");
+    if (!data->has_sensible_frames())
+        throw refusal(input.name,
+                      "the WAV file has samples of " + std::to_string(data->bits) + " bits in frames of " +
+                          std::to_string(data->frame_bytes) + " bytes",
+                      "they do not fit each other", "Is its header damaged?");
     if (data->available == 0) throw refusal(input.name, "the WAV file holds no samples", "it ends after its header");
     if (data->claimed <= data->available && data->claimed > 0) return {};
     if (data->has_unknown_length())

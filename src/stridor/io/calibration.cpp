@@ -22,21 +22,26 @@ constexpr double logarithm_2_of_10 = 3.3219280948873623;
 constexpr double root_of_2 = 1.4142135623730951;
 
 // what a dimension is called in SI, in the field's words
-constexpr std::array si_units{"Pa", "m/s^2", "m/s", "m", "N", "V", "A", "Hz", "kg", "s", "J", "N/m", "deg", "1"};
+constexpr std::array si_units{std::pair{"Pa", base::Dimension{1, -1, -2}},
+                              std::pair{"m/s^2", base::Dimension{0, 1, -2}},
+                              std::pair{"m/s", base::Dimension{0, 1, -1}},
+                              std::pair{"m", base::Dimension{0, 1}},
+                              std::pair{"N", base::Dimension{1, 1, -2}},
+                              std::pair{"V", base::Dimension{1, 2, -3, 0, -1}},
+                              std::pair{"A", base::Dimension{0, 0, 0, 0, 1}},
+                              std::pair{"Hz", base::Dimension{0, 0, -1}},
+                              std::pair{"kg", base::Dimension{1}},
+                              std::pair{"s", base::Dimension{0, 0, 1}},
+                              std::pair{"N/m", base::Dimension{1, 0, -2}},
+                              std::pair{"J", base::Dimension{1, 2, -2}},
+                              std::pair{"deg", base::Dimension{0, 0, 0, 1}},
+                              std::pair{"1", base::Dimension{}}};
 
 std::string spelt(std::string_view label) {
     std::string text(base::trimmed(label));
     for (std::size_t stars = text.find("**"); stars != std::string::npos; stars = text.find("**"))
         text.replace(stars, 2, "^");
     return text;
-}
-
-std::optional<base::Unit> parsed_unit(std::string_view label) {
-    try {
-        return base::parse_unit(label);
-    } catch (const Error&) {
-        return std::nullopt;
-    }
 }
 
 // digits, a sign, a point or a decimal comma; moves `text` behind them
@@ -114,17 +119,17 @@ std::optional<FullScale> by_quantity(std::string_view text, std::string_view sma
 
 bool is_known_unit(std::string_view label) {
     const std::string text = spelt(label);
-    return text.empty() || text == "-" || text == signal::full_scale || parsed_unit(text).has_value();
+    return text.empty() || text == "-" || text == signal::full_scale || base::find_unit(text).has_value();
 }
 
 FullScale unit_of_label(std::string_view label) {
     const std::string text = spelt(label);
     if (text.empty() || text == "-") return {};
     if (text == "g" || text == "gn") return {standard_gravity, "m/s^2"};
-    const std::optional<base::Unit> unit = parsed_unit(text);
+    const std::optional<base::Unit> unit = base::find_unit(text);
     if (!unit) return {1.0, text};
-    for (const char* name : si_units)
-        if (const auto si = parsed_unit(name); si && si->dimension == unit->dimension) return {unit->factor, name};
+    for (const auto& [name, dimension] : si_units)
+        if (dimension == unit->dimension) return {unit->factor, name};
     return {1.0, text};
 }
 

@@ -24,6 +24,11 @@ bool RiffData::has_unknown_length() const {
     return claimed == 0 || claimed >= 0x7FFFF000U;
 }
 
+bool RiffData::has_sensible_frames() const {
+    const bool is_plain = coding == 1 || coding == 3;
+    return !is_plain || (bits >= 8 && bits <= 64 && frame_bytes == channels * ((bits + 7) / 8));
+}
+
 std::optional<RiffData> find_riff_data(const Bytes& bytes) {
     RiffData data;
     std::optional<std::uint64_t> long_size;  // RF64
@@ -36,6 +41,8 @@ std::optional<RiffData> find_riff_data(const Bytes& bytes) {
         const std::string_view content = std::string_view(header).substr(8);
         if (name == "fmt " && size >= 16 && content.size() >= 16) {
             data.has_format = true;
+            data.coding = static_cast<std::uint16_t>(little_endian(content.substr(0, 2)));
+            data.bits = static_cast<std::uint16_t>(little_endian(content.substr(14, 2)));
             data.channels = static_cast<std::uint16_t>(little_endian(content.substr(2, 2)));
             data.rate = static_cast<std::uint32_t>(little_endian(content.substr(4, 4)));
             data.frame_bytes = static_cast<std::uint16_t>(little_endian(content.substr(12, 2)));

@@ -327,7 +327,8 @@ private:
         const double expected = times_->first.front() + static_cast<double>(frames_) * step;
         const double off = std::abs(time - expected);
         if (off <= 0.05 * step) return;
-        if (off <= 0.05 * step + 2.0 * time_grid::resolution(times_->precision, time)) return;
+        // printed to its last digit, a time is off by less than one unit of it against a line through two others
+        if (off <= 0.05 * step + time_grid::resolution(times_->precision, time)) return;
         throw refusal(rows_.place(time_column_), "the times are not evenly spaced",
                       "at " + base::shortest(layout_.rate) + " Hz this row is due at " + base::shortest(expected) +
                           ", not at " + base::shortest(time),
