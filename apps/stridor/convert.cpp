@@ -59,12 +59,12 @@ std::string format_of(const ConvertOptions& options) {
                                    "known are .wav, .csv and .uff", "Say it with --format."});
 }
 
-// the next of 1, 2, 5, 10, ... at or above the peak
+// the next of 1, 2, 5, 10, ... above the peak: whole numbers end one step below full scale
 double round_full_scale(double peak) {
     if (!(peak > 0.0)) return 1.0;
     const int exponent = static_cast<int>(std::floor(std::log10(peak)));
     for (const int digit : {1, 2, 5, 10, 20})
-        if (const double scale = digit * std::pow(10.0, exponent); scale >= peak) return scale;
+        if (const double scale = digit * std::pow(10.0, exponent); scale > peak) return scale;
     return peak;
 }
 

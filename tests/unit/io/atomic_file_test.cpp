@@ -41,6 +41,43 @@ TEST(AtomicFile, GivesBackWhatWasWritten) {
     EXPECT_EQ(scratch.entries(), 1);
 }
 
+TEST(PiecewiseFile, AppearsAsAWholeOrNotAtAll) {
+    const Scratch scratch;
+    const std::string path = scratch.path("f");
+    write_file(path, "old");
+    {
+        PiecewiseFile file(path);
+        file.write("half");
+    }
+    EXPECT_EQ(read_file(path), "old");
+    EXPECT_EQ(scratch.entries(), 1);
+    PiecewiseFile file(path);
+    std::string wanted;
+    for (int k = 0; k < 3000; ++k) {
+        const std::string piece(static_cast<std::size_t>(k % 100), static_cast<char>('a' + k % 26));
+        file.write(piece);
+        wanted += piece;
+    }
+    const std::string long_piece(200000, 'x');
+    file.write(long_piece);
+    wanted += long_piece;
+    EXPECT_EQ(file.size(), wanted.size());
+    for (const std::size_t offset : {std::size_t{0}, std::size_t{70000}, wanted.size() - 4}) {
+        file.overwrite(offset, "HEAD");
+        wanted.replace(offset, 4, "HEAD");
+    }
+    EXPECT_EQ(read_file(path), "old");
+    file.commit();
+    EXPECT_EQ(read_file(path), wanted);
+    EXPECT_EQ(scratch.entries(), 1);
+}
+
+TEST(PiecewiseFile, CannotGoBackInADevice) {
+    PiecewiseFile file("/dev/full");
+    file.write("x");
+    EXPECT_EQ(error_of([&] { file.overwrite(0, "y"); })->kind(), ErrorKind::io);
+}
+
 TEST(AtomicFile, LeavesTheOldFileWhenTheDiskIsFull) {
     const Scratch scratch;
     const std::string path = scratch.path("chart.csv");
