@@ -120,6 +120,12 @@ void apply_sidecar(const Sidecar& sidecar, signal::Layout& layout, const std::st
     layout.rate = *sidecar.rate;
 }
 
+// "channel 1" is what writers call a channel without a name
+void drop_made_up_names(signal::Layout& layout) {
+    for (std::size_t k = 0; k < layout.channels.size(); ++k)
+        if (layout.channels[k].name == "channel " + std::to_string(k + 1)) layout.channels[k].name.clear();
+}
+
 void check_options(const OpenOptions& options, const signal::Layout& layout, const std::string& name) {
     const std::size_t width = layout.channels.size();
     const std::size_t given = options.full_scales.size();
@@ -184,6 +190,7 @@ SignalInput open_input(const std::string& path) {
 std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOptions& options) {
     RawSignal raw = open_raw(input, options);
     signal::Layout layout = raw.source->layout();
+    drop_made_up_names(layout);
     std::optional<Sidecar> sidecar;
     if (input.sidecar) sidecar = parse_sidecar(*input.sidecar, sidecar_path(input.name));
     SignalFacts facts{input.name, raw.format, {}, {}, raw.notes, raw.metadata};

@@ -88,6 +88,12 @@ TEST(OpenSignal, TakesOneChannelAlone) {
                  fixture("scipy_16.wav"));
 }
 
+TEST(OpenSignal, TakesNoNumberForAName) {
+    const auto file = open_signal(input_of("# rate: 9\nchannel 1,channel 1\n1,2\n"));
+    EXPECT_EQ(file->layout().channels[0].name, "");
+    EXPECT_EQ(file->layout().channels[1].name, "channel 1");
+}
+
 TEST(OpenSignal, RefusesWhatIsNoRecording) {
     const Scratch scratch;
     const std::array<std::pair<const char*, std::string>, 6> cases{
