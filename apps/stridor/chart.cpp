@@ -75,8 +75,9 @@ void chart(const ChartOptions& options) {
     io::write_file((out / "chart.toml").string(), io::study_toml(study));
     report_failures(result, (out / "chart.toml").string());
     refuse_if_nothing_is_valid(result);
-    io::write_file((out / "chart.csv").string(),
-                   [&](const io::Sink& sink) { io::chart_csv(result, "chart.toml", sink); });
+    io::PiecewiseFile table((out / "chart.csv").string());
+    io::chart_csv(result, "chart.toml", [&](std::string_view piece) { table.write(piece); });
+    table.commit();
     io::write_file((out / "boundaries.csv").string(), io::boundaries_csv(study, sweep::boundaries(result)));
     io::write_chart_netcdf((out / "chart.nc").string(), result);
     draw_charts(result, out);

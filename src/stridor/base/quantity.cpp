@@ -35,6 +35,8 @@ constexpr std::array symbols{
     Symbol{"Pa", {{1, -1, -2, 0}, 1.0}, true},
     Symbol{"J", {{1, 2, -2, 0}, 1.0}, true},
     Symbol{"Hz", {{0, 0, -1, 0}, 1.0}, true},
+    Symbol{"A", {{0, 0, 0, 0, 1}, 1.0}, true},
+    Symbol{"V", {{1, 2, -3, 0, -1}, 1.0}, true},
     Symbol{"deg", {{0, 0, 0, 1}, 1.0}, false},
     Symbol{"°", {{0, 0, 0, 1}, 1.0}, false},
     Symbol{"rad", {{0, 0, 0, 1}, degrees_per_radian}, true},
@@ -66,6 +68,8 @@ constexpr std::array names{
     Name{{0, 0, -1, 0}, "a frequency (Hz)"},
     Name{{1, -1, -2, 0}, "a pressure (Pa)"},
     Name{{1, 2, -2, 0}, "an energy (J)"},
+    Name{{0, 0, 0, 0, 1}, "a current (A)"},
+    Name{{1, 2, -3, 0, -1}, "a voltage (V)"},
 };
 
 Error bad_unit(std::string_view symbol) {
@@ -74,12 +78,18 @@ Error bad_unit(std::string_view symbol) {
         known.push_back(entry.name);
     const std::string_view near = nearest_name(symbol, known);
     std::string help = near.empty()
-                           ? std::string("Known: m, kg, s, min, N, Pa, J, Hz, deg, rad, %, with G M k c m u n.")
+                           ? std::string("Known: m, kg, s, min, N, Pa, J, Hz, A, V, deg, rad, %, with G M k c m u n.")
                            : "Did you mean \"" + std::string(near) + "\"?";
     return {ErrorKind::input, {"unknown unit \"" + std::string(symbol) + "\"", "", std::move(help)}};
 }
 
-Unit parse_symbol(std::string_view text) {
+/// A unit, or the part of its text that is unknown.
+struct Attempt {
+    std::optional<Unit> unit{};
+    std::string_view unknown{};
+};
+
+std::optional<Unit> find_symbol(std::string_view text) {
     for (const Symbol& symbol : symbols)
         if (symbol.name == text) return symbol.unit;
     for (const auto& [prefix, factor] : prefixes) {
@@ -87,40 +97,66 @@ Unit parse_symbol(std::string_view text) {
         for (const Symbol& symbol : symbols) {
             const bool matches = symbol.takes_prefix && symbol.name == text.substr(prefix.size());
             // kg is exactly 1, not 1000 * 0.001 by luck of rounding
-            if (matches) return {symbol.unit.dimension, text == "kg" ? 1.0 : factor * symbol.unit.factor};
+            if (matches) return Unit{symbol.unit.dimension, text == "kg" ? 1.0 : factor * symbol.unit.factor};
         }
     }
-    throw bad_unit(text);
+    return std::nullopt;
 }
 
 // one symbol with an optional power: "mm", "s^2", "s²", "s^-1"
-Unit parse_factor(std::string_view text) {
+Attempt try_factor(std::string_view text) {
     int power = 1;
     const std::size_t caret = text.find('^');
     if (caret != std::string_view::npos) {
         const std::string_view digits = text.substr(caret + 1);
         const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), power);
         const bool is_whole = result.ec == std::errc{} && result.ptr == digits.data() + digits.size();
-        if (!is_whole || std::abs(power) > 9) throw bad_unit(text);
+        if (!is_whole || std::abs(power) > 9) return {{}, text};
         text = text.substr(0, caret);
     } else if (text.ends_with("²")) {
         power = 2;
         text.remove_suffix(std::string_view("²").size());
     }
-    const Unit base = parse_symbol(text);
+    const std::optional<Unit> symbol = find_symbol(text);
+    if (!symbol) return {{}, text};
+    const Unit& base = *symbol;
     Unit unit{{base.dimension.mass * power, base.dimension.length * power, base.dimension.time * power,
-               base.dimension.angle * power},
+               base.dimension.angle * power, base.dimension.current * power},
               1.0};
     for (int k = 0; k < std::abs(power); ++k)
         unit.factor *= base.factor;
     if (power < 0) unit.factor = 1.0 / unit.factor;
-    return unit;
+    return {unit, {}};
 }
 
 Unit product(const Unit& a, const Unit& b, int sign) {
     return {{a.dimension.mass + sign * b.dimension.mass, a.dimension.length + sign * b.dimension.length,
-             a.dimension.time + sign * b.dimension.time, a.dimension.angle + sign * b.dimension.angle},
+             a.dimension.time + sign * b.dimension.time, a.dimension.angle + sign * b.dimension.angle,
+             a.dimension.current + sign * b.dimension.current},
             sign > 0 ? a.factor * b.factor : a.factor / b.factor};
+}
+
+Attempt try_unit(std::string_view text) {
+    text = trimmed(text);
+    if (text.empty()) return {{}, text};
+    Unit unit;
+    int sign = 1;
+    while (true) {
+        std::size_t end = text.find_first_of(" */");
+        const std::size_t dot = text.find("·");
+        if (dot < end) end = dot;
+        const Attempt factor = try_factor(text.substr(0, end));
+        if (!factor.unit) return factor;
+        unit = product(unit, *factor.unit, sign);
+        if (end == std::string_view::npos) return {unit, {}};
+        // one separator, blanks around it allowed; a blank alone is a product
+        std::string_view rest = trimmed(text.substr(end));
+        sign = rest.starts_with('/') ? -1 : 1;
+        if (rest.starts_with('/') || rest.starts_with('*')) rest.remove_prefix(1);
+        if (rest.starts_with("·")) rest.remove_prefix(std::string_view("·").size());
+        text = trimmed(rest);
+        if (text.empty()) return {{}, rest};
+    }
 }
 
 // the power of ten that a ratio of units is, up to the rounding of its factors; nothing for minutes and radians
@@ -153,31 +189,21 @@ std::string describe(Dimension dimension) {
         if (name.dimension == dimension) return std::string(name.text);
     std::string text = "a quantity in";
     const std::array parts{std::pair{"kg", dimension.mass}, std::pair{"m", dimension.length},
-                           std::pair{"s", dimension.time}, std::pair{"deg", dimension.angle}};
+                           std::pair{"s", dimension.time}, std::pair{"deg", dimension.angle},
+                           std::pair{"A", dimension.current}};
     for (const auto& [symbol, power] : parts)
         if (power != 0) text += std::string(" ") + symbol + (power == 1 ? "" : "^" + std::to_string(power));
     return text;
 }
 
+std::optional<Unit> find_unit(std::string_view text) {
+    return try_unit(text).unit;
+}
+
 Unit parse_unit(std::string_view text) {
-    text = trimmed(text);
-    if (text.empty()) throw bad_unit(text);
-    Unit unit;
-    int sign = 1;
-    while (true) {
-        std::size_t end = text.find_first_of(" */");
-        const std::size_t dot = text.find("·");
-        if (dot < end) end = dot;
-        unit = product(unit, parse_factor(text.substr(0, end)), sign);
-        if (end == std::string_view::npos) return unit;
-        // one separator, blanks around it allowed; a blank alone is a product
-        std::string_view rest = trimmed(text.substr(end));
-        sign = rest.starts_with('/') ? -1 : 1;
-        if (rest.starts_with('/') || rest.starts_with('*')) rest.remove_prefix(1);
-        if (rest.starts_with("·")) rest.remove_prefix(std::string_view("·").size());
-        text = trimmed(rest);
-        if (text.empty()) throw bad_unit(rest);
-    }
+    const Attempt attempt = try_unit(text);
+    if (!attempt.unit) throw bad_unit(attempt.unknown);
+    return *attempt.unit;
 }
 
 double parse_quantity(std::string_view text, std::string_view unit) {

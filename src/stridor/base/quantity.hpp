@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,7 @@ struct Dimension {
     int length = 0;
     int time = 0;
     int angle = 0;
+    int current = 0;
     bool operator==(const Dimension&) const = default;
 };
 
@@ -28,6 +30,9 @@ std::string describe(Dimension dimension);
 ///
 /// Throws `Error` (input) naming the symbol it does not know, with the nearest known one.
 Unit parse_unit(std::string_view text);
+
+/// The same without an error: nothing for what is no unit.
+std::optional<Unit> find_unit(std::string_view text);
 
 /// Reads a number, with or without a unit, into the SI value of a quantity that is measured in `unit`.
 ///

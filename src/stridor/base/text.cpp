@@ -42,6 +42,9 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
     std::string_view best;
     std::size_t fewest = 3;
     for (const std::string_view candidate : candidates) {
+        // each character too many is an edit
+        const std::size_t longer = std::max(name.size(), candidate.size());
+        if (longer - std::min(name.size(), candidate.size()) >= fewest) continue;
         const std::size_t count = edits(name, candidate);
         if (count < fewest && count < candidate.size()) {
             fewest = count;

@@ -1,5 +1,6 @@
 #include "stridor/io/atomic_file.hpp"
 
+#include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 
 #include <fcntl.h>
@@ -118,79 +119,19 @@ void close(Descriptor& file, const std::string& path) {
 }
 
 // a short name of its own, so that a long target name stays within what a folder allows
-std::string temporary_name(const std::string& folder, int number) {
+std::string name_beside(const std::string& folder, int number) {
     return folder + "/.stridor-" + std::to_string(::getpid()) + "-" + std::to_string(number) + ".tmp";
 }
 
 std::pair<int, std::string> open_temporary(const std::string& folder, const std::string& path) {
     for (int number = 0;; ++number) {
-        std::string name = temporary_name(folder, number);
+        std::string name = name_beside(folder, number);
         const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor >= 0) return {descriptor, std::move(name)};
         if (errno == EEXIST) continue;
         const bool lacks_folder = errno == ENOENT;
         throw failure("write", path, errno, lacks_folder ? "Create the folder " + quoted(folder) + " first." : "");
     }
-}
-
-using Make = std::function<void(const Sink& sink)>;
-
-// small pieces are gathered: a system call each would cost more than making them
-void write_pieces(int descriptor, const Make& make, const std::string& path) {
-    constexpr std::size_t enough = std::size_t{1} << 18U;
-    std::string gathered;
-    make([&](std::string_view bytes) {
-        gathered += bytes;
-        if (gathered.size() < enough) return;
-        write_all(descriptor, gathered, path);
-        gathered.clear();
-    });
-    write_all(descriptor, gathered, path);
-}
-
-void write_directly(const std::string& path, const Make& make) {
-    Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (!file.is_open()) throw failure("write", path, errno);
-    write_pieces(file.number(), make, path);
-    close(file, path);
-}
-
-/// What a path names: the file to be replaced, or the name of a new one.
-struct Target {
-    std::string path;
-    std::optional<mode_t> mode;  // of the file that is there
-    bool is_regular = true;
-};
-
-Target target_of(const std::string& path) {
-    struct stat status {};
-    const bool exists = ::stat(path.c_str(), &status) == 0;
-    if (exists && S_ISDIR(status.st_mode)) throw failure("write", path, EISDIR, "Name a file in it.");
-    if (!exists) return {path, std::nullopt};
-    std::error_code code;
-    const std::filesystem::path resolved = std::filesystem::canonical(path, code);
-    return {code ? path : resolved.string(), status.st_mode & 07777U, S_ISREG(status.st_mode)};
-}
-
-// `fill` is given the open temporary and its name
-void replace(const std::string& target, const std::function<void(int descriptor, const std::string& temporary)>& fill,
-             std::optional<mode_t> mode) {
-    const std::string parent = std::filesystem::path(target).parent_path().string();
-    const std::string folder = parent.empty() ? "." : parent;
-    auto [descriptor, name] = open_temporary(folder, target);
-    Temporary temporary(std::move(name));
-    Descriptor file(descriptor);
-    if (mode && ::fchmod(file.number(), *mode) != 0) throw failure("write", target, errno);
-    fill(file.number(), temporary.path());
-    flush(file.number(), target);
-    close(file, target);
-    if (::rename(temporary.path().c_str(), target.c_str()) != 0) throw failure("write", target, errno);
-    temporary.keep();
-
-    // the name itself is on the disk only once its folder is
-    Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!directory.is_open()) throw failure("write", target, errno);
-    flush(directory.number(), target);
 }
 
 }  // namespace
@@ -202,31 +143,111 @@ std::string read_file(const std::string& path) {
     return read_all(file.number(), path);
 }
 
+/// Where the bytes of a file go before it has its name: a temporary beside it, or straight into a device or pipe.
+class PiecewiseFile::Target {
+public:
+    explicit Target(const std::string& path) : path_(path) {
+        struct stat status {};
+        const bool exists = ::stat(path.c_str(), &status) == 0;
+        if (exists && S_ISDIR(status.st_mode)) throw failure("write", path, EISDIR, "Name a file in it.");
+        // renaming onto a device or a pipe would replace it
+        if (exists && !S_ISREG(status.st_mode)) {
+            file_.emplace(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+            if (!file_->is_open()) throw failure("write", path, errno);
+            return;
+        }
+        std::error_code code;
+        const std::filesystem::path resolved = std::filesystem::canonical(path, code);
+        if (exists && !code) path_ = resolved.string();
+        const std::string parent = std::filesystem::path(path_).parent_path().string();
+        folder_ = parent.empty() ? "." : parent;
+        auto [descriptor, name] = open_temporary(folder_, path_);
+        temporary_.emplace(std::move(name));
+        file_.emplace(descriptor);
+        if (exists && ::fchmod(descriptor, status.st_mode & 07777U) != 0) throw failure("write", path_, errno);
+    }
+
+    void write(std::string_view bytes) const { write_all(file_->number(), bytes, path_); }
+
+    void overwrite(std::uint64_t offset, std::string_view bytes) const {
+        while (!bytes.empty()) {
+            const ssize_t count = ::pwrite(file_->number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) throw failure("write", path_, errno);
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+            offset += static_cast<std::uint64_t>(count);
+        }
+    }
+
+    std::string temporary_name(std::uint64_t room) const {
+        if (!temporary_) throw failure("write", path_, ESPIPE);
+        if (const int code = ::posix_fallocate(file_->number(), 0, static_cast<off_t>(room)); code != 0)
+            throw failure("write", path_, code);
+        return temporary_->path();
+    }
+
+    void commit() {
+        if (temporary_) flush(file_->number(), path_);
+        close(*file_, path_);
+        if (!temporary_) return;
+        if (::rename(temporary_->path().c_str(), path_.c_str()) != 0) throw failure("write", path_, errno);
+        temporary_->keep();
+
+        // the name itself is on the disk only once its folder is
+        const Descriptor directory(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+        if (!directory.is_open()) throw failure("write", path_, errno);
+        flush(directory.number(), path_);
+    }
+
+private:
+    std::string path_;
+    std::string folder_;
+    std::optional<Temporary> temporary_;  // nothing: straight into the device
+    std::optional<Descriptor> file_;
+};
+
+PiecewiseFile::PiecewiseFile(const std::string& path) : target_(std::make_unique<Target>(path)) {}
+
+PiecewiseFile::~PiecewiseFile() = default;
+
+void PiecewiseFile::write(std::string_view bytes) {
+    constexpr std::size_t block = 1U << 16U;
+    size_ += bytes.size();
+    if (pending_.size() + bytes.size() > block) {
+        target_->write(pending_);
+        pending_.clear();
+    }
+    if (bytes.size() > block)
+        target_->write(bytes);
+    else
+        pending_ += bytes;
+}
+
+void PiecewiseFile::overwrite(std::uint64_t offset, std::string_view bytes) {
+    STRIDOR_EXPECT(offset + bytes.size() <= size_);
+    target_->write(pending_);
+    pending_.clear();
+    target_->overwrite(offset, bytes);
+}
+
+std::uint64_t PiecewiseFile::size() const {
+    return size_;
+}
+
+std::string PiecewiseFile::temporary_name(std::uint64_t room) {
+    return target_->temporary_name(room);
+}
+
+void PiecewiseFile::commit() {
+    target_->write(pending_);
+    pending_.clear();
+    target_->commit();
+}
+
 void write_file(const std::string& path, std::string_view bytes) {
-    write_file(path, [bytes](const Sink& sink) { sink(bytes); });
-}
-
-void write_file(const std::string& path, const Make& make) {
-    const Target target = target_of(path);
-    // renaming onto a device or a pipe would replace it
-    if (!target.is_regular) return write_directly(path, make);
-    replace(
-        target.path, [&](int descriptor, const std::string&) { write_pieces(descriptor, make, target.path); },
-        target.mode);
-}
-
-void write_file_by_name(const std::string& path, std::size_t room,
-                        const std::function<void(const std::string& temporary)>& make) {
-    const Target target = target_of(path);
-    if (!target.is_regular) throw failure("write", path, ESPIPE);
-    replace(
-        target.path,
-        [&](int descriptor, const std::string& temporary) {
-            if (const int code = ::posix_fallocate(descriptor, 0, static_cast<off_t>(room)); code != 0)
-                throw failure("write", target.path, code);
-            make(temporary);
-        },
-        target.mode);
+    PiecewiseFile file(path);
+    file.write(bytes);
+    file.commit();
 }
 
 }  // namespace stridor::io

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -23,16 +23,40 @@ std::string read_file(const std::string& path);
 /// the reason. A program that wants the error of a file size limit rather than its signal ignores SIGXFSZ.
 void write_file(const std::string& path, std::string_view bytes);
 
-/// Takes the next bytes of a file.
-using Sink = std::function<void(std::string_view bytes)>;
+/// A file that is written piece by piece, for what is too long to stand in memory, and that appears under its name only as
+/// a whole: the same promises as `write_file`, kept at `commit()`. Gone without a trace if it is never committed.
+class PiecewiseFile {
+public:
+    /// Throws `Error` (io) where no file can be begun in the folder.
+    explicit PiecewiseFile(const std::string& path);
+    ~PiecewiseFile();
+    PiecewiseFile(const PiecewiseFile&) = delete;
+    PiecewiseFile& operator=(const PiecewiseFile&) = delete;
 
-/// The same for content that is made piece by piece: `make` is called once and hands its pieces to the sink. What it throws
-/// goes on to the caller, and the file stays as it was.
-void write_file(const std::string& path, const std::function<void(const Sink& sink)>& make);
+    /// Appends. Pieces are gathered into blocks, so they may be small.
+    void write(std::string_view bytes);
 
-/// The same for a file that another library writes: `make` is given the temporary name, of a file that has had `room` bytes
-/// on the disk. A device or a pipe is refused.
-void write_file_by_name(const std::string& path, std::size_t room,
-                        const std::function<void(const std::string& temporary)>& make);
+    /// Writes over bytes that were appended before: a size in a header that is known only at the end.
+    ///
+    /// Throws `Error` (io) for a pipe, where nothing can be taken back.
+    void overwrite(std::uint64_t offset, std::string_view bytes);
+
+    /// Bytes appended so far.
+    std::uint64_t size() const;
+
+    /// The name that the file has until then, for another library to write it by: the file has had `room` bytes on the disk.
+    ///
+    /// Throws `Error` (io) where the room is missing, and for a device or a pipe.
+    std::string temporary_name(std::uint64_t room);
+
+    /// Gives the file its name; nothing is written after it.
+    void commit();
+
+private:
+    class Target;
+    std::unique_ptr<Target> target_;
+    std::string pending_;
+    std::uint64_t size_ = 0;  // [bytes] pending ones included
+};
 
 }  // namespace stridor::io

@@ -1,19 +1,23 @@
 #pragma once
 
-#include "stridor/io/atomic_file.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/contact_history.hpp"
 #include "stridor/record/trace.hpp"
 #include "stridor/sweep/boundaries.hpp"
 #include "stridor/sweep/cell.hpp"
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Tables as CSV text: first `# key: value` lines (schema, version, commit, title, the canonical text of the case), then a row
 /// of names, a row of units ("-" for words), then numbers in their shortest form that reads back as the same double. NaN is
 /// an empty field. Fields are quoted as RFC 4180 has it. Nothing in it changes between two runs of the same case.
 namespace stridor::io {
+
+/// Takes the next piece of a text.
+using Sink = std::function<void(std::string_view piece)>;
 
 /// "stridor.chart/1": a row per cell in index order (direction slowest, x fastest).
 ///

@@ -226,21 +226,21 @@ void put_history(NetcdfDataset& file, const record::ContactHistory& history) {
 void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result) {
     const sweep::Study& study = result.study;
     const std::string canonical = sweep::canonical_text(study);
-    write_file_by_name(path, room_of(result), [&](const std::string& temporary) {
-        NetcdfDataset file(path, temporary);
-        put_origin(file, "chart", study.base.title.empty() ? "noise chart" : study.base.title);
-        const int direction = put_directions(file, study);
-        const int y = put_axis(file, coordinate_name(study.y, study.x), study.y, "Y");
-        const int x = put_axis(file, coordinate_name(study.x, study.y), study.x, "X");
-        const std::array dimensions{direction, y, x};
-        file.attribute("study", canonical);
-        file.attribute("study_hash", base::hash_text(canonical));
-        file.attribute("case", study_toml(study, {.comments = Comments::none, .heading = ""}));
-        put_verdicts(file, result, dimensions);
-        put_figures(file, result, dimensions);
-        if (!study.starts.empty()) put_starts(file, result, dimensions);
-        file.finish();
-    });
+    PiecewiseFile whole(path);
+    NetcdfDataset file(path, whole.temporary_name(room_of(result)));
+    put_origin(file, "chart", study.base.title.empty() ? "noise chart" : study.base.title);
+    const int direction = put_directions(file, study);
+    const int y = put_axis(file, coordinate_name(study.y, study.x), study.y, "Y");
+    const int x = put_axis(file, coordinate_name(study.x, study.y), study.x, "X");
+    const std::array dimensions{direction, y, x};
+    file.attribute("study", canonical);
+    file.attribute("study_hash", base::hash_text(canonical));
+    file.attribute("case", study_toml(study, {.comments = Comments::none, .heading = ""}));
+    put_verdicts(file, result, dimensions);
+    put_figures(file, result, dimensions);
+    if (!study.starts.empty()) put_starts(file, result, dimensions);
+    file.finish();
+    whole.commit();
 }
 
 void write_trace_netcdf(const std::string& path, const parameters::Case& c, const record::Record& record) {

@@ -44,6 +44,19 @@ TEST(Quantity, WithAUnitIsConvertedToSiAndDegrees) {
     EXPECT_DOUBLE_EQ(parse_quantity("1 mrad", "deg"), 0.05729577951308232);
 }
 
+TEST(Quantity, MayBeElectric) {
+    EXPECT_EQ(parse_quantity("250 mV", "V"), 0.25);
+    EXPECT_EQ(parse_unit("V*A*s").dimension, parse_unit("J").dimension);
+    EXPECT_EQ(describe(parse_unit("mV").dimension), "a voltage (V)");
+    EXPECT_EQ(describe(parse_unit("V/m").dimension), "a quantity in kg m s^-3 A^-1");
+}
+
+TEST(Quantity, FindsAUnitWithoutAnError) {
+    EXPECT_EQ(find_unit("kN")->factor, 1000.0);
+    for (const char* text : {"", "Pas", "m/", "s^99", "counts"})
+        EXPECT_FALSE(find_unit(text)) << text;
+}
+
 TEST(Quantity, TenthOfAMicrosecondIsExactlyWhatAUserWrites) {
     EXPECT_EQ(parse_quantity("0.1 us", "s"), 1e-7);
     EXPECT_EQ(parse_quantity("100 ns", "s"), 1e-7);

@@ -8,7 +8,6 @@
 
 #include <csignal>
 #include <fstream>
-#include <stdexcept>
 
 namespace stridor::io {
 namespace {
@@ -43,6 +42,43 @@ TEST(AtomicFile, GivesBackWhatWasWritten) {
     EXPECT_EQ(scratch.entries(), 1);
 }
 
+TEST(PiecewiseFile, AppearsAsAWholeOrNotAtAll) {
+    const Scratch scratch;
+    const std::string path = scratch.path("f");
+    write_file(path, "old");
+    {
+        PiecewiseFile file(path);
+        file.write("half");
+    }
+    EXPECT_EQ(read_file(path), "old");
+    EXPECT_EQ(scratch.entries(), 1);
+    PiecewiseFile file(path);
+    std::string wanted;
+    for (int k = 0; k < 3000; ++k) {
+        const std::string piece(static_cast<std::size_t>(k % 100), static_cast<char>('a' + k % 26));
+        file.write(piece);
+        wanted += piece;
+    }
+    const std::string long_piece(200000, 'x');
+    file.write(long_piece);
+    wanted += long_piece;
+    EXPECT_EQ(file.size(), wanted.size());
+    for (const std::size_t offset : {std::size_t{0}, std::size_t{70000}, wanted.size() - 4}) {
+        file.overwrite(offset, "HEAD");
+        wanted.replace(offset, 4, "HEAD");
+    }
+    EXPECT_EQ(read_file(path), "old");
+    file.commit();
+    EXPECT_EQ(read_file(path), wanted);
+    EXPECT_EQ(scratch.entries(), 1);
+}
+
+TEST(PiecewiseFile, CannotGoBackInADevice) {
+    PiecewiseFile file("/dev/full");
+    file.write("x");
+    EXPECT_EQ(error_of([&] { file.overwrite(0, "y"); })->kind(), ErrorKind::io);
+}
+
 TEST(AtomicFile, LeavesTheOldFileWhenTheDiskIsFull) {
     const Scratch scratch;
     const std::string path = scratch.path("chart.csv");
@@ -59,56 +95,30 @@ TEST(AtomicFile, LeavesTheOldFileWhenTheDiskIsFull) {
     EXPECT_EQ(scratch.entries(), 1) << "the temporary file is still there";
 }
 
-TEST(AtomicFile, TakesItsContentInPieces) {
-    const Scratch scratch;
-    std::string whole;
-    write_file(scratch.path("f"), [&](const Sink& sink) {
-        for (int piece = 0; piece < 2000; ++piece) {
-            const std::string text(static_cast<std::size_t>(piece), static_cast<char>('a' + piece % 26));
-            sink(text);
-            whole += text;
-        }
-    });
-    EXPECT_EQ(read_file(scratch.path("f")), whole);
-}
-
-TEST(AtomicFile, LeavesTheOldFileWhenItsMakerFails) {
-    const Scratch scratch;
-    const std::string path = scratch.path("f");
-    write_file(path, "old");
-    EXPECT_THROW(write_file(path,
-                            [](const Sink& sink) {
-                                sink("half");
-                                throw std::runtime_error("no more");
-                            }),
-                 std::runtime_error);
-    EXPECT_EQ(read_file(path), "old");
-    EXPECT_EQ(scratch.entries(), 1);
-}
-
 TEST(AtomicFile, GivesAnotherWriterATemporaryName) {
     const Scratch scratch;
     const std::string path = scratch.path("f");
     write_file(path, "old");
-    write_file_by_name(path, 10, [&](const std::string& temporary) {
-        EXPECT_EQ(std::filesystem::file_size(temporary), 10U);
-        EXPECT_EQ(read_file(path), "old");
-        std::ofstream(temporary, std::ios::trunc) << "new";
-    });
+    PiecewiseFile file(path);
+    const std::string temporary = file.temporary_name(10);
+    EXPECT_EQ(std::filesystem::file_size(temporary), 10U);
+    std::ofstream(temporary, std::ios::trunc) << "new";
+    EXPECT_EQ(read_file(path), "old");
+    file.commit();
     EXPECT_EQ(read_file(path), "new");
     EXPECT_EQ(scratch.entries(), 1);
 }
 
-TEST(AtomicFile, AsksNobodyToWriteWhereTheRoomIsMissing) {
+TEST(AtomicFile, GivesNoNameWhereTheRoomIsMissing) {
     const Scratch scratch;
-    const SmallDisk disk(4096);
-    const auto error = error_of([&] {
-        write_file_by_name(scratch.path("f"), 10000, [](const std::string&) { FAIL() << "it would not fit"; });
-    });
-    ASSERT_TRUE(error);
-    EXPECT_EQ(error->kind(), ErrorKind::io);
+    {
+        const SmallDisk disk(4096);
+        const auto error = error_of([&] { PiecewiseFile(scratch.path("f")).temporary_name(10000); });
+        ASSERT_TRUE(error);
+        EXPECT_EQ(error->kind(), ErrorKind::io);
+    }
     EXPECT_EQ(scratch.entries(), 0);
-    EXPECT_TRUE(error_of([] { write_file_by_name("/dev/null", 0, [](const std::string&) {}); }));
+    EXPECT_TRUE(error_of([] { PiecewiseFile("/dev/null").temporary_name(0); }));
 }
 
 TEST(AtomicFile, SaysThatTheDiskIsFull) {

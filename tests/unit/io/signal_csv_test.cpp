@@ -1,0 +1,155 @@
+#include "stridor/io/signal_csv.hpp"
+
+#include "io_support.hpp"
+#include "signal_support.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/io/atomic_file.hpp"
+#include "stridor/io/line_reader.hpp"
+#include "stridor/io/signal_csv_writer.hpp"
+#include "support/counter_random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace stridor::io {
+namespace {
+
+using signal::Signal;
+
+std::optional<Error> refusal(const std::string& text) {
+    const auto error = error_of([&] { all_of(input_of(text, "d.csv")); });
+    EXPECT_TRUE(!error || error->kind() == ErrorKind::input);
+    return error;
+}
+
+void expect_force(const std::string& text, double rate = 2.0) {
+    const std::vector<Signal> found = all_of(input_of(text));
+    ASSERT_EQ(found.size(), 1U) << text;
+    EXPECT_EQ(found[0].rate, rate) << text;
+    EXPECT_EQ(found[0].samples, (std::vector<double>{0.5, -1.0, 2.0})) << text;
+}
+
+TEST(SignalCsv, SniffsDelimiterDecimalMarkUnitsAndMark) {
+    expect_force("time [s],force [N]\n0,0.5\n0.5,-1\n1,2\n");
+    expect_force("time;force\ns;N\n0;0,5\n0,5;-1,0\n1;2\n");
+    expect_force("\xEF\xBB\xBFt\t\"force (mN)\"\r\n0\t500\r\n0,5\t-1000\r\n1\t+2e3\r\n");
+    expect_force("time,force\nms,mN\n0,500\n500,-1000\n1000,2000");
+    expect_force("0,0.5\n0.5,-1\n1,2\n");
+    expect_force("# rate: 2 Hz\nforce\nN\n0,5\n-1\n2\n");
+    expect_force("# lab 7\n# Rate: 2 kHz\n\n0.5\n-1\n\n2\n# end\n", 2000.0);
+    expect_force("force,time,state\nN,s,-\n0.5,0,slip\n-1,0.5,stick\n2,1,slip\n");
+}
+
+TEST(SignalCsv, KeepsMetadataNamesAndNotes) {
+    const auto file = open_signal(input_of("# preload: 20 N\ntime,Kraft [EU],state\n0,1,slip\n1,2,slip\n"));
+    EXPECT_EQ(file->facts().metadata, (std::vector<std::pair<std::string, std::string>>{{"preload", "20 N"}}));
+    EXPECT_EQ(file->layout().channels[0].name, "Kraft");
+    EXPECT_EQ(file->layout().channels[0].unit, "EU");
+    ASSERT_EQ(file->facts().notes.size(), 2U);
+    EXPECT_NE(file->facts().notes[0].find("\"state\" holds words"), std::string::npos);
+    EXPECT_NE(file->facts().notes[1].find("\"EU\""), std::string::npos);
+}
+
+TEST(SignalCsv, FindsTheRateBehindRoundedTimes) {
+    for (const double rate : {8000.0, 44100.0, 48000.0, 51200.0})
+        for (const char* format : {"%.6f,1\n", "%.9f,1\n", "%.17g,1\n", "%.7g,1\n"}) {
+            std::string text = "time,v\n";
+            for (int k = 0; k < 5000; ++k) {
+                std::array<char, 64> row{};
+                std::snprintf(row.data(), row.size(), format, k / rate);
+                text += row.data();
+            }
+            const std::vector<Signal> found = all_of(input_of(text));
+            EXPECT_EQ(found[0].rate, rate) << format;
+            EXPECT_EQ(found[0].samples.size(), 5000U);
+        }
+}
+
+TEST(SignalCsv, SaysWhatRateItTook) {
+    const auto file =
+        open_signal(input_of("time,v\n0,1\n0.000021,2\n0.000042,3\n0.000063,4\n0.000083,4\n0.000104,4\n"));
+    EXPECT_EQ(file->layout().rate, 48000.0);
+    ASSERT_EQ(file->facts().notes.size(), 1U);
+    EXPECT_NE(file->facts().notes[0].find("was taken for 48000 Hz"), std::string::npos);
+}
+
+TEST(SignalCsv, PointsAtAnUnevenStep) {
+    std::string text = "time,v\n";
+    for (int k = 0; k < 3000; ++k)
+        if (k != 2500) text += base::shortest(k * 0.001) + ",1\n";
+    expect_error(refusal(text), "the times are not evenly spaced", "d.csv:2502:1");
+    expect_error(refusal("t,v\n0,1\n1,1\n2.5,1\n"), "not evenly spaced", "d.csv:3:1");
+    expect_error(refusal("t,v\n0,1\n1,1\n1,1\n"), "the times do not increase", "d.csv:4:1");
+}
+
+TEST(SignalCsv, PointsAtTheFieldThatIsNoNumber) {
+    expect_error(refusal("# rate: 9\nv\n1\n2\nx\n"), "v = \"x\" is not a number", "d.csv:5:1");
+    expect_error(refusal("# rate: 9\na,b\n1,2\n3,nan\n"), "b = \"nan\" is not a finite number", "d.csv:4:3");
+    expect_error(refusal("# rate: 9\na,b\n1,2\n3,\n"), "(the field is empty)", "d.csv:4:3");
+    expect_error(refusal("# rate: 9\na,b\n1,2\n3\n"), "the row has 1 columns", "d.csv:4:1");
+    expect_error(refusal("# rate: 9\na,b\n1,1e999\n"), "is not a finite number", "d.csv:3:3");
+}
+
+TEST(SignalCsv, RefusesWhatHasNoRateOrSamples) {
+    expect_error(refusal("a,b\n1,2\n3,4\n"), "does not tell its sampling rate", "d.csv:2");
+    expect_error(refusal("t,b\n1,2\n"), "one row does not tell the sampling rate", "d.csv:2");
+    expect_error(refusal("time\n1\n2\n"), "no column of samples", "d.csv:2");
+    expect_error(refusal("# rate: 0\n1\n"), "is no sampling rate", "d.csv:1:1");
+    expect_error(refusal("# rate: 5 N\n1\n"), "is a force (N)", "d.csv:1:1");
+    expect_error(refusal("only words\n"), "no row of numbers", "d.csv:1:1");
+    expect_error(refusal("# rate: 9\n"), "holds no table", "d.csv");
+    expect_error(refusal(std::string("\xFF\xFEt\0,\0", 6)), "Save it as UTF-8", "d.csv:1:1");
+    expect_error(refusal(std::string(200000, '1')), "the line has more than 65536 bytes", "d.csv:1");
+}
+
+TEST(SignalCsv, GivesBackEveryBitOfWhatItWrote) {
+    const Scratch scratch;
+    support::CounterRandom random(7);
+    Signal a{48000.0 / 7.0, "m/s^2", {}}, b{48000.0 / 7.0, "FS", {}};
+    for (int k = 0; k < 30000; ++k) {
+        a.samples.push_back(random.between(-1e3, 1e3) * 1e-3);
+        b.samples.push_back(random.one_in(2) ? 5e-324 : -random.decades(1e-300, 1e300));
+    }
+    EXPECT_EQ(write_signal_csv(scratch.path("a.csv"), *signal::source_of({a, b})), 30000U);
+    const std::vector<Signal> back = all_of(scratch.path("a.csv"));
+    ASSERT_EQ(back.size(), 2U);
+    EXPECT_EQ(back[0].rate, a.rate);
+    EXPECT_EQ(back[0].unit, "m/s^2");
+    EXPECT_EQ(back[0].samples, a.samples);
+    EXPECT_EQ(back[1].unit, "FS");
+    EXPECT_EQ(back[1].samples, b.samples);
+}
+
+TEST(LineReader, TakesAnyLineEndsAcrossItsBlocks) {
+    // lengths that put line ends on, before and behind the ends of blocks
+    std::string text;
+    std::vector<std::string> wanted;
+    support::CounterRandom random(3);
+    for (int k = 0; k < 60; ++k) {
+        wanted.push_back(std::string(random.one_in(4) ? 65536 - random.below(3) : random.below(40), 'x'));
+        text += wanted.back() + (random.one_in(3) ? "\n" : random.one_in(2) ? "\r\n" : "\r");
+    }
+    wanted.push_back("end");
+    text += "end";
+    LineReader lines(bytes_of(text), "t");
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+        // an empty line after a CR cannot be told from CR LF
+        const auto line = lines.next();
+        ASSERT_TRUE(line) << k;
+        if (line->text.empty() && !wanted[k].empty()) FAIL() << k;
+        if (!line->text.empty()) {
+            ASSERT_EQ(text.substr(line->offset, line->text.size()), line->text);
+        }
+        if (line->text != wanted[k]) {
+            // the pair was one line end: skip the empty one that it swallowed
+            while (k + 1 < wanted.size() && wanted[k].empty() && line->text != wanted[k])
+                ++k;
+            ASSERT_EQ(line->text, wanted[k]);
+        }
+    }
+    EXPECT_FALSE(lines.next());
+}
+
+}  // namespace
+}  // namespace stridor::io
