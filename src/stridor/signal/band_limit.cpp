@@ -30,6 +30,9 @@ namespace {
 // how far dv may be from the trapezoid of a₀ and a₁, as a share of it, before something must have jumped in between
 constexpr double smoothness = 1e-2;
 
+// output samples on either side that both low passes together reach, and some more
+constexpr double reach_of_low_pass = 100.0;
+
 struct Interval {
     double dv;     // [m/s] change of the velocity
     double first;  // [m/s] ∫s u" dt
@@ -93,6 +96,7 @@ RateRatio second_ratio(double interval, double rate) {
 
 BandLimiter::BandLimiter(double interval, double rate, MotionQuantity quantity)
     : interval_(interval),
+      share_(interval * rate),
       quantity_(quantity),
       coarse_({1, first_step(interval, rate)}, first_low_pass(interval, rate)),
       fine_(second_ratio(interval, rate), second_low_pass(second_ratio(interval, rate))) {
@@ -103,58 +107,64 @@ BandLimiter::BandLimiter(double interval, double rate, MotionQuantity quantity)
 void BandLimiter::add_mean(double mean) {
     std::rotate(means_.begin(), means_.begin() + 1, means_.end());
     means_.back() = mean;
-    ++mean_count_;
-    // before the beginning the velocity is what it is there
-    if (mean_count_ == 1) means_.fill(mean);
-    if (mean_count_ < 2) return;
+    // the first two belong to the time before the first sample
+    if (++mean_count_ < 3) return;
     points_.push_back(quantity_ == MotionQuantity::acceleration
                           ? (means_[2] - means_[1]) / interval_
-                          : (13.0 * (means_[1] + means_[2]) - (means_[0] + means_[3])) / 24.0);
+                          : (13.0 * (means_[1] + means_[2]) - (means_[0] + means_[3])) / 24.0 - first_velocity_);
 }
 
-void BandLimiter::add_interval(double next_displacement, double next_velocity, double next_acceleration) {
-    const double slope = (next_displacement - displacement_) / interval_;
-    const Interval i{next_velocity - velocity_, next_velocity - slope, interval_ * acceleration_,
-                     interval_ * next_acceleration};
+void BandLimiter::add_interval(double slope, double kink) {
     std::rotate(kinks_.begin(), kinks_.begin() + 1, kinks_.end());
-    std::rotate(slopes_.begin(), slopes_.begin() + 1, slopes_.end());
-    kinks_.back() = curvature(i);
-    slopes_.back() = slope;
-    if (++intervals_ == 1) kinks_.fill(kinks_.back());
-    if (intervals_ == 1) slopes_.fill(slopes_.back());
-    if (intervals_ >= 2) add_mean(slopes_[1] + 0.25 * (kinks_[0] - kinks_[2]));
+    kinks_.back() = kink;
+    add_mean(slope_ + 0.25 * (kinks_[0] - kinks_[2]));
+    slope_ = slope;
 }
 
+void BandLimiter::add_sample(double displacement, double velocity, double acceleration) {
+    if (samples_++ == 0) {
+        // before the beginning the velocity is what it is there
+        first_velocity_ = slope_ = velocity;
+        means_.fill(velocity);
+    } else {
+        const double slope = (displacement - displacement_) / interval_;
+        const Interval i{velocity - velocity_, velocity - slope, interval_ * acceleration_, interval_ * acceleration};
+        add_interval(slope, curvature(i));
+    }
+    displacement_ = displacement;
+    velocity_ = velocity;
+    acceleration_ = acceleration;
+}
+
+// takes the points down to the output's rate
 std::vector<double> BandLimiter::filtered() {
-    const std::vector<double> middle = coarse_.push(points_);
+    std::vector<double> output = fine_.push(coarse_.push(points_));
     points_.clear();
-    return fine_.push(middle);
+    if (quantity_ == MotionQuantity::velocity)
+        for (double& sample : output)
+            sample += first_velocity_;
+    produced_ += output.size();
+    return output;
 }
 
 std::vector<double> BandLimiter::push(const MotionSamples& motion) {
     STRIDOR_EXPECT(motion.displacement.size() == motion.velocity.size());
     STRIDOR_EXPECT(motion.displacement.size() == motion.acceleration.size());
-    for (std::size_t k = 0; k < motion.displacement.size(); ++k) {
-        if (has_sample_) add_interval(motion.displacement[k], motion.velocity[k], motion.acceleration[k]);
-        has_sample_ = true;
-        displacement_ = motion.displacement[k];
-        velocity_ = motion.velocity[k];
-        acceleration_ = motion.acceleration[k];
-    }
+    for (std::size_t k = 0; k < motion.displacement.size(); ++k)
+        add_sample(motion.displacement[k], motion.velocity[k], motion.acceleration[k]);
     return filtered();
 }
 
 std::vector<double> BandLimiter::finish() {
-    // after the end the velocity stays what it was
-    if (intervals_ > 0)
-        for (int k = 0; k < 3; ++k)
-            add_mean(slopes_[2] + 0.25 * (kinks_[1] - kinks_[2]));
-    std::vector<double> middle = coarse_.push(points_);
-    const std::vector<double> last = coarse_.finish();
-    middle.insert(middle.end(), last.begin(), last.end());
-    std::vector<double> output = fine_.push(middle);
-    const std::vector<double> rest = fine_.finish();
-    output.insert(output.end(), rest.begin(), rest.end());
+    if (samples_ == 0) return {};
+    const std::size_t before = produced_;
+    const auto count = static_cast<std::size_t>(std::floor(static_cast<double>(samples_ - 1) * share_ + 1e-6)) + 1;
+    // after the end the velocity stays what it is there, for as long as the low passes reach
+    const auto reach = static_cast<std::size_t>(std::ceil(reach_of_low_pass / share_));
+    for (std::size_t k = 0; k < reach; ++k)
+        add_interval(velocity_, 0.0);
+    std::vector<double> output = filtered();
+    output.resize(count - before);
     return output;
 }
 

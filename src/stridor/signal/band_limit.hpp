@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -39,19 +40,22 @@ public:
     std::vector<double> finish();
 
 private:
-    void add_interval(double next_displacement, double next_velocity, double next_acceleration);
+    void add_sample(double displacement, double velocity, double acceleration);
+    void add_interval(double slope, double kink);
     void add_mean(double mean);
     std::vector<double> filtered();
 
-    double interval_;
+    double interval_;  // [s]
+    double share_;     // [1] of an output sample that an input sample is
     MotionQuantity quantity_;
-    bool has_sample_ = false;
+    std::uint64_t samples_ = 0;                                        // taken
+    std::uint64_t produced_ = 0;                                       // made
     double displacement_ = 0.0, velocity_ = 0.0, acceleration_ = 0.0;  // last sample
-    std::array<double, 3> kinks_{};   // curvature moments of the last three intervals, oldest first
-    std::array<double, 3> slopes_{};  // mean velocities of the same intervals
-    std::array<double, 4> means_{};   // matched mean velocities, oldest first
-    std::size_t intervals_ = 0;
-    std::size_t mean_count_ = 0;
+    double first_velocity_ = 0.0;                                      // [m/s]
+    double slope_ = 0.0;                                               // [m/s] mean velocity of the last interval
+    std::array<double, 3> kinks_{};  // [m/s] q of the interval before it, of it, and of the next
+    std::array<double, 4> means_{};  // [m/s] V of four intervals, oldest first
+    std::uint64_t mean_count_ = 0;
     std::vector<double> points_;  // at the input's rate, not yet filtered
     Resampler coarse_;
     Resampler fine_;
