@@ -2,7 +2,6 @@
 #include "interrupt.hpp"
 #include "player.hpp"
 #include "sound.hpp"
-#include "sound_file.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
@@ -11,6 +10,7 @@
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_document.hpp"
 #include "stridor/io/toml_study.hpp"
+#include "stridor/io/wav.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/record/schedule.hpp"
 #include "terminal.hpp"
@@ -320,12 +320,12 @@ void listen(const ListenOptions& options) {
     info.full_scale = full_scale_for(options, *sound);
     info.player = options.out.empty() ? find_player() : "";
 
-    const SoundFileInfo file{info.full_scale, description(info, choice.c)};
-    if (!options.out.empty()) write_sound(options.out, *sound, file);
+    const io::WavOptions file{io::WavSamples::pcm_24, {{info.full_scale, info.unit}}, description(info, choice.c)};
+    if (!options.out.empty()) io::write_wav(options.out, *sound, file);
     print(options.json ? io::sound_json(choice.c, info) + "\n" : report(info));
     if (!options.out.empty()) return;
     const TemporaryFile temporary;
-    write_sound(temporary.path(), *sound, file);
+    io::write_wav(temporary.path(), *sound, file);
     play(info.player, temporary.path());
 }
 

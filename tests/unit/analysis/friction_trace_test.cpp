@@ -91,11 +91,11 @@ Rig rig_measurement(double noise) {
     run.drive.times = {0.0, 0.05};
     run.drive.velocities = {0.0, 4e-3};
     for (int k = 0; k < 4; ++k) {
-        const double turn = 5.08 * (k + 1), sign = k % 2 == 0 ? 1.0 : -1.0;
+        const double turn = 5.1 + 5.2 * k, sign = k % 2 == 0 ? 1.0 : -1.0;
         run.drive.times.insert(run.drive.times.end(), {turn - 0.05, turn + 0.05});
         run.drive.velocities.insert(run.drive.velocities.end(), {sign * 4e-3, -sign * 4e-3});
     }
-    run.duration = 20.2;
+    run.duration = 20.6;
     run.request.trace.to = run.duration;
     Rig rig{run_belt(run), {}, {}};
     support::CounterRandom random(17);
@@ -137,8 +137,8 @@ TEST(FrictionTrace, SurvivesNoiseDriftAndReversals) {
 TEST(FrictionTrace, MeasuresTheDistanceSlid) {
     const Rig rig = rig_measurement(0.0);
     const FrictionTrace trace = friction_trace({1000.0, rig.force, rig.velocity, {}, 10.0});
-    EXPECT_NEAR(trace.all.distance, 20.2 * 4e-3, 2e-3);
-    EXPECT_NEAR(trace.all.moving_time, 20.2, 0.5);
+    EXPECT_NEAR(trace.all.distance, 20.6 * 4e-3, 2e-3);
+    EXPECT_NEAR(trace.all.moving_time, 20.6, 0.5);
 }
 
 TEST(FrictionTrace, OfSteadySlidingHasNoDrops) {
