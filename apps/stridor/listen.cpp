@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -73,13 +74,20 @@ std::optional<Direction> direction_of(const ListenOptions& options) {
 
 // --- which motion
 
-// a duration of one's own, put over the file's as any other key
-void set_duration(io::TomlSource& source, const parameters::Case& c, const std::string& seconds) {
-    if (seconds.empty()) return;
-    const double duration = base::parse_quantity(seconds, "s");
+// nothing where the whole run is heard
+std::optional<double> seconds_of(const ListenOptions& options) {
+    if (options.seconds.empty()) return std::nullopt;
+    const double seconds = base::parse_quantity(options.seconds, "s");
+    if (!(seconds > 0.0)) refuse("--seconds " + options.seconds + " is no time to listen", "it must be positive", "");
+    return seconds;
+}
+
+// a longer run, put over the file's as any other key; of one that lasts longer the beginning is heard
+void set_duration(io::TomlSource& source, const parameters::Case& c, const std::optional<double>& seconds) {
+    if (!seconds || *seconds <= c.run.duration) return;
     const bool is_whole = c.run.window == c.run.duration;
-    source.overrides.push_back("run.duration=" + base::shortest(duration));
-    if (is_whole || c.run.window > duration) source.overrides.push_back("run.window=" + base::shortest(duration));
+    source.overrides.push_back("run.duration=" + base::shortest(*seconds));
+    if (is_whole) source.overrides.push_back("run.window=" + base::shortest(*seconds));
 }
 
 double distance(const sweep::Axis& axis, int index, double value) {
@@ -123,7 +131,7 @@ std::array<std::string, 2> coordinates(const std::string& cell) {
 }
 
 Choice chosen_cell(const ListenOptions& options, io::TomlSource source) {
-    set_duration(source, io::read_study(source).base, options.seconds);
+    set_duration(source, io::read_study(source).base, seconds_of(options));
     const sweep::Study study = io::read_study(source);
     const std::array<std::string, 2> texts = coordinates(options.cell);
     const Direction direction = direction_of(options).value_or(study.directions.front());
@@ -133,15 +141,17 @@ Choice chosen_cell(const ListenOptions& options, io::TomlSource source) {
     if (place.direction == study.directions.size())
         refuse("the chart has no direction " + options.direction, "chart.directions leaves it out", "");
     Choice choice{sweep::case_at(study, place), {}};
-    choice.info.cell = fmt::format("{} = {:g}, {} = {:g}", study.x.parameter, sweep::value_at(study.x, place.ix),
-                                   study.y.parameter, sweep::value_at(study.y, place.iy));
+    const auto words = [&](const sweep::Axis& axis) {
+        return axis.parameter + " = " + parameters::value_text(choice.c, *parameters::find_field(axis.parameter));
+    };
+    choice.info.cell = words(study.x) + ", " + words(study.y);
     return choice;
 }
 
 Choice choose(const ListenOptions& options) {
     io::TomlSource source = io::load_toml(options.input.file, options.input.overrides);
     if (!options.cell.empty()) return chosen_cell(options, std::move(source));
-    if (!options.seconds.empty()) set_duration(source, io::read_case(source), options.seconds);
+    if (!options.seconds.empty()) set_duration(source, io::read_case(source), seconds_of(options));
     return {io::read_case(source), {}};
 }
 
@@ -196,7 +206,11 @@ signal::AuralisationSettings settings_for(const ListenOptions& options, const pa
         refuse("--high-pass " + options.high_pass + " leaves nothing to hear", "it goes from 0 to a tenth of the rate",
                "20 Hz is the default, 0 leaves all in.");
     if (!(settings.fade >= 0.0)) refuse("--fade " + options.fade + " is no time", "it must not be negative", "");
-    settings.stretches = stretches(options, c);
+    const double end = seconds_of(options).value_or(c.run.duration);
+    for (const signal::Stretch& stretch : stretches(options, c))
+        if (stretch.from < end) settings.stretches.push_back({stretch.from, std::min(stretch.to, end)});
+    if (settings.stretches.empty())
+        refuse("nothing of this part lies in the first " + base::shortest(end) + " s", "", "Ask for more --seconds.");
     return settings;
 }
 
@@ -353,7 +367,10 @@ void add_listen(CLI::App& program) {
                      "along (x) or across (y) the contact (default: x of the joint, y of the plate)")
         ->check(CLI::IsMember({"x", "y"}));
     command->add_option("--rate", options->rate, "samples per second")->type_name("FREQUENCY")->capture_default_str();
-    command->add_option("--seconds", options->seconds, "simulated time (default: run.duration)")->type_name("TIME");
+    command
+        ->add_option("--seconds", options->seconds,
+                     "how much of the motion (default: run.duration); more than that simulates longer")
+        ->type_name("TIME");
     command->add_option("--level", options->level, "normalised: peak at -1 dBFS; absolute: full scale as stated")
         ->check(CLI::IsMember({"normalised", "absolute"}))
         ->capture_default_str();

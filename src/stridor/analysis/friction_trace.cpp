@@ -1,16 +1,6 @@
-// r = T/N in the sense of its direction. Within a stretch of one direction r climbs while the contact sticks and falls when it
-// lets go. Peaks and valleys are found by hysteresis: a peak is known once r lies a threshold below it, a valley once r lies a
-// threshold above it. From each peak to its valley:
-//
-//     onset      last sample within a tenth of the fall (or the noise) of the peak
-//     static     r at the onset, on the line through the samples before it where they are many: noise does not lift it
-//     kinetic    mean of r between 90 and 10 % of the way down
-//
-// A force measured through a spring swings evenly about mu_d N in a slip; the contact's own force is mu_d N: the mean of both is
-// the kinetic coefficient.
-
 #include "stridor/analysis/friction_trace.hpp"
 
+#include "stridor/analysis/friction_falls.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 
@@ -24,7 +14,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_samples = 16;
-constexpr std::size_t most_line_samples = 64;  // of the line through the end of a climb
 
 // samples [from, to) of one direction
 struct Stretch {
@@ -33,19 +22,9 @@ struct Stretch {
     int direction = 1;
 };
 
-// a fall from a peak to a valley, as numbers of samples
-struct Fall {
-    std::size_t rise_from = 0;  // the valley before, or the beginning of the stretch
-    std::size_t peak = 0;       // the highest
-    std::size_t onset = 0;      // the last high one
-    std::size_t valley = 0;
-};
-
 struct DropFigures {
     ForceDrop drop;
-    double peak = 0.0;        // [1]
-    double resolution = 0.0;  // [1] what r climbs within one sample
-    double kinetic = 0.0;     // [1]
+    Release release;
 };
 
 double quantile(std::vector<double> values, double share) {
@@ -147,102 +126,6 @@ std::vector<Stretch> stretches_by_force(std::span<const double> r, double share)
     return stretches;
 }
 
-// --- drops within a stretch; r is in the sense of its direction
-
-// the samples between 90 and 10 % of the way down
-struct Descent {
-    std::size_t from = 0;  // the last one above
-    std::size_t to = 0;    // the first one below
-};
-Descent descent_of(std::span<const double> r, std::size_t peak, std::size_t valley) {
-    const double size = r[peak] - r[valley];
-    Descent descent{peak, valley};
-    for (std::size_t k = peak; k <= valley; ++k)
-        if (r[k] >= r[valley] + 0.9 * size) descent.from = k;
-    for (std::size_t k = valley; k > descent.from; --k)
-        if (r[k] <= r[valley] + 0.1 * size) descent.to = k;
-    return descent;
-}
-
-std::size_t onset_of(std::span<const double> r, std::size_t peak, std::size_t valley, double noise) {
-    const double least = r[peak] - std::max(0.1 * (r[peak] - r[valley]), 4.0 * noise);
-    std::size_t onset = peak;
-    for (std::size_t k = peak; k < valley; ++k)
-        if (r[k] >= least) onset = k;
-    return onset;
-}
-
-std::vector<Fall> falls(std::span<const double> r, double threshold, double noise, std::size_t longest) {
-    std::vector<Fall> found;
-    std::size_t peak = 0, valley = 0, rise_from = 0;
-    bool is_falling = false;
-    for (std::size_t k = 0; k < r.size(); ++k) {
-        if (!std::isfinite(r[k])) continue;
-        if (!is_falling) {
-            if (!(r[k] <= r[peak])) peak = k;
-            if (r[k] <= r[peak] - threshold) {
-                is_falling = true;
-                valley = k;
-            }
-        } else {
-            if (r[k] < r[valley]) valley = k;
-            if (r[k] >= r[valley] + threshold) {
-                const Descent descent = descent_of(r, peak, valley);
-                if (descent.to - descent.from <= longest)
-                    found.push_back({rise_from, peak, onset_of(r, peak, valley, noise), valley});
-                is_falling = false;
-                rise_from = valley;
-                peak = k;
-            }
-        }
-    }
-    return found;
-}
-
-// r at `last` on the least-squares line through the `count` samples that end there
-struct Line {
-    double value = 0.0;
-    double slope = 0.0;  // per sample
-};
-Line line_at_end(std::span<const double> r, std::size_t last, std::size_t count) {
-    double sum = 0.0, moment = 0.0, n = 0.0, s1 = 0.0, s2 = 0.0;
-    for (std::size_t j = 0; j < count; ++j) {
-        const double value = r[last - j];
-        if (!std::isfinite(value)) continue;
-        const auto x = -static_cast<double>(j);
-        sum += value;
-        moment += x * value;
-        n += 1.0;
-        s1 += x;
-        s2 += x * x;
-    }
-    const double determinant = n * s2 - s1 * s1;
-    if (determinant <= 0.0) return {r[last], 0.0};
-    return {(s2 * sum - s1 * moment) / determinant, (n * moment - s1 * sum) / determinant};
-}
-
-DropFigures figures_of(const Fall& fall, std::span<const double> r) {
-    DropFigures figures;
-    // noise asks for many samples, the shape of the climb for few: a quarter of it
-    const std::size_t climb = fall.onset - fall.rise_from;
-    const std::size_t count = std::clamp<std::size_t>(climb / 4, 1, most_line_samples);
-    const Line line = line_at_end(r, fall.onset, count);
-    const double climb_rate = count >= 4 ? line.slope : r[fall.onset] - r[std::max<std::size_t>(fall.onset, 1) - 1];
-    figures.resolution = std::isfinite(climb_rate) ? std::max(0.0, climb_rate) : 0.0;
-    // the contact let go somewhere between this sample and the next
-    figures.peak = (count >= 4 ? line.value : r[fall.onset]) + 0.5 * figures.resolution;
-    // the peak and the valley are left out alike, so that an even swing is not pulled to either side
-    const Descent descent = descent_of(r, fall.peak, fall.valley);
-    double sum = 0.0, count_between = 0.0;
-    for (std::size_t k = descent.from + 1; k < descent.to; ++k)
-        if (std::isfinite(r[k])) {
-            sum += r[k];
-            count_between += 1.0;
-        }
-    figures.kinetic = count_between > 0.0 ? sum / count_between : 0.5 * (figures.peak + r[fall.valley]);
-    return figures;
-}
-
 // --- figures over many
 
 MeasuredCoefficient mean_of(const std::vector<double>& values, double resolution) {
@@ -292,8 +175,8 @@ StretchFigures study(const FrictionMeasurement& m, const std::vector<double>& si
     for (double& value : r)
         value *= stretch.direction;
     const auto longest = static_cast<std::size_t>(std::max(1.0, options.longest_drop * m.rate));
-    for (const Fall& fall : falls(r, threshold, noise, longest)) {
-        DropFigures drop = figures_of(fall, r);
+    for (const Fall& fall : falls(r, {threshold, noise, longest})) {
+        DropFigures drop{{}, release_of(fall, r)};
         const std::size_t from = stretch.from + fall.onset, to = stretch.from + fall.valley;
         drop.drop = {static_cast<double>(from) / m.rate, static_cast<double>(to - from) / m.rate,
                      stretch.direction * m.force[from], stretch.direction * m.force[to], stretch.direction};
@@ -325,9 +208,9 @@ void set_coefficients(FrictionFigures& figures, const std::vector<const StretchF
     double resolution = 0.0;
     for (const StretchFigures* stretch : stretches) {
         for (const DropFigures& drop : stretch->drops) {
-            peaks.push_back(drop.peak);
-            slips.push_back(drop.kinetic);
-            resolution += drop.resolution;
+            peaks.push_back(drop.release.peak);
+            slips.push_back(drop.release.kinetic);
+            resolution += drop.release.resolution;
         }
         blocks.insert(blocks.end(), stretch->blocks.begin(), stretch->blocks.end());
         if (std::isfinite(stretch->first_peak)) first_peaks.push_back(stretch->first_peak);
