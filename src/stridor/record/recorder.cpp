@@ -22,7 +22,9 @@ void append(Instants& instants, double time) {
 
 }  // namespace
 
-Recorder::Recorder(Schedule schedule, Request request, int dofs) : schedule_(std::move(schedule)), request_(std::move(request)) {
+Recorder::Recorder(Schedule schedule, Request request, int dofs)
+    : schedule_(std::move(schedule)),
+      request_(std::move(request)) {
     const auto size = static_cast<std::size_t>(dofs);
     for (const Phase phase : schedule_.phases) {
         Tally tally;
