@@ -2,7 +2,7 @@
 _stridor() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=""
     if ((COMP_CWORD == 1)); then
-        COMPREPLY=($(compgen -W "init check simulate stability chart figure convert verify completion --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "init check simulate stability chart figure listen rig convert verify completion --help --version" -- "$word"))
         return
     fi
     if [[ $previous == --set ]]; then
@@ -21,6 +21,8 @@ _stridor() {
         stability) options="--help --set --over --figure --json" ;;
         chart) options="--help --set --no-early --out --threads --preview --json" ;;
         figure) options="--help" ;;
+        listen) options="--help --set --cell --direction --judged --out --of --quantity --component --rate --seconds --level --full-scale --high-pass --fade --json" ;;
+        rig) options="--help" ;;
         convert) options="--help --full-scale --format --bits --channel --dataset --rate --json" ;;
         verify) options="--help" ;;
         completion) options="--help" ;;

@@ -22,7 +22,9 @@ void append(Instants& instants, double time) {
 
 }  // namespace
 
-Recorder::Recorder(Schedule schedule, Request request, int dofs) : schedule_(std::move(schedule)), request_(request) {
+Recorder::Recorder(Schedule schedule, Request request, int dofs)
+    : schedule_(std::move(schedule)),
+      request_(std::move(request)) {
     const auto size = static_cast<std::size_t>(dofs);
     for (const Phase phase : schedule_.phases) {
         Tally tally;
@@ -92,7 +94,25 @@ void Recorder::vibrate(std::size_t span, double duration, std::span<const Vibrat
     }
 }
 
+Trace& Recorder::trace() {
+    if (request_.trace.taker && record_.trace.time.size() >= trace_block) hand_over();
+    return record_.trace;
+}
+
+// the taker has the samples then, and the trace is empty
+void Recorder::hand_over() {
+    Trace& trace = record_.trace;
+    request_.trace.taker(trace);
+    for (auto* vectors : {&trace.displacement, &trace.velocity, &trace.acceleration})
+        for (std::vector<double>& samples : *vectors)
+            samples.clear();
+    for (auto* samples : {&trace.time, &trace.surface_velocity, &trace.normal_force, &trace.friction_force, &trace.gap})
+        samples->clear();
+    trace.state.clear();
+}
+
 Record Recorder::finish(double time) {
+    if (request_.trace.taker && !record_.trace.time.empty()) hand_over();
     if (has_state_) {
         count(time);
         current_.to = time;

@@ -42,7 +42,8 @@ public:
     /// Adds the vibration of a stretch of time that lies within span number `span`; shape [dof].
     void vibrate(std::size_t span, double duration, std::span<const Vibration> vibration);
 
-    Trace& trace() { return record_.trace; }
+    /// Where the next sample goes; to be asked for each of them.
+    Trace& trace();
 
     /// Ends the record at `time` and hands it over.
     Record finish(double time);
@@ -51,6 +52,7 @@ private:
     void count(double to);
     void note_change(model::ContactState from, model::ContactState to, double time);
     Tally* tally_of(Phase phase);
+    void hand_over();
 
     Schedule schedule_;
     Request request_;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -184,6 +185,26 @@ TEST(VibrationTally, SumsOverJudgedSpansAndKeepsThePeak) {
     EXPECT_EQ(record.phases[0].vibration[1].peak_square, 16.0);
     EXPECT_EQ(record.phases[1].vibration_time, 2.0);
     EXPECT_EQ(record.phases[1].vibration[0].square_time, 0.5);
+}
+
+TEST(Recorder, HandsATraceOverInBlocksAndKeepsNone) {
+    std::vector<double> taken;
+    std::size_t largest = 0;
+    Request request;
+    request.trace.interval = 1.0;
+    request.trace.taker = [&](const Trace& block) {
+        largest = std::max(largest, block.time.size());
+        taken.insert(taken.end(), block.time.begin(), block.time.end());
+    };
+    Recorder recorder({}, request, 1);
+    const std::size_t count = 2 * trace_block + 5;
+    for (std::size_t k = 0; k < count; ++k)
+        recorder.trace().time.push_back(static_cast<double>(k));
+    EXPECT_TRUE(recorder.finish(1.0).trace.time.empty());
+    EXPECT_EQ(largest, trace_block);
+    ASSERT_EQ(taken.size(), count);
+    for (std::size_t k = 0; k < count; ++k)
+        EXPECT_EQ(taken[k], static_cast<double>(k));
 }
 
 }  // namespace

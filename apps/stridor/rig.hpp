@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace stridor::app {
+
+/// One function per figure of the rig: `stridor rig NAME`.
+void add_rig_friction(CLI::App& rig);
+
+}  // namespace stridor::app

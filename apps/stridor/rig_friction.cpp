@@ -1,0 +1,280 @@
+#include "commands.hpp"
+#include "rig.hpp"
+#include "stridor/analysis/friction_trace.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/io/json_friction.hpp"
+#include "stridor/io/open_signal.hpp"
+#include "stridor/io/toml_case.hpp"
+#include "stridor/io/toml_writer.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace stridor::app {
+
+namespace {
+
+using analysis::FrictionFigures;
+using analysis::FrictionTrace;
+using analysis::MeasuredCoefficient;
+
+// an hour of four channels at 10 kHz
+constexpr std::uint64_t most_samples = 150'000'000;
+
+struct FrictionOptions {
+    std::string file;
+    std::string preload;
+    std::string velocity;  // nominal
+    std::string channel, velocity_channel, normal_channel;
+    std::string full_scale;
+    double least_drop = analysis::FrictionTraceOptions{}.least_drop;
+    std::string longest_drop = "250 ms";
+    std::string into;
+    bool json = false;
+};
+
+struct Channels {
+    std::size_t force = 0;
+    std::optional<std::size_t> velocity, normal;
+};
+
+[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
+    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
+}
+
+std::string listed(const signal::Layout& layout) {
+    std::string text;
+    for (std::size_t k = 0; k < layout.channels.size(); ++k)
+        text +=
+            fmt::format("{}{} \"{}\" [{}]", k > 0 ? ", " : "", k + 1, layout.channels[k].name, layout.channels[k].unit);
+    return text;
+}
+
+// by its name or its number from 1
+std::size_t named_channel(const signal::Layout& layout, const std::string& name, const std::string& unit) {
+    std::size_t found = layout.channels.size();
+    for (std::size_t k = 0; k < layout.channels.size(); ++k)
+        if (layout.channels[k].name == name || std::to_string(k + 1) == name) {
+            found = k;
+            if (layout.channels[k].name == name) break;
+        }
+    if (found == layout.channels.size())
+        refuse("there is no channel \"" + name + "\"", "the file has " + listed(layout), "");
+    if (layout.channels[found].unit != unit)
+        refuse("channel \"" + name + "\" is in " + layout.channels[found].unit, "it must be in " + unit,
+               unit == "N" ? "If it is not calibrated, say --full-scale \"50 N\"." : "");
+    return found;
+}
+
+bool says(const signal::Channel& channel, const char* word) {
+    std::string name = channel.name;
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return name.find(word) != std::string::npos;
+}
+
+// forces that say "normal", "preload" or "load" press, the others rub
+Channels channels_of(const signal::Layout& layout, const FrictionOptions& options) {
+    std::vector<std::size_t> rubbing, normal, velocities;
+    for (std::size_t k = 0; k < layout.channels.size(); ++k) {
+        const signal::Channel& channel = layout.channels[k];
+        if (channel.unit == "m/s") velocities.push_back(k);
+        if (channel.unit != "N") continue;
+        const bool presses = says(channel, "normal") || says(channel, "load");
+        (presses ? normal : rubbing).push_back(k);
+    }
+    Channels channels;
+    if (!options.channel.empty())
+        channels.force = named_channel(layout, options.channel, "N");
+    else if (rubbing.size() == 1)
+        channels.force = rubbing.front();
+    else
+        refuse(rubbing.empty() ? "no channel is a friction force in newtons"
+                               : "several channels may be the friction force",
+               "the file has " + listed(layout),
+               rubbing.empty() ? "If it is not calibrated, say --full-scale \"50 N\"." : "Name it with --channel.");
+    // one that is named, or the plate's own of a simulated trace, or the only one
+    const auto surface = std::find_if(velocities.begin(), velocities.end(),
+                                      [&](std::size_t k) { return says(layout.channels[k], "surface_velocity"); });
+    if (!options.velocity_channel.empty())
+        channels.velocity = named_channel(layout, options.velocity_channel, "m/s");
+    else if (surface != velocities.end())
+        channels.velocity = *surface;
+    else if (velocities.size() == 1)
+        channels.velocity = velocities.front();
+    if (!options.normal_channel.empty())
+        channels.normal = named_channel(layout, options.normal_channel, "N");
+    else if (normal.size() == 1)
+        channels.normal = normal.front();
+    return channels;
+}
+
+// the usual speed of a measured velocity
+double typical(std::vector<double> velocity) {
+    for (double& v : velocity)
+        v = std::abs(v);
+    const auto place = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(velocity.size() - 1));
+    std::nth_element(velocity.begin(), velocity.begin() + place, velocity.end());
+    return velocity[static_cast<std::size_t>(place)];
+}
+
+std::string coefficient_text(const MeasuredCoefficient& c) {
+    if (!std::isfinite(c.value)) return "-";
+    return std::isfinite(c.uncertainty) && c.count > 1 ? fmt::format("{:.4f} +- {:.4f}", c.value, c.uncertainty)
+                                                       : fmt::format("{:.4f}", c.value);
+}
+
+std::string number_or_dash(double value, const char* unit) {
+    return std::isfinite(value) ? fmt::format("{:.4g}{}", value, unit) : "-";
+}
+
+std::string row(const FrictionFigures& figures) {
+    const char* direction = figures.direction == 0 ? "all" : figures.direction > 0 ? "going" : "coming";
+    return fmt::format("{:<8}{:>18}{:>18}{:>9.4f}{:>7}{:>11}{:>11}{:>11}{:>11}\n", direction,
+                       coefficient_text(figures.static_friction), coefficient_text(figures.kinetic_friction),
+                       figures.mean_friction, figures.drops, number_or_dash(figures.drop_rate, " 1/s"),
+                       number_or_dash(figures.mean_drop, " N"), number_or_dash(figures.largest_drop, " N"),
+                       number_or_dash(figures.variation, ""));
+}
+
+std::string report(const io::FrictionTest& test, const FrictionTrace& trace) {
+    std::string text = styled(test.file, Style::bold, STDOUT_FILENO) + "\n";
+    text += fmt::format("{:.4g} s at {:g} Hz, preload {:g} N", test.duration, test.rate, test.preload);
+    if (std::isfinite(test.velocity)) text += fmt::format(", {:.4g} mm/s", 1e3 * test.velocity);
+    if (!test.condition.empty()) text += " (" + test.condition + ")";
+    text += fmt::format(
+        "\nforce \"{}\"{}{}; noise {:.2g} N, drops from {:.3g} N on\n\n", test.channel,
+        test.velocity_channel.empty() ? ", direction by its sign" : ", velocity \"" + test.velocity_channel + "\"",
+        test.normal_channel.empty() ? "" : ", normal force \"" + test.normal_channel + "\"", trace.noise,
+        trace.threshold * test.preload);
+    text += fmt::format("{:<8}{:>18}{:>18}{:>9}{:>7}{:>11}{:>11}{:>11}{:>11}\n", "", "static", "kinetic", "mean",
+                        "drops", "rate", "mean drop", "largest", "variation");
+    for (const FrictionFigures& figures : trace.directions)
+        text += row(figures);
+    if (trace.directions.size() > 1) text += row(trace.all);
+    text +=
+        fmt::format("\nkinetic from {}", analysis::kinetic_source_names[static_cast<std::size_t>(trace.all.source)]);
+    if (trace.all.drops > 0 && std::isfinite(trace.all.distance))
+        text += fmt::format("; {:.4g} drops per millimetre",
+                            static_cast<double>(trace.all.drops) / (1e3 * trace.all.distance));
+    return text + "; +- is one standard uncertainty\n";
+}
+
+double rounded(double value) {
+    return std::round(value * 1e4) / 1e4;
+}
+
+// the case with the measured coefficients
+std::string changed_case(const FrictionOptions& options, const io::FrictionTest& test, const FrictionTrace& trace) {
+    parameters::Case c = io::read_case(options.into);
+    const double mu_d = rounded(trace.all.kinetic_friction.value);
+    double mu_s = rounded(trace.all.static_friction.value);
+    if (!std::isfinite(mu_d)) refuse("the trace shows no kinetic coefficient", "nothing slides in it", "");
+    std::string heading = fmt::format("friction coefficients measured: {}, preload {:g} N", test.file, test.preload);
+    if (!std::isfinite(mu_s)) {
+        mu_s = mu_d;
+        heading += "\nno static coefficient was to be seen: it is set to the kinetic one";
+    }
+    if (mu_s < mu_d)
+        refuse(fmt::format("the static coefficient, {:g}, comes out below the kinetic one, {:g}", mu_s, mu_d),
+               "the model needs it the other way round", "Is --preload right, and the sensor's zero?");
+    c.contact.static_friction = mu_s;
+    c.contact.kinetic_friction = mu_d;
+    return io::case_toml(c, {io::Comments::full, heading});
+}
+
+void friction(const FrictionOptions& options) {
+    io::OpenOptions open;
+    if (!options.full_scale.empty()) open.full_scales = {io::parse_full_scale(options.full_scale)};
+    const std::unique_ptr<io::SignalFile> file = io::open_signal(options.file, open);
+    const signal::Layout layout = file->layout();
+    const Channels places = channels_of(layout, options);
+    for (const std::string& note : file->facts().notes)
+        say("stridor: note: " + note);
+    const std::vector<signal::Signal> channels = signal::read_all(*file, most_samples);
+
+    analysis::FrictionMeasurement measurement;
+    measurement.rate = layout.rate;
+    measurement.preload = base::parse_quantity(options.preload, "N");
+    measurement.force = channels[places.force].samples;
+    if (places.velocity) measurement.velocity = channels[*places.velocity].samples;
+    if (places.normal) measurement.normal_force = channels[*places.normal].samples;
+    analysis::FrictionTraceOptions settings;
+    settings.least_drop = options.least_drop;
+    settings.longest_drop = base::parse_quantity(options.longest_drop, "s");
+    const FrictionTrace trace = analysis::friction_trace(measurement, settings);
+
+    io::FrictionTest test;
+    test.file = options.file;
+    test.channel = layout.channels[places.force].name;
+    if (places.velocity) test.velocity_channel = layout.channels[*places.velocity].name;
+    if (places.normal) test.normal_channel = layout.channels[*places.normal].name;
+    test.rate = layout.rate;
+    test.duration = signal::duration(channels[places.force]);
+    test.preload = measurement.preload;
+    test.velocity = !options.velocity.empty() ? base::parse_quantity(options.velocity, "m/s")
+                    : places.velocity         ? typical(channels[*places.velocity].samples)
+                                              : std::numeric_limits<double>::quiet_NaN();
+    test.condition = analysis::vda_condition(test.preload, test.velocity);
+    for (const std::string& note : trace.notes)
+        say("stridor: note: " + note);
+    if (!options.into.empty()) {
+        print(changed_case(options, test, trace));
+        say(fmt::format("static {}, kinetic {}", coefficient_text(trace.all.static_friction),
+                        coefficient_text(trace.all.kinetic_friction)));
+        return;
+    }
+    print(options.json ? io::friction_json(test, trace) + "\n" : report(test, trace));
+}
+
+}  // namespace
+
+void add_rig_friction(CLI::App& rig) {
+    auto options = std::make_shared<FrictionOptions>();
+    CLI::App* command =
+        rig.add_subcommand("friction", "Friction coefficients and force drops of a measured friction force.");
+    command->add_option("file", options->file, "measurement: CSV, UFF58 or WAV; - reads stdin")->required();
+    command->add_option("--preload", options->preload, "force that presses the parts together")
+        ->type_name("FORCE")
+        ->required();
+    command
+        ->add_option("--channel", options->channel, "the friction force: name or number (default: the only one in N)")
+        ->type_name("NAME");
+    command
+        ->add_option("--velocity-channel", options->velocity_channel,
+                     "the imposed velocity (default: the only one in m/s)")
+        ->type_name("NAME");
+    command
+        ->add_option("--normal-channel", options->normal_channel,
+                     "the pressing force (default: the one that says so, else the preload)")
+        ->type_name("NAME");
+    command->add_option("--velocity", options->velocity, "nominal velocity of the test")->type_name("VELOCITY");
+    command->add_option("--full-scale", options->full_scale, "what 1 in an uncalibrated file stands for")
+        ->type_name("VALUE");
+    command->add_option("--least-drop", options->least_drop, "smallest drop, as a share of the force's level")
+        ->check(CLI::Range(1e-4, 1.0))
+        ->capture_default_str();
+    command->add_option("--longest-drop", options->longest_drop, "a fall that takes longer is drift")
+        ->type_name("TIME")
+        ->capture_default_str();
+    CLI::Option* into =
+        command->add_option("--into", options->into, "print this case with the coefficients put in")->type_name("CASE");
+    command->add_flag("--json", options->json, "print one JSON document (schema stridor.friction/1)")->excludes(into);
+    command->footer(
+        "Examples:\n  stridor rig friction seal.csv --preload \"10 N\" --velocity \"4 mm/s\"\n"
+        "  stridor rig friction seal.uff --preload \"40 N\" --channel \"friction force\" --json\n"
+        "  stridor rig friction seal.csv --preload \"10 N\" --into seal.toml > measured.toml");
+    command->callback([options] { friction(*options); });
+}
+
+}  // namespace stridor::app

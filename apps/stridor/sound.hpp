@@ -1,0 +1,54 @@
+#pragma once
+
+#include "stridor/parameters/case.hpp"
+#include "stridor/signal/auralisation.hpp"
+#include "stridor/signal/source.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <span>
+#include <stop_token>
+
+namespace stridor::app {
+
+/// A sound of one channel that is made block by block and read again from its beginning, as often as wanted: in a temporary file
+/// without a name, so that hours of it never stand in memory.
+class Spool final : public signal::Source {
+public:
+    Spool(double rate, std::string unit);
+
+    /// Adds samples [unit] at the end. Throws `Error` (io) where the disk is full.
+    void append(std::span<const double> samples);
+
+    /// The next read begins with the first sample.
+    void rewind();
+
+    double peak() const { return peak_; }  // [unit] largest magnitude
+    double mean_square() const;            // [unit^2]
+    std::uint64_t frames() const { return *layout_.frames; }
+
+    const signal::Layout& layout() const override { return layout_; }
+    std::size_t read(std::span<double> frames) override;
+
+private:
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    signal::Layout layout_;
+    std::unique_ptr<std::FILE, Close> file_;
+    double peak_ = 0.0;
+    double square_sum_ = 0.0;
+};
+
+/// Is told how much of the run [s] is rendered.
+using RenderProgress = std::function<void(double)>;
+
+/// Simulates a case and makes the sound of it [m/s or m/s^2].
+///
+/// Throws `Error` for a run that has no result or was stopped, and for a beta_2 step too long to be heard.
+std::unique_ptr<Spool> render(const parameters::Case& c, const signal::AuralisationSettings& settings,
+                              const std::stop_token& stop, const RenderProgress& progress);
+
+}  // namespace stridor::app
