@@ -18,6 +18,8 @@ void add_simulate(CLI::App& program);
 void add_stability(CLI::App& program);
 void add_chart(CLI::App& program);
 void add_figure(CLI::App& program);
+void add_library(CLI::App& program);
+void add_rig(CLI::App& program);
 void add_verify(CLI::App& program);
 void add_completion(CLI::App& program);
 

@@ -36,6 +36,8 @@ void build(CLI::App& program) {
     add_stability(program);
     add_chart(program);
     add_figure(program);
+    add_library(program);
+    add_rig(program);
     add_verify(program);
     add_completion(program);
 }
