@@ -16,7 +16,7 @@ using noise_library::Observation;
 using noise_library::RankCorrelation;
 using noise_library::Sensitivity;
 
-constexpr double diameter = 3.6;    // [pt] of a record
+constexpr double diameter = 4.4;    // [pt] of a record
 constexpr double row_share = 0.16;  // height of a row of categories over that of another panel
 constexpr double log_from = 20.0;   // ratio of the ends from which an axis is logarithmic
 
@@ -68,6 +68,21 @@ std::vector<double> values_of(const std::vector<Observation>& records, double Ob
     return values;
 }
 
+// records of one value beside each other rather than one on top of the other: shares of a row from -0.5 to 0.5
+std::vector<double> spread(const std::vector<double>& values) {
+    std::vector<double> shares;
+    for (std::size_t from = 0; from < values.size();) {
+        std::size_t to = from + 1;
+        while (to < values.size() && values[to] == values[from])
+            ++to;
+        const auto count = static_cast<double>(to - from);
+        for (std::size_t k = from; k < to; ++k)
+            shares.push_back((static_cast<double>(k - from) + 0.5) / count - 0.5);
+        from = to;
+    }
+    return shares;
+}
+
 Panel category_panel(const Sensitivity& sensitivity) {
     Panel panel;
     panel.grid = Grid::both;
@@ -78,10 +93,9 @@ Panel category_panel(const Sensitivity& sensitivity) {
         const double row = static_cast<double>(k) + 0.5;
         Points points = points_of(sensitivity.categories[k], k);
         for (const Observation& record : sensitivity.records)
-            if (record.category == sensitivity.categories[k].category) {
-                points.x.push_back(record.quantity);
-                points.y.push_back(row);
-            }
+            if (record.category == sensitivity.categories[k].category) points.x.push_back(record.quantity);
+        for (const double share : spread(points.x))
+            points.y.push_back(row + 0.6 * share);
         panel.layers.emplace_back(std::move(points));
         panel.y.ticks.push_back({row, name_of(sensitivity.categories[k]), TickSize::major});
     }

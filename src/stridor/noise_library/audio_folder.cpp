@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fstream>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -50,6 +51,18 @@ public:
     DeadMarker& operator=(const DeadMarker&) = delete;
 
     const fs::path& file() const { return file_; }
+
+    // the audio it was about to place or remove
+    std::vector<AudioName> names() const {
+        std::vector<AudioName> names;
+        std::ifstream stream(file_);
+        for (AudioName name; stream >> name.hash >> name.format;)
+            // a line may be cut short
+            if (name.hash.size() == 64 && name.hash.find('/') == std::string::npos &&
+                format_of("x." + name.format) == name.format)
+                names.push_back(name);
+        return names;
+    }
 
 private:
     DeadMarker(int descriptor, fs::path file) : descriptor_(descriptor), file_(std::move(file)) {}
@@ -133,6 +146,14 @@ Marker::~Marker() {
     ::close(descriptor_);
 }
 
+void Marker::announce(const std::set<AudioName>& names) {
+    std::string text;
+    for (const AudioName& name : names)
+        text += name.hash + " " + name.format + "\n";
+    is_held_ = true;
+    storage::write_and_flush(descriptor_, text, file_.parent_path().string());
+}
+
 fs::path Marker::temporary() {
     fs::path name = file_;
     return name.replace_extension("." + std::to_string(temporaries_++) + ".part");
@@ -152,13 +173,15 @@ Staged Intake::stage(const std::string& format, const Pieces& pieces) {
     return {{hash.text(), format}, size, std::move(file)};
 }
 
-void Intake::place(Staged& staged) {
-    const fs::path name = folder_ / path_of(staged.name);
-    make_folder(name.parent_path());
-    // until the row is committed
-    marker_.hold();
-    // over a file of the same content, which this mends should it have been damaged
-    staged.file.keep(name);
+void Intake::place(std::span<Staged> staged, const std::set<AudioName>& needed) {
+    marker_.announce(needed);
+    for (Staged& each : staged) {
+        if (!needed.contains(each.name)) continue;
+        const fs::path name = folder_ / path_of(each.name);
+        make_folder(name.parent_path());
+        // over a file of the same content, which this mends should it have been damaged
+        each.file.keep(name);
+    }
 }
 
 bool has_leftovers(const fs::path& audio_folder) {
@@ -166,7 +189,7 @@ bool has_leftovers(const fs::path& audio_folder) {
     return !dead_markers(files).empty() || std::any_of(files.begin(), files.end(), is_abandoned);
 }
 
-void clear_leftovers(const fs::path& audio_folder, const std::set<fs::path>& referenced) {
+void clear_leftovers(const fs::path& audio_folder, const std::function<bool(const AudioName&)>& is_used) {
     const std::vector<fs::path> files = files_in(incoming(audio_folder));
     const std::vector<std::unique_ptr<DeadMarker>> dead = dead_markers(files);
     bool is_clear = true;
@@ -177,11 +200,9 @@ void clear_leftovers(const fs::path& audio_folder, const std::set<fs::path>& ref
         const bool is_left = is_of_dead ? file.extension() != marker_extension : is_abandoned(file);
         if (is_left && !remove_leftover(file)) is_clear = false;
     }
-    for (const fs::path& folder : files_in(audio_folder)) {
-        if (folder.filename().string().size() != 2) continue;
-        for (const fs::path& file : files_in(folder))
-            if (!referenced.contains(file.lexically_relative(audio_folder)) && !remove_leftover(file)) is_clear = false;
-    }
+    for (const std::unique_ptr<DeadMarker>& marker : dead)
+        for (const AudioName& name : marker->names())
+            if (!is_used(name) && !remove_leftover(audio_folder / path_of(name))) is_clear = false;
     // last: should this process die here, the next one finds them and begins again
     for (const std::unique_ptr<DeadMarker>& marker : dead)
         if (is_clear) ::unlink(marker->file().c_str());

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,9 +15,10 @@
 ///
 /// A file comes in four steps: it is written to `incoming` and flushed; the library's write lock is taken; the file is
 /// renamed to its own name; the row that names it is committed. So a row never lacks its file. A process that dies in
-/// between leaves a file without a row, and its marker: a file in `incoming` that it had locked, and that the system
-/// unlocked. Whoever opens the library next finds a marker without an owner and clears what is left over, under the write
-/// lock, where no living process can be between the last two steps.
+/// between leaves a file without a row, and its marker: a file in `incoming` that lists what it was about to do, that it
+/// had locked, and that the system unlocked. Whoever opens the library next finds a marker without an owner and removes
+/// the audio it lists that no row has, under the write lock, where no living process can be between the last two steps.
+/// No other audio is ever removed: it may belong to a newer copy of the database than the one at hand.
 namespace stridor::noise_library {
 
 /// Audio by its content.
@@ -33,8 +35,8 @@ std::filesystem::path path_of(const AudioName& name);
 /// The extension of a file as a library keeps it: lower case, at most eight letters and digits; "audio" if it has none.
 std::string format_of(const std::filesystem::path& file);
 
-/// A process' sign that it is changing the audio: a locked file. It stays behind, without its owner, where the process
-/// dies, or where it ends while the sign is held.
+/// A process' sign that it is changing the audio: a locked file that lists which. It stays behind, without its owner,
+/// where the process dies, or where it ends between `announce` and `release`.
 class Marker {
 public:
     /// Makes the folders that are missing. Throws `Error` (io).
@@ -43,8 +45,10 @@ public:
     Marker(const Marker&) = delete;
     Marker& operator=(const Marker&) = delete;
 
-    /// From here to `release` something may be left over.
-    void hold() { is_held_ = true; }
+    /// This audio may be left over from here on; on the disk when it returns.
+    void announce(const std::set<AudioName>& names);
+
+    /// Nothing is left over.
     void release() { is_held_ = false; }
 
     /// A new name for a temporary file of this process.
@@ -75,8 +79,8 @@ public:
     /// Copies audio and hashes it. Throws `Error` (io) where there is no room.
     Staged stage(const std::string& format, const Pieces& pieces);
 
-    /// Gives staged audio its name. Needs the library's write lock.
-    void place(Staged& staged);
+    /// Gives those of the staged that are needed their names. Needs the library's write lock.
+    void place(std::span<Staged> staged, const std::set<AudioName>& needed);
 
     /// The rows are committed.
     void settle() { marker_.release(); }
@@ -89,8 +93,9 @@ private:
 /// Did a process die while it changed the audio?
 bool has_leftovers(const std::filesystem::path& audio_folder);
 
-/// Removes what dead processes left: temporary files, and audio whose name no row holds. Needs the library's write lock.
-void clear_leftovers(const std::filesystem::path& audio_folder, const std::set<std::filesystem::path>& referenced);
+/// Removes what dead processes left: temporary files, and audio they announced that no entry has. Needs the library's
+/// write lock.
+void clear_leftovers(const std::filesystem::path& audio_folder, const std::function<bool(const AudioName&)>& is_used);
 
 /// The bytes of a file in pieces; throws `Error` (io) with what the user calls it.
 class FilePieces {

@@ -125,11 +125,7 @@ void Library::verify() {
 void Library::clear() {
     try {
         const Transaction transaction(database_);
-        std::set<fs::path> referenced;
-        Statement rows = database_.prepare("SELECT DISTINCT audio, format FROM entry");
-        while (rows.step())
-            referenced.insert(path_of({rows.text(0), rows.text(1)}));
-        clear_leftovers(audio_folder_, referenced);
+        clear_leftovers(audio_folder_, [this](const AudioName& name) { return is_used(name); });
     } catch (const Error& error) {
         // a reader need not wait for whoever writes now: leftovers do no harm, and the next one clears them
         if (error.kind() != ErrorKind::io) throw;
@@ -256,8 +252,7 @@ std::vector<std::int64_t> Library::add(Intake& intake, std::span<Staged> staged,
         ids.push_back(write(entry));
         needed.insert(audio_of(entry));
     }
-    for (Staged& each : staged)
-        if (needed.contains(each.name)) intake.place(each);
+    if (!needed.empty()) intake.place(staged, needed);
     transaction.commit();
     intake.settle();
     return ids;
@@ -288,21 +283,25 @@ void Library::remove(std::span<const std::int64_t> ids) {
             database_.execute("DELETE FROM entry WHERE id = " + std::to_string(entry.id));
             database_.execute("DELETE FROM figure WHERE entry = " + std::to_string(entry.id));
         }
-        marker.hold();
+        marker.announce(audio);
         transaction.commit();
     }
     // a second transaction: only once the rows are gone for good may the audio go, and nobody may add it meanwhile
     const Transaction lock(database_);
     for (const AudioName& name : audio) {
-        Statement users = database_.prepare("SELECT count(*) FROM entry WHERE audio = ? AND format = ?");
-        users.bind(1, std::string_view(name.hash));
-        users.bind(2, std::string_view(name.format));
-        if (users.step() && users.integer(0) > 0) continue;
+        if (is_used(name)) continue;
         std::error_code error;
         fs::remove(audio_folder_ / path_of(name), error);
         if (error) storage::throw_system_failure("remove", (audio_folder_ / path_of(name)).string(), error.value());
     }
     marker.release();
+}
+
+bool Library::is_used(const AudioName& name) {
+    Statement users = database_.prepare("SELECT 1 FROM entry WHERE audio = ? AND format = ?");
+    users.bind(1, std::string_view(name.hash));
+    users.bind(2, std::string_view(name.format));
+    return users.step();
 }
 
 std::vector<FigureKind> Library::figures() {

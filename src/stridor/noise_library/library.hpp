@@ -85,6 +85,7 @@ private:
     void clear();
     std::vector<Entry> read(const Query& query);
     std::vector<Entry> read(std::span<const std::int64_t> ids);
+    bool is_used(const AudioName& name);
     [[noreturn]] void refuse_id(std::int64_t id);
     std::optional<std::int64_t> twin_of(const Entry& entry, Twins twins);
     std::int64_t write(const Entry& entry);

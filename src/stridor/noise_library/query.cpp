@@ -59,6 +59,7 @@ std::string taken_value(std::string_view& rest, std::string_view whole) {
     const std::size_t end = std::min(rest.find(" and "), rest.size());
     std::string value(base::trimmed(rest.substr(0, end)));
     if (value.empty()) refuse(whole, "it has no value");
+    if (value.ends_with(" and")) refuse(whole, "nothing comes after \"and\"");
     rest = base::trimmed(rest.substr(end));
     return value;
 }

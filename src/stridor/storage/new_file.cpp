@@ -28,6 +28,15 @@ std::string reason(int code) {
     }
 }
 
+void write_all(int descriptor, std::string_view bytes, const std::string& shown) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) throw_system_failure("write", shown, errno);
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+}
+
 void flush(int descriptor, const std::string& shown) {
     // some file systems cannot flush: there the rename is all that can be had
     if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP) throw_system_failure("write", shown, errno);
@@ -60,13 +69,8 @@ NewFile::~NewFile() {
 }
 
 void NewFile::write(std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) throw_system_failure("write", shown_, errno);
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-        size_ += static_cast<std::uint64_t>(count);
-    }
+    write_all(descriptor_, bytes, shown_);
+    size_ += bytes.size();
 }
 
 void NewFile::finish() {
@@ -79,6 +83,11 @@ void NewFile::keep(const std::filesystem::path& name) {
     if (::rename(temporary_.c_str(), name.c_str()) != 0) throw_system_failure("write", shown_, errno);
     temporary_.clear();
     flush_folder(name.parent_path());
+}
+
+void write_and_flush(int descriptor, std::string_view bytes, const std::string& shown) {
+    write_all(descriptor, bytes, shown);
+    flush(descriptor, shown);
 }
 
 void flush_folder(const std::filesystem::path& folder) {

@@ -36,6 +36,9 @@ private:
     std::uint64_t size_ = 0;
 };
 
+/// Writes to an open file and brings it to the disk; errors call it `shown`.
+void write_and_flush(int descriptor, std::string_view bytes, const std::string& shown);
+
 /// Brings the names in a folder to the disk; throws `Error` (io). Some file systems cannot, which is no error.
 void flush_folder(const std::filesystem::path& folder);
 
