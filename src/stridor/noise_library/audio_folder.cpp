@@ -132,7 +132,8 @@ Marker::Marker(const fs::path& audio_folder) {
         descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor_ < 0 && errno == EEXIST) continue;
         if (descriptor_ < 0) storage::throw_system_failure("write", incoming(audio_folder).string(), errno);
-        ::flock(descriptor_, LOCK_EX);
+        while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR)
+            continue;
         // somebody may have taken it for a dead one before it was locked
         struct stat status {};
         if (::fstat(descriptor_, &status) == 0 && status.st_nlink > 0) break;

@@ -53,6 +53,7 @@ std::string insert_entry(bool has_id) {
     std::string columns = has_id ? "id, digest" : "digest";
     std::string values = has_id ? "?, ?" : "?";
     for (const Field& field : fields()) {
+        if (is_document(field)) continue;
         columns += ", " + column_of(field);
         values += ", ?";
     }
@@ -97,14 +98,19 @@ void Library::create() {
     database_.execute("PRAGMA user_version = " + std::to_string(library_schema));
     std::string columns;
     for (const Field& field : fields())
-        columns += ", " + column_of(field);
+        if (!is_document(field)) columns += ", " + column_of(field);
     // ids are never used twice, so that a note about entry 12 stays true
     database_.execute("CREATE TABLE entry(id INTEGER PRIMARY KEY AUTOINCREMENT, digest TEXT NOT NULL" + columns + ")");
     database_.execute("CREATE INDEX entry_digest ON entry(digest)");
     database_.execute("CREATE INDEX entry_audio ON entry(audio)");
+    // apart from the rows that every search goes through
+    database_.execute(
+        "CREATE TABLE document(entry INTEGER NOT NULL, name TEXT NOT NULL, text TEXT NOT NULL, "
+        "PRIMARY KEY(entry, name)) WITHOUT ROWID");
     database_.execute(
         "CREATE TABLE figure(entry INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL, value, "
         "PRIMARY KEY(entry, name)) WITHOUT ROWID");
+    database_.execute("CREATE INDEX figure_name ON figure(name)");
 }
 
 void Library::verify() {
@@ -153,18 +159,26 @@ std::vector<Entry> Library::get(std::span<const std::int64_t> ids) {
 std::vector<Entry> Library::read(const Query& query) {
     const std::vector<FigureKind> known = figures();
     const Selection selection = select(query, known);
-    Statement rows = database_.prepare("SELECT " + columns_of(query.extent) + selection.rows + selection.order);
+    Statement rows = database_.prepare("SELECT " + columns() + selection.rows + selection.order);
     bind(rows, selection);
     std::vector<Entry> entries;
     while (rows.step())
-        entries.push_back(entry_in(rows, query.extent));
+        entries.push_back(entry_in(rows));
     if (query.extent == Extent::summary) return entries;
 
     std::map<std::int64_t, Entry*> by_id;
     for (Entry& entry : entries)
         by_id.emplace(entry.id, &entry);
-    Statement values = database_.prepare("SELECT entry, name, unit, value FROM figure WHERE entry IN (SELECT e.id" +
-                                         selection.rows + ") ORDER BY entry, name");
+    const std::string of_these = " WHERE entry IN (SELECT e.id" + selection.rows + ") ORDER BY entry, name";
+    Statement documents = database_.prepare("SELECT entry, name, text FROM document" + of_these);
+    bind(documents, selection);
+    while (documents.step()) {
+        const Field* field = find_field(documents.text(1));
+        const auto found = by_id.find(documents.integer(0));
+        if (found != by_id.end() && field != nullptr && is_document(*field))
+            words_in(*found->second, *field) = documents.text(2);
+    }
+    Statement values = database_.prepare("SELECT entry, name, unit, value FROM figure" + of_these);
     bind(values, selection);
     while (values.step())
         if (const auto found = by_id.find(values.integer(0)); found != by_id.end())
@@ -206,6 +220,11 @@ std::optional<std::int64_t> Library::twin_of(const Entry& entry, Twins twins) {
     return query.step() ? std::optional(query.integer(0)) : std::nullopt;
 }
 
+void Library::forget_parts(std::int64_t id) {
+    for (const char* table : {"document", "figure"})
+        database_.execute("DELETE FROM " + std::string(table) + " WHERE entry = " + std::to_string(id));
+}
+
 std::int64_t Library::write(const Entry& entry) {
     const bool has_id = entry.id != 0;
     const std::string text = digest(entry);
@@ -214,13 +233,23 @@ std::int64_t Library::write(const Entry& entry) {
     if (has_id) row.bind(++parameter, entry.id);
     row.bind(++parameter, std::string_view(text));
     for (const Field& field : fields())
-        if (std::holds_alternative<Quantity>(field.kind))
+        if (is_document(field))
+            continue;
+        else if (std::holds_alternative<Quantity>(field.kind))
             row.bind(++parameter, quantity_in(entry, field));
         else
             row.bind(++parameter, std::string_view(words_in(entry, field)));
     row.run();
     const std::int64_t id = has_id ? entry.id : database_.last_row();
-    database_.execute("DELETE FROM figure WHERE entry = " + std::to_string(id));
+    if (has_id) forget_parts(id);
+    Statement document = database_.prepare("INSERT INTO document(entry, name, text) VALUES(?, ?, ?)");
+    for (const Field& field : fields()) {
+        if (!is_document(field) || words_in(entry, field).empty()) continue;
+        document.bind(1, id);
+        document.bind(2, field.name);
+        document.bind(3, std::string_view(words_in(entry, field)));
+        document.run();
+    }
     Statement value = database_.prepare("INSERT INTO figure(entry, name, unit, value) VALUES(?, ?, ?, ?)");
     for (const Figure& figure : entry.figures) {
         value.bind(1, id);
@@ -281,7 +310,7 @@ void Library::remove(std::span<const std::int64_t> ids) {
         for (const Entry& entry : read(ids)) {
             audio.insert(audio_of(entry));
             database_.execute("DELETE FROM entry WHERE id = " + std::to_string(entry.id));
-            database_.execute("DELETE FROM figure WHERE entry = " + std::to_string(entry.id));
+            forget_parts(entry.id);
         }
         marker.announce(audio);
         transaction.commit();
@@ -305,17 +334,27 @@ bool Library::is_used(const AudioName& name) {
 }
 
 std::vector<FigureKind> Library::figures() {
-    Statement rows = database_.prepare("SELECT name, min(unit) FROM figure GROUP BY name ORDER BY name");
+    // from name to name through the index: their number counts, not that of all figures
+    Statement next = database_.prepare("SELECT name, unit FROM figure WHERE name > ? ORDER BY name LIMIT 1");
     std::vector<FigureKind> kinds;
-    while (rows.step())
-        kinds.push_back({rows.text(0), rows.text(1)});
-    return kinds;
+    std::string last;
+    while (true) {
+        next.bind(1, std::string_view(last));
+        if (!next.step()) return kinds;
+        FigureKind kind{next.text(0), next.text(1)};
+        next.reset();
+        if (kind.name <= last)
+            throw Error(ErrorKind::io, {"the library " + file().string() + " is damaged",
+                                        "its index of figures has no order", "Restore it from a copy or an export."});
+        last = kind.name;
+        kinds.push_back(std::move(kind));
+    }
 }
 
 std::vector<std::string> Library::words(std::string_view field) {
     const Field* found = find_field(field);
     std::vector<std::string> words;
-    if (found == nullptr || std::holds_alternative<Quantity>(found->kind)) return words;
+    if (found == nullptr || std::holds_alternative<Quantity>(found->kind) || is_document(*found)) return words;
     const std::string column = column_of(*found);
     Statement rows =
         database_.prepare("SELECT DISTINCT " + column + " FROM entry WHERE " + column + " <> '' ORDER BY 1");

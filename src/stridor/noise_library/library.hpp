@@ -37,7 +37,8 @@ enum class Twins { refuse_same_audio, skip_equal, accept };
 
 /// The noise library: entries in one SQLite file, the audio in a folder beside it ("library.audio").
 ///
-/// Tables: entry(id, digest, a column per field), figure(entry, name, unit, value). Several processes may use a library
+/// Tables: entry(id, digest, a column per field that is no document), document(entry, name, text), figure(entry, name, unit,
+/// value). Several processes may use a library
 /// at once; each change is whole or not there, on disk when its function returns, whatever ends the process. Every
 /// failure throws `Error`: input for a file that is no library of this program, an unknown id, a name or value that means
 /// nothing; io for the rest.
@@ -85,6 +86,7 @@ private:
     void clear();
     std::vector<Entry> read(const Query& query);
     std::vector<Entry> read(std::span<const std::int64_t> ids);
+    void forget_parts(std::int64_t id);
     bool is_used(const AudioName& name);
     [[noreturn]] void refuse_id(std::int64_t id);
     std::optional<std::int64_t> twin_of(const Entry& entry, Twins twins);

@@ -37,8 +37,10 @@ struct Target {
 Target target_of(const std::string& name, std::span<const FigureKind> figures) {
     if (name == "id") return {"e.id", "1", nullptr, true};
     if (const Field* field = find_field(name))
-        return {"e." + column_of(*field), std::string(unit_of(*field)), field,
-                std::holds_alternative<Quantity>(field->kind)};
+        return {is_document(*field)
+                    ? "ifnull((SELECT text FROM document WHERE entry = e.id AND name = '" + name + "'), '')"
+                    : "e." + column_of(*field),
+                std::string(unit_of(*field)), field, std::holds_alternative<Quantity>(field->kind)};
     for (const FigureKind& figure : figures)
         if (figure.name == name)
             return {"(SELECT value FROM figure WHERE entry = e.id AND name = '" + name + "')", figure.unit, nullptr,
@@ -104,10 +106,6 @@ std::string id_list(std::span<const std::int64_t> ids) {
     return list;
 }
 
-bool is_read(const Field& field, Extent extent) {
-    return extent == Extent::whole || !is_document(field);
-}
-
 }  // namespace
 
 std::string column_of(const Field& field) {
@@ -150,19 +148,19 @@ void bind(storage::Statement& statement, const Selection& selection) {
     }
 }
 
-std::string columns_of(Extent extent) {
+std::string columns() {
     std::string columns = "e.id";
     for (const Field& field : fields())
-        if (is_read(field, extent)) columns += ", e." + column_of(field);
+        if (!is_document(field)) columns += ", e." + column_of(field);
     return columns;
 }
 
-Entry entry_in(const storage::Statement& row, Extent extent) {
+Entry entry_in(const storage::Statement& row) {
     Entry entry;
     entry.id = row.integer(0);
     int column = 1;
     for (const Field& field : fields()) {
-        if (!is_read(field, extent)) continue;
+        if (is_document(field)) continue;
         if (std::holds_alternative<Quantity>(field.kind))
             quantity_in(entry, field) = row.number(column++);
         else

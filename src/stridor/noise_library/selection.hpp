@@ -35,13 +35,13 @@ Selection select(const Query& query, std::span<const FigureKind> figures);
 /// Binds the values; the selection must outlive the statement's run.
 void bind(storage::Statement& statement, const Selection& selection);
 
-/// The name of a field's column.
+/// The name of the column of a field that is no document.
 std::string column_of(const Field& field);
 
 /// The columns that `entry_in` reads.
-std::string columns_of(Extent extent);
+std::string columns();
 
-/// The entry in a row, without its figures.
-Entry entry_in(const storage::Statement& row, Extent extent);
+/// The entry in a row, without its documents and figures.
+Entry entry_in(const storage::Statement& row);
 
 }  // namespace stridor::noise_library

@@ -148,6 +148,10 @@ bool Statement::step() {
 
 void Statement::run() {
     step();
+    reset();
+}
+
+void Statement::reset() {
     expect_ok(sqlite3_reset(handle_.get()));
 }
 

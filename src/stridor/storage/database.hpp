@@ -100,6 +100,9 @@ public:
     /// Runs a statement that gives no rows, and makes it ready for the next values.
     void run();
 
+    /// Ends the rows, whether all were seen or not, and makes it ready for the next values.
+    void reset();
+
     double number(int column) const;
     std::int64_t integer(int column) const;
     std::string text(int column) const;  // empty for NULL
