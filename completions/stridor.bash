@@ -2,7 +2,7 @@
 _stridor() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=""
     if ((COMP_CWORD == 1)); then
-        COMPREPLY=($(compgen -W "init check simulate stability chart figure listen rig convert verify completion --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "init check simulate stability chart figure listen rig convert library verify completion --help --version" -- "$word"))
         return
     fi
     if [[ $previous == --set ]]; then
@@ -24,9 +24,66 @@ _stridor() {
         listen) options="--help --set --cell --direction --judged --out --of --quantity --component --rate --seconds --level --full-scale --high-pass --fade --json" ;;
         rig) options="--help" ;;
         convert) options="--help --full-scale --format --bits --channel --dataset --rate --json" ;;
+        library) options="--help" ;;
         verify) options="--help" ;;
         completion) options="--help" ;;
     esac
+    if [[ ${COMP_WORDS[1]} == figure ]]; then
+        if ((COMP_CWORD == 2)); then
+            COMPREPLY=($(compgen -W "paper friction-law contact-states --help" -- "$word"))
+            return
+        fi
+        case ${COMP_WORDS[2]} in
+            paper) options="--help --out --threads" ;;
+            friction-law) options="--help --set --output" ;;
+            contact-states) options="--help --set --output" ;;
+        esac
+    fi
+    if [[ ${COMP_WORDS[1]} == rig ]]; then
+        if ((COMP_CWORD == 2)); then
+            COMPREPLY=($(compgen -W "friction sensitivity --help" -- "$word"))
+            return
+        fi
+        case ${COMP_WORDS[2]} in
+            friction) options="--help --preload --channel --velocity-channel --normal-channel --velocity --full-scale --least-drop --longest-drop --into --json" ;;
+            sensitivity) options="--help --over --where --search --bins --by --records --figure --json --library" ;;
+        esac
+    fi
+    if [[ ${COMP_WORDS[1]} == library ]]; then
+        if ((COMP_CWORD == 2)); then
+            COMPREPLY=($(compgen -W "add list show edit remove export import fields words --help" -- "$word"))
+            return
+        fi
+        case ${COMP_WORDS[2]} in
+            add) options="--help --library --system --parts --materials --operation --recorded --denomination --preload --velocity --velocity-profile --temperature --humidity --sensor --calibration --date --author --licence --notes --case --figure --again --json" ;;
+            list) options="--help --library --where --search --sort --columns --json --csv" ;;
+            show) options="--help --library --json --field --audio" ;;
+            edit) options="--help --library --system --parts --materials --operation --recorded --denomination --preload --velocity --velocity-profile --temperature --humidity --sensor --calibration --date --author --licence --notes --case --figure" ;;
+            remove) options="--help --library" ;;
+            export) options="--help --library --where --search" ;;
+            import) options="--help --library" ;;
+            fields) options="--help --library" ;;
+            words) options="--help --library" ;;
+        esac
+    fi
+    if [[ ${COMP_WORDS[1]} == library && $word != -* ]]; then
+        local field="" line place library=()
+        for ((place = 2; place < COMP_CWORD; place++)); do
+            [[ ${COMP_WORDS[place]} == --library ]] && library=(--library "${COMP_WORDS[place+1]}")
+        done
+        case $previous in
+            --system|--parts|--materials|--operation|--recorded|--denomination|--sensor|--author|--licence) field=${previous#--} ;;
+            --*) ;;
+            *) [[ ${COMP_WORDS[2]} == @(show|edit|remove) ]] && field=id ;;
+        esac
+        if [[ -n $field ]]; then
+            COMPREPLY=()
+            while IFS= read -r line; do
+                [[ $line == "$word"* ]] && COMPREPLY+=("$(printf '%q' "$line")")
+            done < <("${COMP_WORDS[0]}" library words "$field" "${library[@]}" 2>/dev/null)
+            return
+        fi
+    fi
     if [[ $word == -* ]]; then
         COMPREPLY=($(compgen -W "$options" -- "$word"))
     else

@@ -21,6 +21,7 @@ void add_figure(CLI::App& program);
 void add_listen(CLI::App& program);
 void add_rig(CLI::App& program);
 void add_convert(CLI::App& program);
+void add_library(CLI::App& program);
 void add_verify(CLI::App& program);
 void add_completion(CLI::App& program);
 

@@ -34,6 +34,63 @@ std::vector<std::string> settings() {
     return words;
 }
 
+// options of each subcommand of a command that has them, as cases of the second word
+std::string subcommand_cases(const CLI::App& command) {
+    std::string cases;
+    for (const CLI::App* each : command.get_subcommands({}))
+        cases += "            " + each->get_name() + ") options=\"" + joined(options_of(*each)) + "\" ;;\n";
+    return cases;
+}
+
+std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : commands)
+        names.push_back(command->get_name());
+    return names;
+}
+
+// commands of two words; and what only the library itself knows, asked when it is needed
+std::string nested_commands(const CLI::App& program) {
+    std::string text;
+    for (const CLI::App* command : program.get_subcommands({})) {
+        if (command->get_subcommands({}).empty()) continue;
+        text += "    if [[ ${COMP_WORDS[1]} == " + command->get_name() +
+                " ]]; then\n"
+                "        if ((COMP_CWORD == 2)); then\n"
+                "            COMPREPLY=($(compgen -W \"" +
+                joined(names_of(command->get_subcommands({}))) +
+                " --help\" -- \"$word\"))\n"
+                "            return\n"
+                "        fi\n"
+                "        case ${COMP_WORDS[2]} in\n" +
+                subcommand_cases(*command) +
+                "        esac\n"
+                "    fi\n";
+    }
+    return text;
+}
+
+constexpr const char* library_words =
+    "    if [[ ${COMP_WORDS[1]} == library && $word != -* ]]; then\n"
+    "        local field=\"\" line place library=()\n"
+    "        for ((place = 2; place < COMP_CWORD; place++)); do\n"
+    "            [[ ${COMP_WORDS[place]} == --library ]] && library=(--library \"${COMP_WORDS[place+1]}\")\n"
+    "        done\n"
+    "        case $previous in\n"
+    "            --system|--parts|--materials|--operation|--recorded|--denomination|--sensor|--author|--licence) "
+    "field=${previous#--} ;;\n"
+    "            --*) ;;\n"
+    "            *) [[ ${COMP_WORDS[2]} == @(show|edit|remove) ]] && field=id ;;\n"
+    "        esac\n"
+    "        if [[ -n $field ]]; then\n"
+    "            COMPREPLY=()\n"
+    "            while IFS= read -r line; do\n"
+    "                [[ $line == \"$word\"* ]] && COMPREPLY+=(\"$(printf '%q' \"$line\")\")\n"
+    "            done < <(\"${COMP_WORDS[0]}\" library words \"$field\" \"${library[@]}\" 2>/dev/null)\n"
+    "            return\n"
+    "        fi\n"
+    "    fi\n";
+
 std::string bash_script(const CLI::App& program) {
     std::vector<std::string> commands;
     std::string cases;
@@ -62,8 +119,7 @@ std::string bash_script(const CLI::App& program) {
            "        return\n"
            "    fi\n"
            "    case ${COMP_WORDS[1]} in\n" +
-           cases +
-           "    esac\n"
+           cases + "    esac\n" + nested_commands(program) + library_words +
            "    if [[ $word == -* ]]; then\n"
            "        COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n"
            "    else\n"

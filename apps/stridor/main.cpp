@@ -39,6 +39,7 @@ void build(CLI::App& program) {
     add_listen(program);
     add_rig(program);
     add_convert(program);
+    add_library(program);
     add_verify(program);
     add_completion(program);
 }

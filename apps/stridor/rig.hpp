@@ -8,5 +8,6 @@ namespace stridor::app {
 
 /// One function per figure of the rig: `stridor rig NAME`.
 void add_rig_friction(CLI::App& rig);
+void add_rig_sensitivity(CLI::App& rig);
 
 }  // namespace stridor::app

@@ -40,6 +40,8 @@ constexpr std::array symbols{
     Symbol{"deg", {{0, 0, 0, 1}, 1.0}, false},
     Symbol{"°", {{0, 0, 0, 1}, 1.0}, false},
     Symbol{"rad", {{0, 0, 0, 1}, degrees_per_radian}, true},
+    Symbol{"degC", {{0, 0, 0, 0, 0, 1}, 1.0}, false},
+    Symbol{"°C", {{0, 0, 0, 0, 1}, 1.0}, false},
 };
 
 constexpr std::array prefixes{
@@ -70,6 +72,7 @@ constexpr std::array names{
     Name{{1, 2, -2, 0}, "an energy (J)"},
     Name{{0, 0, 0, 0, 1}, "a current (A)"},
     Name{{1, 2, -3, 0, -1}, "a voltage (V)"},
+    Name{{0, 0, 0, 0, 0, 1}, "a temperature (degC)"},
 };
 
 Error bad_unit(std::string_view symbol) {
@@ -77,9 +80,9 @@ Error bad_unit(std::string_view symbol) {
     for (const Symbol& entry : symbols)
         known.push_back(entry.name);
     const std::string_view near = nearest_name(symbol, known);
-    std::string help = near.empty()
-                           ? std::string("Known: m, kg, s, min, N, Pa, J, Hz, A, V, deg, rad, %, with G M k c m u n.")
-                           : "Did you mean \"" + std::string(near) + "\"?";
+    std::string help =
+        near.empty() ? std::string("Known: m, kg, s, min, N, Pa, J, Hz, A, V, deg, rad, degC, %, with G M k c m u n.")
+                     : "Did you mean \"" + std::string(near) + "\"?";
     return {ErrorKind::input, {"unknown unit \"" + std::string(symbol) + "\"", "", std::move(help)}};
 }
 
@@ -121,7 +124,7 @@ Attempt try_factor(std::string_view text) {
     if (!symbol) return {{}, text};
     const Unit& base = *symbol;
     Unit unit{{base.dimension.mass * power, base.dimension.length * power, base.dimension.time * power,
-               base.dimension.angle * power, base.dimension.current * power},
+               base.dimension.angle * power, base.dimension.current * power, base.dimension.temperature * power},
               1.0};
     for (int k = 0; k < std::abs(power); ++k)
         unit.factor *= base.factor;
@@ -130,10 +133,11 @@ Attempt try_factor(std::string_view text) {
 }
 
 Unit product(const Unit& a, const Unit& b, int sign) {
-    return {{a.dimension.mass + sign * b.dimension.mass, a.dimension.length + sign * b.dimension.length,
-             a.dimension.time + sign * b.dimension.time, a.dimension.angle + sign * b.dimension.angle,
-             a.dimension.current + sign * b.dimension.current},
-            sign > 0 ? a.factor * b.factor : a.factor / b.factor};
+    return {
+        {a.dimension.mass + sign * b.dimension.mass, a.dimension.length + sign * b.dimension.length,
+         a.dimension.time + sign * b.dimension.time, a.dimension.angle + sign * b.dimension.angle,
+         a.dimension.current + sign * b.dimension.current, a.dimension.temperature + sign * b.dimension.temperature},
+        sign > 0 ? a.factor * b.factor : a.factor / b.factor};
 }
 
 Attempt try_unit(std::string_view text) {
@@ -188,9 +192,9 @@ std::string describe(Dimension dimension) {
     for (const Name& name : names)
         if (name.dimension == dimension) return std::string(name.text);
     std::string text = "a quantity in";
-    const std::array parts{std::pair{"kg", dimension.mass}, std::pair{"m", dimension.length},
-                           std::pair{"s", dimension.time}, std::pair{"deg", dimension.angle},
-                           std::pair{"A", dimension.current}};
+    const std::array parts{std::pair{"kg", dimension.mass},   std::pair{"m", dimension.length},
+                           std::pair{"s", dimension.time},    std::pair{"deg", dimension.angle},
+                           std::pair{"A", dimension.current}, std::pair{"degC", dimension.temperature}};
     for (const auto& [symbol, power] : parts)
         if (power != 0) text += std::string(" ") + symbol + (power == 1 ? "" : "^" + std::to_string(power));
     return text;

@@ -6,18 +6,19 @@
 
 namespace stridor::base {
 
-/// Exponents of the base quantities a unit is made of. Angles are a dimension of their own, so that "70 deg" can
-/// never be taken for a plain number.
+/// Exponents of the base quantities a unit is made of. Angles and temperatures are dimensions of their own, so that
+/// "70 deg" can never be taken for a plain number.
 struct Dimension {
     int mass = 0;
     int length = 0;
     int time = 0;
     int angle = 0;
     int current = 0;
+    int temperature = 0;
     bool operator==(const Dimension&) const = default;
 };
 
-/// A unit: its dimension and what one of it is in SI (angles: degrees).
+/// A unit: its dimension and what one of it is in SI (angles: degrees; temperatures: degrees Celsius).
 struct Unit {
     Dimension dimension;
     double factor = 1.0;

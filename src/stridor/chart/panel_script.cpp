@@ -48,7 +48,8 @@ public:
             if (!std::isnan(points.x[i]) && !std::isnan(points.y[i]))
                 rows += number(points.x[i]) + " " + number(points.y[i]) + "\n";
         if (points.rim) add_dots(rows, *points.rim, rim_diameter(points));
-        add_dots(rows, points.colour, points.diameter);
+        if (points.outline) add(rows, "using 1:2 with points " + point_style(points, *points.outline, outline_width));
+        add(rows, "using 1:2 with points " + point_style(points, points.colour, 0.0));
     }
 
     void operator()(const Strip& strip) {
@@ -152,8 +153,9 @@ private:
     }
 
     void add_dots(const std::string& rows, Colour colour, double diameter) {
-        // one unit of point size is about 6.6 pt wide for the disc
-        add(rows, fmt::format("using 1:2 with points pt 7 ps {:.4g} lc rgb '{}'", diameter / 6.6, hex(colour)));
+        Points disc;
+        disc.diameter = diameter;
+        add(rows, "using 1:2 with points " + point_style(disc, colour, 0.0));
     }
 
     static std::size_t colour_step(const ColourScale& colours, double value) {
@@ -279,6 +281,13 @@ std::string line_style(const Stroke& stroke) {
     constexpr std::string_view dashes[] = {"solid", "(9,5)", "(2,4)"};
     return fmt::format("lc rgb '{}' lw {:.4g} dt {}", hex(stroke.colour), stroke.width,
                        dashes[static_cast<std::size_t>(stroke.dash)]);
+}
+
+std::string point_style(const Points& points, Colour colour, double wider) {
+    constexpr int types[] = {7, 5, 9, 13, 11, 2};  // gnuplot's, in the order of Mark
+    // one unit of point size is about 6.6 pt wide for the disc
+    return fmt::format("pt {} ps {:.4g} lc rgb '{}'", types[static_cast<std::size_t>(points.mark)],
+                       (points.diameter + wider) / 6.6, hex(colour));
 }
 
 double rim_diameter(const Points& points) {

@@ -30,6 +30,11 @@ Extent note_extent(const Text& text, double size);
 /// The diameter of the ring around points that have one [pt].
 double rim_diameter(const Points& points);
 
+inline constexpr double outline_width = 0.9;  // [pt] added to a point's diameter by its outline
+
+/// "pt ... ps ... lc rgb '#...'": the mark of points in a colour, so much wider [pt].
+std::string point_style(const Points& points, Colour colour, double wider);
+
 /// "lc rgb '#...' lw ... dt ..."
 std::string line_style(const Stroke& stroke);
 

@@ -78,13 +78,18 @@ struct Line {
     Stroke stroke;
 };
 
-/// Points drawn as discs, without a line.
+/// The shape of a point: a second channel beside its colour.
+enum class Mark { disc, square, triangle, diamond, nabla, cross };
+
+/// Points, without a line.
 struct Points {
     std::vector<double> x;  // shape [point]
     std::vector<double> y;  // shape [point]
     Colour colour;
     double diameter = 2.0;      // [pt]
     std::optional<Colour> rim;  // of a ring around each, half as thick as the disc, that shows it on any ground
+    Mark mark = Mark::disc;
+    std::optional<Colour> outline{};  // a thin line around each
 };
 
 /// States over time, one row per state: row r fills y from r + 0.1 to r + 0.9.

@@ -69,6 +69,10 @@ public:
                            at(middle.x, middle.y), 0.5 * diameter / width_, hex(colour));
     }
 
+    std::string mark(const Dot& middle, const std::string& style) const {
+        return fmt::format("set label '' at {} point {} front\n", at(middle.x, middle.y), style);
+    }
+
     std::string sample(const PlacedSample& placed) const {
         const Rectangle& area = placed.area;
         if (const Stroke* stroke = std::get_if<Stroke>(&placed.sample)) {
@@ -78,6 +82,10 @@ public:
         if (const Points* points = std::get_if<Points>(&placed.sample)) {
             const Dot middle{0.5 * (area.left + area.right), 0.5 * (area.bottom + area.top)};
             std::string discs;
+            if (points->mark != Mark::disc || points->outline) {
+                if (points->outline) discs += mark(middle, point_style(*points, *points->outline, outline_width));
+                return discs + mark(middle, point_style(*points, points->colour, 0.0));
+            }
             if (points->rim) discs += disc(middle, rim_diameter(*points) * point_length, *points->rim);
             return discs + disc(middle, points->diameter * point_length, points->colour);
         }

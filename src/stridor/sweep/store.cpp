@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 namespace stridor::sweep {
+
+using storage::Statement;
+using storage::Transaction;
 
 namespace {
 
@@ -22,6 +24,11 @@ constexpr std::int64_t application_id = 0x53545244;
 constexpr int fixed_columns = 5;  // id, status, category, message, starts
 
 const char* const other_out = "Choose another --out, or remove the file to start anew.";
+
+storage::DatabaseOptions store_options() {
+    return {{"store", "Choose another --out, or remove the file.", "Wait until that ends, or choose another --out.",
+             other_out, "run the same command again: it goes on from what is saved."}};
+}
 
 std::string cell_columns() {
     std::string columns = "id, status, category, message, starts";
@@ -157,7 +164,7 @@ void count(Counts& counts, const CellVerdict& cell) {
 }
 
 Store::Store(const std::filesystem::path& file, const Study& study)
-    : database_(file),
+    : database_(file, store_options()),
       study_text_(canonical_text(study)),
       cells_(cell_count(study)) {
     Transaction transaction(database_);
@@ -203,11 +210,7 @@ void Store::verify() {
         throw Error(ErrorKind::input,
                     {"the store " + name + " has schema " + std::to_string(schema),
                      "this program reads and writes schema " + std::to_string(store_schema), other_out});
-    // SQLite reads the missing end of a file as zeros
-    const std::int64_t size = database_.integer("PRAGMA page_count") * database_.integer("PRAGMA page_size");
-    std::error_code unknown;
-    if (std::filesystem::file_size(file(), unknown) < static_cast<std::uintmax_t>(size))
-        throw Error(ErrorKind::io, {"the store " + name + " is damaged", "its end is missing", other_out});
+    database_.expect_whole();
     const std::string stored = meta("study");
     if (stored != study_text_)
         throw Error(ErrorKind::input,

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "stridor/storage/database.hpp"
 #include "stridor/sweep/cell.hpp"
-#include "stridor/sweep/database.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <array>
@@ -67,7 +67,7 @@ private:
     void verify();
     std::string meta(std::string_view key);
 
-    Database database_;
+    storage::Database database_;
     std::string study_text_;
     std::size_t cells_ = 0;  // [1] of the study
 };

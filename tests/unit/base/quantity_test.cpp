@@ -36,6 +36,8 @@ TEST(Quantity, WithAUnitIsConvertedToSiAndDegrees) {
     EXPECT_EQ(parse_quantity("70 deg", "deg"), 70.0);
     EXPECT_EQ(parse_quantity("70°", "deg"), 70.0);
     EXPECT_EQ(parse_quantity("45 %", "1"), 0.45);
+    EXPECT_EQ(parse_quantity("-10 degC", "degC"), -10.0);
+    EXPECT_EQ(parse_quantity("23°C", "degC"), 23.0);
     EXPECT_EQ(parse_quantity("2 min", "s"), 120.0);
     EXPECT_EQ(parse_quantity("100 g", "kg"), 0.1);
     EXPECT_EQ(parse_quantity("0.4 kg", "kg"), 0.4);

@@ -3,21 +3,15 @@
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/store.hpp"
 #include "stridor/sweep/study.hpp"
-
-#include <sys/resource.h>
+#include "support/scratch_folder.hpp"
 
 #include <algorithm>
 #include <bit>
-#include <csignal>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
-/// What the tests of sweeps share: a study of milliseconds, a folder, a disk that is full.
+/// What the tests of sweeps share: a study of milliseconds, and what is the same.
 namespace stridor::sweep {
 
 /// 4 by 3 points in two directions, 20 ms each; preloads from 2 to 400 N meet several categories.
@@ -68,54 +62,7 @@ inline std::vector<Cell> all_cells(const SweepResult& result) {
     return cells;
 }
 
-/// A folder of its own, gone with it; in memory where the system has such a place, since a store waits for the disk at
-/// each commit.
-class ScratchFolder {
-public:
-    ScratchFolder() {
-        const std::filesystem::path memory = "/dev/shm";
-        const std::filesystem::path parent =
-            std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
-        std::string pattern = (parent / "stridor-sweep-XXXXXX").string();
-        if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        path_ = pattern;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-    /// Number of files in it.
-    long files() const {
-        return std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator());
-    }
-
-private:
-    std::filesystem::path path_;
-};
-
-/// While it lives no file of this process can grow beyond a size, as on a full disk.
-class FullDisk {
-public:
-    explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FullDisk() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-
-private:
-    rlimit before_{};
-    void (*handler_)(int);
-};
+using support::FullDisk;
+using support::ScratchFolder;
 
 }  // namespace stridor::sweep

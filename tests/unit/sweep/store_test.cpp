@@ -53,7 +53,7 @@ void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
 
 // somebody else's hand on the file
 void tamper(const std::filesystem::path& file, const std::string& sql) {
-    Database(file).execute(sql);
+    storage::Database(file, {}).execute(sql);
 }
 
 class StoreFile : public testing::Test {

@@ -1,4 +1,4 @@
-#include "stridor/sweep/database.hpp"
+#include "stridor/storage/database.hpp"
 
 #include "stridor/base/error.hpp"
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <system_error>
 
-namespace stridor::sweep {
+namespace stridor::storage {
 
 namespace {
 
@@ -34,48 +34,64 @@ void Database::Close::operator()(sqlite3* handle) const {
     sqlite3_close(handle);
 }
 
-Database::Database(const std::filesystem::path& file) : file_(file) {
+Database::Database(const std::filesystem::path& file, const DatabaseOptions& options)
+    : file_(file),
+      words_(options.words),
+      ownership_(options.ownership) {
     // an absolute path is never one of SQLite's special names (":memory:")
     std::error_code error;
     const std::filesystem::path absolute = std::filesystem::absolute(file, error);
     sqlite3* handle = nullptr;
-    const int code =
-        error ? SQLITE_CANTOPEN
-              : sqlite3_open_v2(absolute.c_str(), &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+    const int flags = SQLITE_OPEN_READWRITE | (options.missing == Missing::create ? SQLITE_OPEN_CREATE : 0);
+    const int code = error ? SQLITE_CANTOPEN : sqlite3_open_v2(absolute.c_str(), &handle, flags, nullptr);
     handle_.reset(handle);
     if (code != SQLITE_OK) fail(code);
     sqlite3_extended_result_codes(handle, 1);
-    // neither touches the file, which may not be ours
-    execute("PRAGMA locking_mode = EXCLUSIVE");
-    execute("PRAGMA synchronous = FULL");
+    sqlite3_busy_timeout(handle, static_cast<int>(options.wait.count()));
+    // none of these touches the file, which may not be ours
+    if (ownership_ == Ownership::alone) execute("PRAGMA locking_mode = EXCLUSIVE");
+    execute(ownership_ == Ownership::alone ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = EXTRA");
 }
 
 void Database::fail(int code) const {
     const std::string name = file_.string();
+    const std::string the_kind = "the " + words_.kind + " " + name;
     const std::string why = reason(handle_.get(), code);
     switch (code & 0xff) {
         case SQLITE_NOTADB:
-            throw Error(ErrorKind::input, {name + " is no store", "it is not an SQLite database",
-                                           "Choose another --out, or remove the file."});
+            throw Error(ErrorKind::input,
+                        {name + " is no " + words_.kind, "it is not an SQLite database", words_.not_ours});
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
-            throw Error(ErrorKind::io, {"the store " + name + " is in use", "another process has it open",
-                                        "Wait until that ends, or choose another --out."});
+            throw Error(ErrorKind::io, {the_kind + " is in use", "another process has it open", words_.in_use});
         case SQLITE_CORRUPT:
-            throw Error(ErrorKind::io, {"the store " + name + " is damaged", why,
-                                        "Choose another --out, or remove the file to start anew."});
+            throw Error(ErrorKind::io, {the_kind + " is damaged", why, words_.damaged});
         case SQLITE_CANTOPEN:
-            throw Error(ErrorKind::io, {"cannot open the store " + name, why, ""});
+            throw Error(ErrorKind::io, {"cannot open " + the_kind, why, ""});
         case SQLITE_FULL:
-            throw Error(ErrorKind::io, {"cannot write the store " + name, why,
-                                        "Make room and run the same command again: it goes on from what is saved."});
+            throw Error(ErrorKind::io, {"cannot write " + the_kind, why, "Make room and " + words_.not_written});
         case SQLITE_READONLY:
         case SQLITE_IOERR:
-            throw Error(ErrorKind::io, {"cannot write the store " + name, why,
-                                        "Mend that and run the same command again: it goes on from what is saved."});
+            throw Error(ErrorKind::io, {"cannot write " + the_kind, why, "Mend that and " + words_.not_written});
         default:
-            throw Error(ErrorKind::io, {"the store " + name + " failed", why, ""});
+            throw Error(ErrorKind::io, {the_kind + " failed", why, ""});
     }
+}
+
+bool Database::is_read_only() const {
+    return sqlite3_db_readonly(handle_.get(), "main") == 1;
+}
+
+void Database::expect_whole() {
+    const std::int64_t size = integer("PRAGMA page_count") * integer("PRAGMA page_size");
+    std::error_code unknown;
+    if (std::filesystem::file_size(file_, unknown) < static_cast<std::uintmax_t>(size))
+        throw Error(ErrorKind::io, {"the " + words_.kind + " " + file_.string() + " is damaged", "its end is missing",
+                                    words_.damaged});
+}
+
+std::int64_t Database::last_row() const {
+    return sqlite3_last_insert_rowid(handle_.get());
 }
 
 void Database::execute(const std::string& sql) {
@@ -132,6 +148,10 @@ bool Statement::step() {
 
 void Statement::run() {
     step();
+    reset();
+}
+
+void Statement::reset() {
     expect_ok(sqlite3_reset(handle_.get()));
 }
 
@@ -150,8 +170,9 @@ std::string Statement::text(int column) const {
     return bytes == nullptr ? std::string() : std::string(static_cast<const char*>(bytes), size);
 }
 
-Transaction::Transaction(Database& database) : database_(database) {
-    database_.execute("BEGIN EXCLUSIVE");
+Transaction::Transaction(Database& database, Purpose purpose) : database_(database) {
+    const bool is_alone = database.ownership() == Ownership::alone;
+    database_.execute(is_alone ? "BEGIN EXCLUSIVE" : purpose == Purpose::write ? "BEGIN IMMEDIATE" : "BEGIN");
 }
 
 Transaction::~Transaction() {
@@ -165,4 +186,4 @@ void Transaction::commit() {
     is_open_ = false;
 }
 
-}  // namespace stridor::sweep
+}  // namespace stridor::storage

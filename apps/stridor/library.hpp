@@ -1,0 +1,70 @@
+#pragma once
+
+#include "stridor/noise_library/library.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+/// What the commands over a noise library share.
+namespace stridor::app {
+
+/// Which library.
+struct LibraryOption {
+    std::string file;  // empty: the user's own
+};
+
+void add_library_option(CLI::App& command, LibraryOption& option);
+
+/// Opens the library, or makes it where it is to be filled.
+noise_library::Library open_library(const LibraryOption& option, noise_library::Access access);
+
+/// Which entries.
+struct SelectionOptions {
+    std::vector<std::string> where;
+    std::string search;
+    std::string sort;  // "-preload" is falling
+};
+
+/// Adds `--where` and `--search`.
+void add_selection_options(CLI::App& command, SelectionOptions& options);
+
+noise_library::Query query_of(const SelectionOptions& options);
+
+/// What the user says of entries: field name -> text, and figures.
+struct EntryOptions {
+    std::map<std::string, std::string> fields;
+    std::vector<std::string> figures;
+    std::string case_file;
+};
+
+/// Adds an option per field that users write, `--figure` and `--case`.
+void add_entry_options(CLI::App& command, EntryOptions& options);
+
+/// Writes what was said into an entry; throws `Error` (input) that names the option.
+void apply(const EntryOptions& options, noise_library::Entry& entry);
+
+/// Entries as a table of the fields and figures named, with a row of units.
+std::string entry_table(const std::vector<noise_library::Entry>& entries, const std::vector<std::string>& columns,
+                        const std::vector<noise_library::FigureKind>& figures);
+
+/// One entry in full, a line per field that is known.
+std::string entry_page(const noise_library::Library& library, const noise_library::Entry& entry);
+
+/// "12  squeal.wav  3.2 s, 48000 Hz, 2 channels"
+std::string entry_line(const noise_library::Entry& entry);
+
+/// Duration, rate and channels of a sound file; throws `Error` (input) for what is none.
+void probe_sound(const std::filesystem::path& file, noise_library::Entry& entry);
+
+/// The subcommands that put entries in and out.
+void add_library_add(CLI::App& library);
+void add_library_export(CLI::App& library);
+void add_library_import(CLI::App& library);
+
+}  // namespace stridor::app

@@ -1,0 +1,121 @@
+#include "stridor/io/json_library.hpp"
+
+#include "stridor/io/json_entry.hpp"
+
+namespace stridor::io {
+
+namespace {
+
+using json_parts::Json;
+using noise_library::Bin;
+using noise_library::CategoryCount;
+using noise_library::CategoryRange;
+using noise_library::Entry;
+using noise_library::Figure;
+using noise_library::Observation;
+using noise_library::RankCorrelation;
+using noise_library::Sensitivity;
+
+Json opening_of(std::string_view what, const std::filesystem::path& library) {
+    return {{"schema", "stridor." + std::string(what) + "/1"},
+            {"version", base::version()},
+            {"commit", base::commit()},
+            {"library", library.string()}};
+}
+
+Json figures_object(std::span<const Figure> figures) {
+    Json object = Json::object();
+    for (const Figure& figure : figures)
+        object[figure.name] = figure.value;
+    return object;
+}
+
+// the verdict as the object it is; as text should it be none
+Json verdict_of(const std::string& text) {
+    Json verdict = Json::parse(text, nullptr, false);
+    return verdict.is_discarded() ? Json(text) : verdict;
+}
+
+Json units_of(std::span<const Entry> entries) {
+    Json units = Json::object();
+    for (const noise_library::Field& field : noise_library::fields())
+        if (const std::string_view unit = noise_library::unit_of(field); !unit.empty())
+            units[std::string(field.name)] = unit;
+    for (const Entry& entry : entries)
+        for (const Figure& figure : entry.figures)
+            units["figures." + figure.name] = figure.unit;
+    return units;
+}
+
+Json correlation_object(const RankCorrelation& correlation) {
+    return {{"records", correlation.records}, {"spearman", correlation.coefficient}, {"p_value", correlation.p_value}};
+}
+
+Json counts_object(std::span<const CategoryCount> counts) {
+    Json object = Json::object();
+    for (const CategoryCount& count : counts)
+        object[count.category.empty() ? "unknown" : count.category] = count.records;
+    return object;
+}
+
+Json category_or_null(const std::string& category) {
+    return category.empty() ? Json(nullptr) : Json(category);
+}
+
+Json records_array(const Sensitivity& sensitivity) {
+    Json records = Json::array();
+    for (const Observation& record : sensitivity.records)
+        records.push_back({{"id", record.id},
+                           {sensitivity.quantity, record.quantity},
+                           {"category", category_or_null(record.category)},
+                           {"level", record.level},
+                           {"dominant_frequency", record.frequency}});
+    return records;
+}
+
+}  // namespace
+
+std::string library_json(const std::filesystem::path& library, std::span<const Entry> entries) {
+    Json document = opening_of("library", library);
+    Json list = Json::array();
+    for (const Entry& entry : entries) {
+        Json object = json_parts::entry_object(entry);
+        if (!entry.verdict.empty()) object["verdict"] = verdict_of(entry.verdict);
+        object["figures"] = figures_object(entry.figures);
+        list.push_back(std::move(object));
+    }
+    document["entries"] = std::move(list);
+    document["units"] = units_of(entries);
+    return json_parts::text_of(document);
+}
+
+std::string sensitivity_json(const std::filesystem::path& library, const Sensitivity& sensitivity) {
+    Json document = opening_of("sensitivity", library);
+    document["over"] = sensitivity.quantity;
+    document["left_out"] = sensitivity.left_out;
+    document["level"] = correlation_object(sensitivity.level);
+    document["dominant_frequency"] = correlation_object(sensitivity.frequency);
+    Json categories = Json::array();
+    for (const CategoryRange& range : sensitivity.categories)
+        categories.push_back({{"category", category_or_null(range.category)},
+                              {"records", range.records},
+                              {"lowest", range.lowest},
+                              {"median", range.median},
+                              {"highest", range.highest}});
+    document["categories"] = std::move(categories);
+    Json bins = Json::array();
+    for (const Bin& bin : sensitivity.bins)
+        bins.push_back({{"from", bin.from},
+                        {"to", bin.to},
+                        {"records", bin.records},
+                        {"categories", counts_object(bin.categories)},
+                        {"level", bin.level},
+                        {"dominant_frequency", bin.frequency}});
+    document["bins"] = std::move(bins);
+    document["records"] = records_array(sensitivity);
+    document["units"] = {
+        {sensitivity.quantity, sensitivity.unit}, {"level", sensitivity.level_unit}, {"dominant_frequency", "Hz"}};
+    return json_parts::text_of(document);
+}
+
+}  // namespace stridor::io

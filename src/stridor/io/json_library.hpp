@@ -1,0 +1,20 @@
+#pragma once
+
+#include "stridor/noise_library/entry.hpp"
+#include "stridor/noise_library/sensitivity.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+/// JSON documents of the noise library.
+namespace stridor::io {
+
+/// "stridor.library/1": entries that were read whole, as objects of what is known of them, the figures of each by name,
+/// and a table of units. `library` is the file they stand in.
+std::string library_json(const std::filesystem::path& library, std::span<const noise_library::Entry> entries);
+
+/// "stridor.sensitivity/1": records, bins, ranges of the categories and rank correlations.
+std::string sensitivity_json(const std::filesystem::path& library, const noise_library::Sensitivity& sensitivity);
+
+}  // namespace stridor::io

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "stridor/noise_library/library.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Noise libraries in one file, to hand to a colleague: a tar archive whose first file, manifest.jsonl, holds a line per
+/// entry, and whose others are the audio. The format is docs/formats/library.md.
+namespace stridor::io {
+
+/// Writes entries of a library, in their order, with their audio. The same entries give the same bytes.
+///
+/// Throws `Error` (io) where audio is missing or damaged, or the file cannot be written; then there is no file.
+void export_library(const noise_library::Library& library, std::span<const noise_library::Entry> entries,
+                    const std::filesystem::path& archive);
+
+/// What an import did.
+struct Import {
+    std::vector<std::int64_t> added{};  // ids
+    std::size_t skipped = 0;            // entries that were there already, alike in everything
+};
+
+/// Adds the entries of an archive; all or none.
+///
+/// Throws `Error` (input) for an archive that is damaged or not what it says: nothing of it then stays. No name in it is
+/// ever used as a path. Memory grows with the manifest, not with the audio.
+Import import_library(noise_library::Library& library, const std::filesystem::path& archive);
+
+}  // namespace stridor::io

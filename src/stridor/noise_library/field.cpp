@@ -1,0 +1,315 @@
+#include "stridor/noise_library/field.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/sha256.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/classification/category.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace stridor::noise_library {
+
+namespace {
+
+// the systems of the paper's database, and others from the practice of squeak and rattle
+constexpr std::array<std::string_view, 16> systems{
+    "brake",  "wiper", "sunroof",     "seat",          "dashboard",  "door hinge",      "latch",          "seal",
+    "clutch", "belt",  "window lift", "steering gear", "suspension", "convertible top", "center console", "trim"};
+constexpr std::array<std::string_view, 3> places{"vehicle", "rig", "simulation"};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+const std::array table{
+    Field{"system", "vehicle system that makes the noise", Text{&Entry::system, Text::Shape::line, systems}},
+    Field{"parts", "parts in contact", Text{&Entry::parts}},
+    Field{"materials", "materials in contact", Text{&Entry::materials}},
+    Field{"operation", "how it was operated", Text{&Entry::operation}},
+    Field{"recorded", "where it was recorded", Choice{&Entry::recorded, places}},
+    Field{"denomination", "what the engineer calls the noise",
+          Text{&Entry::denomination, Text::Shape::line, classification::category_names}},
+    Field{"preload", "force that presses the surfaces together", Quantity{&Entry::preload, "N", 0.0}},
+    Field{"velocity", "relative velocity of the surfaces; of a motion to and fro its peak",
+          Quantity{&Entry::velocity, "m/s"}},
+    Field{"velocity_profile", "course of the velocity, such as constant or sinusoidal 5 Hz",
+          Text{&Entry::velocity_profile}},
+    Field{"temperature", "temperature of the surfaces or the room", Quantity{&Entry::temperature, "degC", -273.15}},
+    Field{"humidity", "relative humidity", Quantity{&Entry::humidity, "%", 0.0, 100.0}},
+    Field{"sensor", "microphone or accelerometer, and where it stood", Text{&Entry::sensor}},
+    Field{"calibration", "what full scale is", Text{&Entry::calibration}},
+    Field{"date", "when it was recorded, YYYY-MM-DD", Date{&Entry::date}},
+    Field{"author", "who recorded it", Text{&Entry::author}},
+    Field{"licence", "what others may do with it", Text{&Entry::licence}},
+    Field{"notes", "anything else", Text{&Entry::notes, Text::Shape::lines}},
+    Field{"case", "case file (TOML) that a simulated sound came from", Text{&Entry::case_text, Text::Shape::document}},
+    Field{"file", "name of the file before it was added", Text{&Entry::file}, Writer::stridor},
+    Field{"format", "kind of the file, its extension", Text{&Entry::format}, Writer::stridor},
+    Field{"duration", "how long it lasts", Quantity{&Entry::duration, "s", 0.0}, Writer::stridor},
+    Field{"rate", "samples per second", Quantity{&Entry::rate, "Hz", 0.0}, Writer::stridor},
+    Field{"channels", "number of channels", Quantity{&Entry::channels, "1", 0.0}, Writer::stridor},
+    Field{"audio", "SHA-256 of the file", Text{&Entry::audio}, Writer::stridor},
+    Field{"category", "Stridor's verdict", Choice{&Entry::category, classification::category_names}, Writer::stridor},
+    Field{"verdict", "Stridor's verdict in full (JSON)", Text{&Entry::verdict, Text::Shape::document}, Writer::stridor},
+};
+
+bool is_unknown(std::string_view text) {
+    return text.empty() || text == "unknown";
+}
+
+std::string quoted_list(std::span<const std::string_view> names) {
+    std::string text;
+    for (const std::string_view name : names)
+        text += (text.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+    return text;
+}
+
+void set_choice(std::string& member, const Field& field, std::string_view text) {
+    const auto& names = std::get<Choice>(field.kind).names;
+    if (std::find(names.begin(), names.end(), text) == names.end()) {
+        const std::string_view near = base::nearest_name(text, names);
+        throw Error(
+            ErrorKind::input,
+            {std::string(field.name) + " = \"" + std::string(text) + "\" is not one of its choices",
+             "choices: " + quoted_list(names), near.empty() ? "" : "Did you mean \"" + std::string(near) + "\"?"});
+    }
+    member = text;
+}
+
+// the digits of a part of a date as a number; -1 if they are none
+int digits(std::string_view text) {
+    int value = 0;
+    for (const char c : text) {
+        if (c < '0' || c > '9') return -1;
+        value = 10 * value + (c - '0');
+    }
+    return text.empty() ? -1 : value;
+}
+
+bool is_date(std::string_view text) {
+    constexpr std::array<int, 12> days{31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    const bool has_shape = (text.size() == 4 || text.size() == 7 || text.size() == 10) &&
+                           (text.size() < 7 || text[4] == '-') && (text.size() < 10 || text[7] == '-');
+    if (!has_shape) return false;
+    const int year = digits(text.substr(0, 4));
+    const int month = text.size() < 7 ? 1 : digits(text.substr(5, 2));
+    const int day = text.size() < 10 ? 1 : digits(text.substr(8, 2));
+    if (year < 0 || month < 1 || month > 12) return false;
+    const bool is_leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+    return day >= 1 && day <= days[static_cast<std::size_t>(month - 1)] + (month == 2 && is_leap ? 1 : 0);
+}
+
+void expect_text(const Field& field, const Text& kind, std::string_view text) {
+    const bool has_control = std::any_of(text.begin(), text.end(), [&](char c) {
+        const bool is_break = c == '\n' || c == '\t' || c == '\r';
+        return static_cast<unsigned char>(c) < 0x20 && !(is_break && kind.shape != Text::Shape::line);
+    });
+    if (has_control)
+        throw Error(ErrorKind::input, {std::string(field.name) + " holds a control character",
+                                       kind.shape == Text::Shape::line ? "it is a single line" : "it is text", ""});
+}
+
+// a figure may have a unit that this program has no word for ("dB", "sone")
+bool is_known_unit(std::string_view unit) {
+    try {
+        base::parse_unit(unit);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+// number and unit of a temperature on another scale than Celsius; the offset makes them no mere factor
+double celsius(std::string_view text) {
+    const std::string_view given = base::trimmed(text);
+    if (given.ends_with("degF")) return (base::parse_quantity(given.substr(0, given.size() - 4), "1") - 32.0) / 1.8;
+    const bool is_kelvin = given.ends_with('K') && given.size() > 1 && given[given.size() - 2] != 'm';
+    if (is_kelvin) return base::parse_quantity(given.substr(0, given.size() - 1), "1") - 273.15;
+    return base::parse_quantity(given, "degC");
+}
+
+}  // namespace
+
+std::span<const Field> fields() {
+    return table;
+}
+
+const Field* find_field(std::string_view name) {
+    const auto found = std::find_if(table.begin(), table.end(), [&](const Field& field) { return field.name == name; });
+    return found == table.end() ? nullptr : &*found;
+}
+
+std::string option_of(const Field& field) {
+    std::string option = "--" + std::string(field.name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+}
+
+std::string_view unit_of(const Field& field) {
+    const auto* quantity = std::get_if<Quantity>(&field.kind);
+    return quantity == nullptr ? std::string_view() : quantity->unit;
+}
+
+bool is_document(const Field& field) {
+    const auto* text = std::get_if<Text>(&field.kind);
+    return text != nullptr && text->shape == Text::Shape::document;
+}
+
+const std::string& words_in(const Entry& entry, const Field& field) {
+    if (const auto* text = std::get_if<Text>(&field.kind)) return entry.*(text->member);
+    if (const auto* choice = std::get_if<Choice>(&field.kind)) return entry.*(choice->member);
+    return entry.*(std::get<Date>(field.kind).member);
+}
+
+std::string& words_in(Entry& entry, const Field& field) {
+    return const_cast<std::string&>(words_in(std::as_const(entry), field));
+}
+
+double& quantity_in(Entry& entry, const Field& field) {
+    return entry.*(std::get<Quantity>(field.kind).member);
+}
+
+double quantity_in(const Entry& entry, const Field& field) {
+    return entry.*(std::get<Quantity>(field.kind).member);
+}
+
+double parse_value(std::string_view text, std::string_view unit) {
+    const std::string_view given = base::trimmed(text);
+    if (is_unknown(given)) return unknown;
+    if (unit == "degC") return celsius(given);
+    if (is_known_unit(unit)) return base::parse_quantity(given, unit);
+    const bool has_unit = given.ends_with(unit);
+    return base::parse_quantity(has_unit ? given.substr(0, given.size() - unit.size()) : given, "1");
+}
+
+void set_quantity(Entry& entry, const Field& field, double value) {
+    const auto& quantity = std::get<Quantity>(field.kind);
+    const bool is_inside = std::isnan(value) || (value >= quantity.lowest && value <= quantity.highest);
+    if (!is_inside || std::isinf(value)) {
+        const std::string suffix = quantity.unit == "1" ? "" : " " + std::string(quantity.unit);
+        const std::string range = quantity.highest < infinity ? "between " + base::shortest(quantity.lowest) + " and " +
+                                                                    base::shortest(quantity.highest) + suffix
+                                  : quantity.lowest > -infinity ? "at least " + base::shortest(quantity.lowest) + suffix
+                                                                : std::string("finite");
+        throw Error(ErrorKind::input,
+                    {std::string(field.name) + " = " + base::shortest(value) + suffix + " is out of range",
+                     "it must be " + range, ""});
+    }
+    quantity_in(entry, field) = value;
+}
+
+void set_from_text(Entry& entry, const Field& field, std::string_view text) {
+    try {
+        if (std::holds_alternative<Quantity>(field.kind))
+            return set_quantity(entry, field, parse_value(text, unit_of(field)));
+    } catch (const Error& error) {
+        const base::Problem& problem = error.problem();
+        if (problem.what.starts_with(field.name)) throw;
+        throw Error(ErrorKind::input, {std::string(field.name) + ": " + problem.what, problem.why, problem.suggestion});
+    }
+    std::string& member = words_in(entry, field);
+    const std::string_view given = is_document(field) ? text : base::trimmed(text);
+    if (is_unknown(given)) {
+        member.clear();
+    } else if (std::holds_alternative<Choice>(field.kind)) {
+        set_choice(member, field, given);
+    } else if (std::holds_alternative<Date>(field.kind)) {
+        if (!is_date(given))
+            throw Error(ErrorKind::input, {std::string(field.name) + " = \"" + std::string(given) + "\" is no date",
+                                           "a date is YYYY-MM-DD, YYYY-MM or YYYY", ""});
+        member = given;
+    } else {
+        expect_text(field, std::get<Text>(field.kind), given);
+        member = given;
+    }
+}
+
+std::string value_text(const Entry& entry, const Field& field) {
+    if (!std::holds_alternative<Quantity>(field.kind)) return words_in(entry, field);
+    const double value = quantity_in(entry, field);
+    if (std::isnan(value)) return {};
+    const std::string_view unit = unit_of(field);
+    return base::shortest(value) + (unit == "1" ? "" : " " + std::string(unit));
+}
+
+bool is_figure_name(std::string_view name) {
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+    return !name.empty() && name.size() <= 64 && name != "id" && std::all_of(name.begin(), name.end(), is_letter) &&
+           find_field(name) == nullptr;
+}
+
+Figure parse_figure(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    const std::string name(base::trimmed(text.substr(0, equals)));
+    if (const Field* field = find_field(name))
+        throw Error(ErrorKind::input,
+                    {"a figure cannot be called " + name, "that is a field of every entry",
+                     field->writer == Writer::user ? "Write " + option_of(*field) + " instead." : ""});
+    if (equals == std::string_view::npos || !is_figure_name(name))
+        throw Error(ErrorKind::input,
+                    {"\"" + std::string(text) + "\" is no figure",
+                     "a figure is NAME=VALUE UNIT, its name a-z, 0-9 and _", "Write, for example, level=\"62 dB\"."});
+    const std::string_view value = base::trimmed(text.substr(equals + 1));
+    const std::size_t end = value.find_first_not_of("+-0123456789.eE");
+    const std::string_view unit = end == std::string_view::npos ? "1" : base::trimmed(value.substr(end));
+    try {
+        return {name, std::string(unit), base::parse_quantity(value.substr(0, end), "1")};
+    } catch (const Error& error) {
+        const base::Problem& problem = error.problem();
+        throw Error(ErrorKind::input, {name + ": " + problem.what, problem.why, problem.suggestion});
+    }
+}
+
+void set_figure(Entry& entry, const Figure& figure) {
+    std::vector<Figure>& figures = entry.figures;
+    const auto place = std::lower_bound(figures.begin(), figures.end(), figure.name,
+                                        [](const Figure& a, const std::string& name) { return a.name < name; });
+    if (place != figures.end() && place->name == figure.name)
+        *place = figure;
+    else
+        figures.insert(place, figure);
+}
+
+double number_of(const Entry& entry, std::string_view name) {
+    const Field* field = find_field(name);
+    if (field != nullptr) return std::holds_alternative<Quantity>(field->kind) ? quantity_in(entry, *field) : unknown;
+    for (const Figure& figure : entry.figures)
+        if (figure.name == name) return figure.value;
+    return unknown;
+}
+
+std::string did_you_mean(std::string_view name, std::span<const std::string> names, std::string otherwise) {
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const std::string_view near = base::nearest_name(name, views);
+    return near.empty() ? std::move(otherwise) : "Did you mean \"" + std::string(near) + "\"?";
+}
+
+std::vector<std::string> field_names(bool (*wanted)(const Field&)) {
+    std::vector<std::string> names;
+    for (const Field& field : table)
+        if (wanted(field)) names.emplace_back(field.name);
+    return names;
+}
+
+std::string digest(const Entry& entry) {
+    base::Sha256 hash;
+    // lengths part the pieces, so that no text can pass for two others
+    const auto add = [&](std::string_view piece) {
+        hash.add(std::to_string(piece.size()) + ":");
+        hash.add(piece);
+    };
+    for (const Field& field : table) {
+        add(field.name);
+        add(value_text(entry, field));
+    }
+    for (const Figure& figure : entry.figures) {
+        add(figure.name);
+        add(figure.unit);
+        add(base::shortest(figure.value));
+    }
+    return hash.text();
+}
+
+}  // namespace stridor::noise_library

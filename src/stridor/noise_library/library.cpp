@@ -1,0 +1,366 @@
+#include "stridor/noise_library/library.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/noise_library/field.hpp"
+#include "stridor/noise_library/selection.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace stridor::noise_library {
+
+namespace fs = std::filesystem;
+using storage::Statement;
+using storage::Transaction;
+
+namespace {
+
+// "STRL", in the file's header where other programs look for the kind of a database
+constexpr std::int64_t application_id = 0x5354524C;
+
+storage::DatabaseOptions database_options(const fs::path& file, const LibraryOptions& options) {
+    storage::DatabaseOptions database;
+    database.words = {
+        "library", "Choose another --library.", "Wait until that ends, and run the same command again.",
+        "Restore it from a copy or an export; \"sqlite3 " + file.string() + " .recover\" saves what can be read.",
+        "run the same command again: nothing was changed."};
+    database.ownership = storage::Ownership::shared;
+    database.missing = options.access == Access::fill ? storage::Missing::create : storage::Missing::refuse;
+    database.wait = options.wait;
+    std::error_code error;
+    if (options.access == Access::read && !fs::exists(file, error))
+        throw Error(ErrorKind::io,
+                    {"there is no library " + file.string(), error ? error.message() : "",
+                     "Add a first recording with `stridor library add FILE`, or name another --library."});
+    return database;
+}
+
+// the audio stands beside the file itself, not beside a link to it
+fs::path audio_folder_of(const fs::path& file) {
+    std::error_code error;
+    fs::path real = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
+    if (real.extension() == ".audio")
+        throw Error(ErrorKind::input, {file.string() + " cannot be a library", "its audio needs a folder of that name",
+                                       "Call it library.sqlite."});
+    return real.replace_extension(".audio");
+}
+
+std::string insert_entry(bool has_id) {
+    std::string columns = has_id ? "id, digest" : "digest";
+    std::string values = has_id ? "?, ?" : "?";
+    for (const Field& field : fields()) {
+        if (is_document(field)) continue;
+        columns += ", " + column_of(field);
+        values += ", ?";
+    }
+    return (has_id ? "INSERT OR REPLACE" : "INSERT") + (" INTO entry(" + columns) + ") VALUES(" + values + ")";
+}
+
+AudioName audio_of(const Entry& entry) {
+    return {entry.audio, entry.format};
+}
+
+}  // namespace
+
+fs::path default_library() {
+    const char* data = std::getenv("XDG_DATA_HOME");
+    const char* home = std::getenv("HOME");
+    const bool has_data = data != nullptr && *data == '/';
+    if (!has_data && (home == nullptr || *home == '\0'))
+        throw Error(ErrorKind::input, {"there is no place for a library", "neither XDG_DATA_HOME nor HOME is set",
+                                       "Name one with --library FILE."});
+    return (has_data ? fs::path(data) : fs::path(home) / ".local/share") / "stridor/library.sqlite";
+}
+
+Library::Library(const fs::path& file, const LibraryOptions& options)
+    : database_(file, database_options(file, options)),
+      audio_folder_(audio_folder_of(file)) {
+    const auto is_empty = [&] {
+        return database_.integer("PRAGMA application_id") == 0 &&
+               database_.integer("SELECT count(*) FROM sqlite_schema") == 0;
+    };
+    if (is_empty()) {
+        Transaction transaction(database_);
+        // another process may have made it in between
+        if (is_empty()) create();
+        transaction.commit();
+    }
+    verify();
+    if (!database_.is_read_only() && has_leftovers(audio_folder_)) clear();
+}
+
+void Library::create() {
+    database_.execute("PRAGMA application_id = " + std::to_string(application_id));
+    database_.execute("PRAGMA user_version = " + std::to_string(library_schema));
+    std::string columns;
+    for (const Field& field : fields())
+        if (!is_document(field)) columns += ", " + column_of(field);
+    // ids are never used twice, so that a note about entry 12 stays true
+    database_.execute("CREATE TABLE entry(id INTEGER PRIMARY KEY AUTOINCREMENT, digest TEXT NOT NULL" + columns + ")");
+    database_.execute("CREATE INDEX entry_digest ON entry(digest)");
+    database_.execute("CREATE INDEX entry_audio ON entry(audio)");
+    // apart from the rows that every search goes through
+    database_.execute(
+        "CREATE TABLE document(entry INTEGER NOT NULL, name TEXT NOT NULL, text TEXT NOT NULL, "
+        "PRIMARY KEY(entry, name)) WITHOUT ROWID");
+    database_.execute(
+        "CREATE TABLE figure(entry INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL, value, "
+        "PRIMARY KEY(entry, name)) WITHOUT ROWID");
+    database_.execute("CREATE INDEX figure_name ON figure(name)");
+}
+
+void Library::verify() {
+    const Transaction transaction(database_, Transaction::Purpose::read);
+    const std::string name = file().string();
+    if (database_.integer("PRAGMA application_id") != application_id)
+        throw Error(ErrorKind::input, {name + " is no noise library", "it is another program's SQLite database",
+                                       "Choose another --library."});
+    const std::int64_t schema = database_.integer("PRAGMA user_version");
+    if (schema != library_schema)
+        throw Error(ErrorKind::input,
+                    {"the library " + name + " has schema " + std::to_string(schema),
+                     "this program reads and writes schema " + std::to_string(library_schema),
+                     schema > library_schema ? "Use the newer program that wrote it." : "Choose another --library."});
+    database_.expect_whole();
+}
+
+void Library::clear() {
+    try {
+        const Transaction transaction(database_);
+        clear_leftovers(audio_folder_, [this](const AudioName& name) { return is_used(name); });
+    } catch (const Error& error) {
+        // a reader need not wait for whoever writes now: leftovers do no harm, and the next one clears them
+        if (error.kind() != ErrorKind::io) throw;
+    }
+}
+
+fs::path Library::audio_file(const Entry& entry) const {
+    return audio_folder_ / path_of(audio_of(entry));
+}
+
+std::int64_t Library::size() {
+    return database_.integer("SELECT count(*) FROM entry");
+}
+
+std::vector<Entry> Library::find(const Query& query) {
+    const Transaction snapshot(database_, Transaction::Purpose::read);
+    return read(query);
+}
+
+std::vector<Entry> Library::get(std::span<const std::int64_t> ids) {
+    const Transaction snapshot(database_, Transaction::Purpose::read);
+    return read(ids);
+}
+
+std::vector<Entry> Library::read(const Query& query) {
+    const std::vector<FigureKind> known = figures();
+    const Selection selection = select(query, known);
+    Statement rows = database_.prepare("SELECT " + columns() + selection.rows + selection.order);
+    bind(rows, selection);
+    std::vector<Entry> entries;
+    while (rows.step())
+        entries.push_back(entry_in(rows));
+    if (query.extent == Extent::summary) return entries;
+
+    std::map<std::int64_t, Entry*> by_id;
+    for (Entry& entry : entries)
+        by_id.emplace(entry.id, &entry);
+    const std::string of_these = " WHERE entry IN (SELECT e.id" + selection.rows + ") ORDER BY entry, name";
+    Statement documents = database_.prepare("SELECT entry, name, text FROM document" + of_these);
+    bind(documents, selection);
+    while (documents.step()) {
+        const Field* field = find_field(documents.text(1));
+        const auto found = by_id.find(documents.integer(0));
+        if (found != by_id.end() && field != nullptr && is_document(*field))
+            words_in(*found->second, *field) = documents.text(2);
+    }
+    Statement values = database_.prepare("SELECT entry, name, unit, value FROM figure" + of_these);
+    bind(values, selection);
+    while (values.step())
+        if (const auto found = by_id.find(values.integer(0)); found != by_id.end())
+            found->second->figures.push_back({values.text(1), values.text(2), values.number(3)});
+    return entries;
+}
+
+std::vector<Entry> Library::read(std::span<const std::int64_t> ids) {
+    Query query;
+    query.ids.assign(ids.begin(), ids.end());
+    query.extent = Extent::whole;
+    const std::vector<Entry> found = ids.empty() ? std::vector<Entry>() : read(query);
+    std::vector<Entry> entries;
+    for (const std::int64_t id : ids) {
+        const auto place = std::find_if(found.begin(), found.end(), [&](const Entry& entry) { return entry.id == id; });
+        if (place == found.end()) refuse_id(id);
+        entries.push_back(*place);
+    }
+    return entries;
+}
+
+void Library::refuse_id(std::int64_t id) {
+    const std::int64_t count = size();
+    throw Error(ErrorKind::input,
+                {"there is no entry " + std::to_string(id) + " in " + file().string(),
+                 count == 0 ? "the library is empty"
+                            : std::to_string(count) + (count == 1 ? " entry, the last is " : " entries, the last is ") +
+                                  std::to_string(database_.integer("SELECT max(id) FROM entry")),
+                 "`stridor library list` shows what there is."});
+}
+
+std::optional<std::int64_t> Library::twin_of(const Entry& entry, Twins twins) {
+    if (twins == Twins::accept) return std::nullopt;
+    const bool by_audio = twins == Twins::refuse_same_audio;
+    const std::string sought = by_audio ? entry.audio : digest(entry);
+    Statement query = database_.prepare(by_audio ? "SELECT id FROM entry WHERE audio = ? ORDER BY id"
+                                                 : "SELECT id FROM entry WHERE digest = ? ORDER BY id");
+    query.bind(1, std::string_view(sought));
+    return query.step() ? std::optional(query.integer(0)) : std::nullopt;
+}
+
+void Library::forget_parts(std::int64_t id) {
+    for (const char* table : {"document", "figure"})
+        database_.execute("DELETE FROM " + std::string(table) + " WHERE entry = " + std::to_string(id));
+}
+
+std::int64_t Library::write(const Entry& entry) {
+    const bool has_id = entry.id != 0;
+    const std::string text = digest(entry);
+    Statement row = database_.prepare(insert_entry(has_id));
+    int parameter = 0;
+    if (has_id) row.bind(++parameter, entry.id);
+    row.bind(++parameter, std::string_view(text));
+    for (const Field& field : fields())
+        if (is_document(field))
+            continue;
+        else if (std::holds_alternative<Quantity>(field.kind))
+            row.bind(++parameter, quantity_in(entry, field));
+        else
+            row.bind(++parameter, std::string_view(words_in(entry, field)));
+    row.run();
+    const std::int64_t id = has_id ? entry.id : database_.last_row();
+    if (has_id) forget_parts(id);
+    Statement document = database_.prepare("INSERT INTO document(entry, name, text) VALUES(?, ?, ?)");
+    for (const Field& field : fields()) {
+        if (!is_document(field) || words_in(entry, field).empty()) continue;
+        document.bind(1, id);
+        document.bind(2, field.name);
+        document.bind(3, std::string_view(words_in(entry, field)));
+        document.run();
+    }
+    Statement value = database_.prepare("INSERT INTO figure(entry, name, unit, value) VALUES(?, ?, ?, ?)");
+    for (const Figure& figure : entry.figures) {
+        value.bind(1, id);
+        value.bind(2, std::string_view(figure.name));
+        value.bind(3, std::string_view(figure.unit));
+        value.bind(4, figure.value);
+        value.run();
+    }
+    return id;
+}
+
+std::vector<std::int64_t> Library::add(Intake& intake, std::span<Staged> staged, std::span<const Entry> entries,
+                                       Twins twins) {
+    Transaction transaction(database_);
+    std::vector<std::int64_t> ids;
+    std::set<AudioName> needed;
+    for (Entry entry : entries) {
+        const std::optional<std::int64_t> twin = twin_of(entry, twins);
+        if (twin && twins == Twins::refuse_same_audio)
+            throw Error(ErrorKind::input, {entry.file + " is in the library already",
+                                           "entry " + std::to_string(*twin) + " has this sound",
+                                           "Change that with `stridor library edit " + std::to_string(*twin) +
+                                               "`, or add it once more with --again."});
+        if (twin) {
+            ids.push_back(0);
+            continue;
+        }
+        entry.id = 0;
+        ids.push_back(write(entry));
+        needed.insert(audio_of(entry));
+    }
+    if (!needed.empty()) intake.place(staged, needed);
+    transaction.commit();
+    intake.settle();
+    return ids;
+}
+
+std::vector<Entry> Library::edit(std::span<const std::int64_t> ids, const std::function<void(Entry&)>& change) {
+    Transaction transaction(database_);
+    std::vector<Entry> entries = read(ids);
+    for (Entry& entry : entries) {
+        const Entry before = entry;
+        change(entry);
+        entry.id = before.id;
+        entry.audio = before.audio;
+        entry.format = before.format;
+        write(entry);
+    }
+    transaction.commit();
+    return entries;
+}
+
+void Library::remove(std::span<const std::int64_t> ids) {
+    Marker marker(audio_folder_);
+    std::set<AudioName> audio;
+    {
+        Transaction transaction(database_);
+        for (const Entry& entry : read(ids)) {
+            audio.insert(audio_of(entry));
+            database_.execute("DELETE FROM entry WHERE id = " + std::to_string(entry.id));
+            forget_parts(entry.id);
+        }
+        marker.announce(audio);
+        transaction.commit();
+    }
+    // a second transaction: only once the rows are gone for good may the audio go, and nobody may add it meanwhile
+    const Transaction lock(database_);
+    for (const AudioName& name : audio) {
+        if (is_used(name)) continue;
+        std::error_code error;
+        fs::remove(audio_folder_ / path_of(name), error);
+        if (error) storage::throw_system_failure("remove", (audio_folder_ / path_of(name)).string(), error.value());
+    }
+    marker.release();
+}
+
+bool Library::is_used(const AudioName& name) {
+    Statement users = database_.prepare("SELECT 1 FROM entry WHERE audio = ? AND format = ?");
+    users.bind(1, std::string_view(name.hash));
+    users.bind(2, std::string_view(name.format));
+    return users.step();
+}
+
+std::vector<FigureKind> Library::figures() {
+    // from name to name through the index: their number counts, not that of all figures
+    Statement next = database_.prepare("SELECT name, unit FROM figure WHERE name > ? ORDER BY name LIMIT 1");
+    std::vector<FigureKind> kinds;
+    std::string last;
+    while (true) {
+        next.bind(1, std::string_view(last));
+        if (!next.step()) return kinds;
+        FigureKind kind{next.text(0), next.text(1)};
+        next.reset();
+        if (kind.name <= last)
+            throw Error(ErrorKind::io, {"the library " + file().string() + " is damaged",
+                                        "its index of figures has no order", "Restore it from a copy or an export."});
+        last = kind.name;
+        kinds.push_back(std::move(kind));
+    }
+}
+
+std::vector<std::string> Library::words(std::string_view field) {
+    const Field* found = find_field(field);
+    std::vector<std::string> words;
+    if (found == nullptr || std::holds_alternative<Quantity>(found->kind) || is_document(*found)) return words;
+    const std::string column = column_of(*found);
+    Statement rows =
+        database_.prepare("SELECT DISTINCT " + column + " FROM entry WHERE " + column + " <> '' ORDER BY 1");
+    while (rows.step())
+        words.push_back(rows.text(0));
+    return words;
+}
+
+}  // namespace stridor::noise_library

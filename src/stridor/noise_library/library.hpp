@@ -1,0 +1,99 @@
+#pragma once
+
+#include "stridor/noise_library/audio_folder.hpp"
+#include "stridor/noise_library/entry.hpp"
+#include "stridor/noise_library/query.hpp"
+#include "stridor/noise_library/selection.hpp"
+#include "stridor/storage/database.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::noise_library {
+
+/// Layout of a library. Raise it when a table, a column or the meaning of one changes.
+inline constexpr int library_schema = 1;
+
+/// Where a library stands when none is named: stridor/library.sqlite in $XDG_DATA_HOME, or in ~/.local/share.
+std::filesystem::path default_library();
+
+/// Is the library to be read, or filled, too? Only then is one made where there is none.
+enum class Access { read, fill };
+
+struct LibraryOptions {
+    Access access = Access::read;
+    std::chrono::milliseconds wait{10000};  // for another process that writes
+};
+
+/// What keeps entries apart that are one: the same audio, or the same in every word.
+enum class Twins { refuse_same_audio, skip_equal, accept };
+
+/// The noise library: entries in one SQLite file, the audio in a folder beside it ("library.audio").
+///
+/// Tables: entry(id, digest, a column per field that is no document), document(entry, name, text), figure(entry, name, unit,
+/// value). Several processes may use a library
+/// at once; each change is whole or not there, on disk when its function returns, whatever ends the process. Every
+/// failure throws `Error`: input for a file that is no library of this program, an unknown id, a name or value that means
+/// nothing; io for the rest.
+class Library {
+public:
+    explicit Library(const std::filesystem::path& file, const LibraryOptions& options = {});
+
+    const std::filesystem::path& file() const { return database_.file(); }
+    const std::filesystem::path& audio_folder() const { return audio_folder_; }
+
+    /// Where the audio of an entry lies.
+    std::filesystem::path audio_file(const Entry& entry) const;
+
+    /// The entries a query asks for.
+    std::vector<Entry> find(const Query& query);
+
+    /// Entries by their ids, in this order, whole. Throws `Error` (input) for an id that is not there.
+    std::vector<Entry> get(std::span<const std::int64_t> ids);
+
+    /// Number of entries.
+    std::int64_t size();
+
+    /// Adds entries whose audio was staged; all or none. Gives their ids, 0 for one that was skipped.
+    ///
+    /// `audio` and `format` of each entry name its audio, which must be among the staged or in the library already.
+    /// Throws `Error` (input) for a twin that is refused.
+    std::vector<std::int64_t> add(Intake& intake, std::span<Staged> staged, std::span<const Entry> entries,
+                                  Twins twins);
+
+    /// Changes entries; all or none. Their ids and audio stay what they are. Gives them as they are now.
+    std::vector<Entry> edit(std::span<const std::int64_t> ids, const std::function<void(Entry&)>& change);
+
+    /// Removes entries, and audio that no other entry has; all or none.
+    void remove(std::span<const std::int64_t> ids);
+
+    /// The figures that entries have, by name.
+    std::vector<FigureKind> figures();
+
+    /// What entries say in a field of words, each once, sorted.
+    std::vector<std::string> words(std::string_view field);
+
+private:
+    void create();
+    void verify();
+    void clear();
+    std::vector<Entry> read(const Query& query);
+    std::vector<Entry> read(std::span<const std::int64_t> ids);
+    void forget_parts(std::int64_t id);
+    bool is_used(const AudioName& name);
+    [[noreturn]] void refuse_id(std::int64_t id);
+    std::optional<std::int64_t> twin_of(const Entry& entry, Twins twins);
+    std::int64_t write(const Entry& entry);
+
+    storage::Database database_;
+    std::filesystem::path audio_folder_;
+};
+
+}  // namespace stridor::noise_library

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::noise_library {
+
+/// How a condition compares; `contains` is for words alone.
+enum class Comparison { equal, different, less, at_most, more, at_least, contains };
+
+/// One condition on a field or a figure: preload > 10 N.
+struct Condition {
+    std::string name;
+    Comparison comparison = Comparison::equal;
+    std::string value;
+};
+
+/// How much of each entry is read: `summary` leaves documents and figures empty.
+enum class Extent { summary, whole };
+
+enum class Direction { rising, falling };
+
+/// Which entries, and in which order. What is unknown meets no condition but "= unknown", and comes last.
+struct Query {
+    std::vector<std::int64_t> ids{};      // these alone; empty: all
+    std::vector<Condition> conditions{};  // all of them hold
+    std::vector<std::string> words{};     // each stands somewhere in the text of the entry, in either case
+    std::string sort{};                   // a field or a figure; empty: by id
+    Direction direction = Direction::rising;
+    Extent extent = Extent::summary;
+};
+
+/// Conditions from "preload > 10 N and system = brake": name, one of = != < <= > >= ~ (contains), value; a value that
+/// holds " and " stands in quotes.
+///
+/// Throws `Error` (input) for anything else; names and values are looked at by the library, which knows its figures.
+std::vector<Condition> parse_conditions(std::string_view text);
+
+/// The words of a search, parted at blanks.
+std::vector<std::string> parse_words(std::string_view text);
+
+}  // namespace stridor::noise_library

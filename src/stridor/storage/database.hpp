@@ -1,0 +1,143 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace stridor::storage {
+
+class Statement;
+
+/// How messages speak of a database, and the ways out that they offer.
+struct Words {
+    std::string kind = "database";  // "store", "library"
+    std::string not_ours{};         // the file is something else
+    std::string in_use{};           // another process has it
+    std::string damaged{};
+    std::string not_written{};  // after "Make room and " or "Mend that and "
+};
+
+/// Whose the file is while it is open.
+///
+/// `alone`: the lock is taken by the first `Transaction` and kept until the database is closed, so that a second process
+/// is refused at once and can never change the file between two transactions. `shared`: the lock lasts as long as a
+/// transaction, and others wait for it.
+enum class Ownership { alone, shared };
+
+/// What becomes of a file that is not there.
+enum class Missing { create, refuse };
+
+struct DatabaseOptions {
+    Words words{};
+    Ownership ownership = Ownership::alone;
+    Missing missing = Missing::create;
+    std::chrono::milliseconds wait{0};  // for a lock that another process holds
+};
+
+/// An SQLite database in one file.
+///
+/// A process that dies at any moment leaves the last committed transaction: its rollback journal is undone by the next
+/// one that opens the file. Every failure throws `Error`: input for a file of another kind, io with the reason for the
+/// rest. A file that may not be written is opened for reading.
+class Database {
+public:
+    /// Opens the file, or makes an empty one; nothing is read yet.
+    explicit Database(const std::filesystem::path& file, const DatabaseOptions& options);
+
+    const std::filesystem::path& file() const { return file_; }
+    Ownership ownership() const { return ownership_; }
+
+    /// May this process only read it?
+    bool is_read_only() const;
+
+    /// Throws `Error` (io) if the file is shorter than it says: SQLite would read the missing end as zeros.
+    void expect_whole();
+
+    /// The key of the row that was inserted last.
+    std::int64_t last_row() const;
+
+    void execute(const std::string& sql);
+    Statement prepare(const std::string& sql);
+
+    /// The single integer that a query such as "PRAGMA user_version" gives.
+    std::int64_t integer(const std::string& sql);
+
+private:
+    friend class Statement;
+    friend class Transaction;
+
+    struct Close {
+        void operator()(sqlite3* handle) const;
+    };
+
+    [[noreturn]] void fail(int code) const;
+
+    std::filesystem::path file_;
+    Words words_;
+    Ownership ownership_;
+    std::unique_ptr<sqlite3, Close> handle_;
+};
+
+/// A prepared statement: bind, step until there is no row, reset. Parameters count from 1, columns from 0.
+///
+/// Must end before its database. A NaN is kept as NULL, every other number bit for bit.
+class Statement {
+public:
+    void bind(int parameter, double value);
+    void bind(int parameter, std::int64_t value);
+    void bind(int parameter, std::string_view text);  // must live until the next `reset`
+    void bind_null(int parameter);
+
+    /// Goes to the next row; false when there is none.
+    bool step();
+
+    /// Runs a statement that gives no rows, and makes it ready for the next values.
+    void run();
+
+    /// Ends the rows, whether all were seen or not, and makes it ready for the next values.
+    void reset();
+
+    double number(int column) const;
+    std::int64_t integer(int column) const;
+    std::string text(int column) const;  // empty for NULL
+
+private:
+    friend class Database;
+
+    struct Finalize {
+        void operator()(sqlite3_stmt* handle) const;
+    };
+
+    Statement(const Database& database, const std::string& sql);
+    void expect_ok(int code) const;
+
+    const Database* database_;
+    std::unique_ptr<sqlite3_stmt, Finalize> handle_;
+};
+
+/// All or nothing: what is not committed when this ends is undone.
+///
+/// Both kinds see one state of the database from their first statement on; only one process at a time may write.
+class Transaction {
+public:
+    enum class Purpose { write, read };
+
+    explicit Transaction(Database& database, Purpose purpose = Purpose::write);
+    ~Transaction();
+    Transaction(const Transaction&) = delete;
+    Transaction& operator=(const Transaction&) = delete;
+
+    void commit();
+
+private:
+    Database& database_;
+    bool is_open_ = true;
+};
+
+}  // namespace stridor::storage

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace stridor::storage {
+
+/// A file that is written in pieces and has its name only once it is whole and on the disk.
+///
+/// It stands under a temporary name first, and is removed unless `keep` gave it its own. What fails throws `Error` (io)
+/// with the name the user knows and the reason.
+class NewFile {
+public:
+    /// Begins a file under a temporary name that does not exist yet; `shown` is what errors call it.
+    NewFile(std::filesystem::path temporary, std::string shown);
+    ~NewFile();
+    NewFile(NewFile&& other) noexcept;
+    NewFile& operator=(NewFile&&) = delete;
+
+    void write(std::string_view bytes);
+
+    /// Brings everything to the disk and closes the file; nothing may be written afterwards.
+    void finish();
+
+    /// Renames the finished file, over another one if need be, and brings the folder to the disk.
+    void keep(const std::filesystem::path& name);
+
+    std::uint64_t size() const { return size_; }  // [bytes]
+
+private:
+    std::filesystem::path temporary_;  // empty once it is renamed
+    std::string shown_;
+    int descriptor_ = -1;
+    std::uint64_t size_ = 0;
+};
+
+/// Writes to an open file and brings it to the disk; errors call it `shown`.
+void write_and_flush(int descriptor, std::string_view bytes, const std::string& shown);
+
+/// Brings the names in a folder to the disk; throws `Error` (io). Some file systems cannot, which is no error.
+void flush_folder(const std::filesystem::path& folder);
+
+/// Throws `Error` (io): "cannot write library.sqlite (the disk is full)" from a number of the system's (errno).
+[[noreturn]] void throw_system_failure(const std::string& doing, const std::string& what, int code);
+
+}  // namespace stridor::storage

@@ -1,0 +1,235 @@
+#include "stridor/base/sha256.hpp"
+#include "support/counter_random.hpp"
+#include "support/process.hpp"
+#include "unit/noise_library/library_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+using stridor::noise_library::Entry;
+using stridor::noise_library::Library;
+using stridor::support::CounterRandom;
+using stridor::support::Finished;
+using stridor::support::Launch;
+using stridor::support::Process;
+using stridor::support::read_text;
+using stridor::support::run;
+using stridor::support::ScratchFolder;
+using stridor::support::write_text;
+
+namespace {
+
+std::string little_endian(std::uint32_t value, int bytes) {
+    std::string text;
+    for (int k = 0; k < bytes; ++k)
+        text += static_cast<char>(value >> static_cast<unsigned>(8 * k) & 0xffU);
+    return text;
+}
+
+// 16 bit, one channel, 8000 Hz; another seed, other samples
+std::string wav(std::uint64_t seed, std::size_t frames = 800) {
+    CounterRandom random(seed);
+    std::string samples;
+    for (std::size_t k = 0; k < frames; ++k)
+        samples += little_endian(static_cast<std::uint32_t>(random.next() & 0xffffU), 2);
+    const auto size = static_cast<std::uint32_t>(samples.size());
+    return "RIFF" + little_endian(36 + size, 4) + "WAVEfmt " + little_endian(16, 4) + little_endian(1, 2) +
+           little_endian(1, 2) + little_endian(8000, 4) + little_endian(16000, 4) + little_endian(2, 2) +
+           little_endian(16, 2) + "data" + little_endian(size, 4) + samples;
+}
+
+bool has_its_bytes(const Library& library, const Entry& entry) {
+    return stridor::base::sha256_text(read_text(library.audio_file(entry))) == entry.audio;
+}
+
+class LibraryProgram : public testing::Test {
+protected:
+    Finished stridor(const std::vector<std::string>& arguments) const {
+        return run(Launch{arguments, folder_.path(), {}, std::nullopt, {{"XDG_DATA_HOME", folder_.path() / "data"}}});
+    }
+    void expect_done(const std::vector<std::string>& arguments) const {
+        const Finished finished = stridor(arguments);
+        EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    }
+    void expect_refused(const std::vector<std::string>& arguments, int exit_code,
+                        const std::vector<std::string>& words) const {
+        const Finished finished = stridor(arguments);
+        EXPECT_EQ(finished.exit_code, exit_code) << finished.err;
+        EXPECT_EQ(finished.out, "");
+        for (const std::string& word : words)
+            EXPECT_NE(finished.err.find(word), std::string::npos) << "\"" << word << "\" is not in:\n" << finished.err;
+    }
+    std::string broken_promise(const char* name = "library.sqlite") const {
+        Library library(folder_ / name, {stridor::noise_library::Access::fill, std::chrono::seconds(10)});
+        return stridor::noise_library::broken_promise(library, has_its_bytes);
+    }
+
+    ScratchFolder folder_;
+};
+
+const std::vector<std::string> in_file{"--library", "library.sqlite"};
+
+std::vector<std::string> with_file(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), in_file.begin(), in_file.end());
+    return arguments;
+}
+
+}  // namespace
+
+TEST_F(LibraryProgram, KeepsTheLibraryInTheUsersDataFolder) {
+    write_text(folder_ / "a.wav", wav(1));
+    expect_done({"library", "add", "a.wav", "--system", "brake", "--preload", "0.04 kN", "--temperature", "-10 degC"});
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "data/stridor/library.sqlite"));
+    const auto document = nlohmann::json::parse(stridor({"library", "list", "--json"}).out);
+    const auto& entry = document["entries"][0];
+    EXPECT_EQ(entry["preload"], 40.0);
+    EXPECT_EQ(entry["temperature"], -10.0);
+    EXPECT_EQ(entry["duration"], 0.1);
+    EXPECT_EQ(entry["rate"], 8000.0);
+    const std::string audio = stridor({"library", "show", "1", "--audio"}).out;
+    EXPECT_EQ(read_text(audio.substr(0, audio.size() - 1)), wav(1));
+}
+
+TEST_F(LibraryProgram, RefusesWhatItDoesNotKnow) {
+    write_text(folder_ / "a.wav", wav(1));
+    write_text(folder_ / "text.wav", "RIFF no sound");
+    write_text(folder_ / "empty.wav", wav(1, 0));
+    expect_refused(with_file({"library", "list"}), 5, {"there is no library", "library add"});
+    expect_done(with_file({"library", "add", "a.wav"}));
+    expect_refused(with_file({"library", "add", "a.wav"}), 2, {"entry 1", "--again"});
+    expect_refused(with_file({"library", "add", "text.wav"}), 2, {"text.wav"});
+    expect_refused(with_file({"library", "add", "empty.wav"}), 2, {"empty.wav"});
+    expect_refused(with_file({"library", "add", "nowhere.wav"}), 5, {"nowhere.wav"});
+    expect_refused(with_file({"library", "add", "a.wav", "--preload", "3 mm"}), 2, {"preload", "length", "force"});
+    expect_refused(with_file({"library", "add", "a.wav", "--recorded", "vehicel"}), 2, {"vehicle"});
+    expect_refused(with_file({"library", "show", "7"}), 2, {"no entry 7"});
+    expect_refused(with_file({"library", "edit", "1"}), 2, {"nothing to change"});
+    expect_refused(with_file({"library", "list", "--where", "prelaod > 3"}), 2, {"prelaod", "preload"});
+    expect_refused(with_file({"library", "list", "--columns", "id,sistem"}), 2, {"sistem", "system"});
+    expect_refused(with_file({"library", "import", "a.wav"}), 2, {"a.wav"});
+    expect_refused(with_file({"rig", "sensitivity", "--over", "notes"}), 2, {"notes"});
+    expect_refused(with_file({"rig", "sensitivity"}), 2, {"no records over preload"});
+    expect_refused({"library", "list", "--library", "a.wav"}, 2, {"no library"});
+    EXPECT_EQ(broken_promise(), "");
+}
+
+TEST_F(LibraryProgram, DrawsAndPrintsASensitivity) {
+    for (int k = 1; k <= 5; ++k) {
+        write_text(folder_ / "a.wav", wav(static_cast<std::uint64_t>(k)));
+        expect_done(with_file({"library", "add", "a.wav", "--preload", std::to_string(10 * k), "--denomination",
+                               k < 3 ? "squeal" : "creak", "--figure", "level=" + std::to_string(60 - k) + " dB"}));
+    }
+    const Finished table = stridor(
+        with_file({"rig", "sensitivity", "--by", "denomination", "--figure", "s.png", "--where", "preload < 45 N"}));
+    EXPECT_EQ(table.exit_code, 0) << table.err;
+    // 2 of the 24 ways to pair four records
+    EXPECT_NE(table.out.find("level                rank correlation -1.000 (Spearman, n = 4, p = 0.083)"),
+              std::string::npos)
+        << table.out;
+    EXPECT_NE(table.out.find("squeal       2 records, preload 10 to 20 N"), std::string::npos) << table.out;
+    EXPECT_TRUE(read_text(folder_ / "s.png").starts_with("\x89PNG"));
+    const auto document = nlohmann::json::parse(stridor(with_file({"rig", "sensitivity", "--json"})).out);
+    EXPECT_EQ(document["level"]["spearman"], -1.0);
+}
+
+// a process of `arguments` that dies at an instant spread over its life, and a little beyond
+class KilledLibrary : public LibraryProgram {
+protected:
+    void SetUp() override {
+        for (int k = 0; k < 4; ++k)
+            write_text(folder_ / ("s" + std::to_string(k) + ".wav"), wav(static_cast<std::uint64_t>(k), 50000));
+        expect_done({"library", "add", "s0.wav", "s1.wav", "s2.wav", "s3.wav", "--library", "source.sqlite"});
+        expect_done({"library", "export", "all.tar", "--library", "source.sqlite"});
+        const auto started = std::chrono::steady_clock::now();
+        expect_done({"library", "import", "all.tar", "--library", "timed.sqlite"});
+        life_ = std::chrono::steady_clock::now() - started;
+    }
+
+    Finished killed(const std::vector<std::string>& arguments) {
+        Process process(Launch{arguments, folder_.path(), {}, std::nullopt, {}});
+        std::this_thread::sleep_for(life_ * random_.between(0.0, 1.2));
+        process.send(SIGKILL);
+        Finished finished = process.wait();
+        kills_ += finished.signal == SIGKILL ? 1 : 0;
+        return finished;
+    }
+    std::size_t entries() const { return static_cast<std::size_t>(Library(folder_ / "library.sqlite").size()); }
+
+    void remove_entries() const {
+        Library library(folder_ / "library.sqlite");
+        for (const Entry& entry : library.find({}))
+            library.remove(std::span(&entry.id, 1));
+    }
+
+    static constexpr int kills = 60;
+
+    // what the program printed is there, a line per entry
+    static std::size_t said(const Finished& finished) {
+        return static_cast<std::size_t>(std::count(finished.out.begin(), finished.out.end(), '\n'));
+    }
+
+    std::chrono::duration<double> life_{};
+    CounterRandom random_{4};
+    int kills_ = 0;
+};
+
+TEST_F(KilledLibrary, HasEveryEntryThatAddSaidAndNothingHalf) {
+    std::size_t before = 0;
+    for (int k = 0; k < kills; ++k) {
+        const Finished finished =
+            killed(with_file({"library", "add", "s0.wav", "s1.wav", "s2.wav", "s3.wav", "--again"}));
+        ASSERT_EQ(broken_promise(), "") << "kill " << k;
+        ASSERT_GE(entries(), before + said(finished));
+        ASSERT_LE(entries(), before + 4);
+        before = entries();
+        if (k % 10 == 9) {  // from an empty place again, where there is more to go wrong
+            std::filesystem::remove(folder_ / "library.sqlite");
+            std::filesystem::remove_all(folder_ / "library.audio");
+            before = 0;
+        }
+    }
+    EXPECT_GT(kills_, kills / 2) << "most kills came too late";
+    expect_done(with_file({"library", "add", "s0.wav", "--again"}));
+}
+
+TEST_F(KilledLibrary, HasAllOfAnImportOrNothing) {
+    for (int k = 0; k < kills; ++k) {
+        const Finished finished = killed(with_file({"library", "import", "all.tar"}));
+        ASSERT_EQ(broken_promise(), "") << "kill " << k;
+        ASSERT_TRUE(entries() == 4 || (entries() == 0 && said(finished) == 0)) << entries();
+        if (entries() == 4) remove_entries();
+    }
+    EXPECT_GT(kills_, kills / 2) << "most kills came too late";
+    expect_done(with_file({"library", "import", "all.tar"}));
+    EXPECT_EQ(entries(), 4U);
+}
+
+TEST_F(LibraryProgram, TakesTheRecordingsOfTwoProcessesAtOnce) {
+    std::vector<std::string> first{"library", "add"};
+    std::vector<std::string> second{"library", "add"};
+    for (int k = 0; k < 20; ++k) {
+        const std::string name = "s" + std::to_string(k) + ".wav";
+        write_text(folder_ / name, wav(static_cast<std::uint64_t>(k)));
+        (k % 2 == 0 ? first : second).push_back(name);
+    }
+    Process one(Launch{with_file(first), folder_.path(), {}, std::nullopt, {}});
+    Process two(Launch{with_file(second), folder_.path(), {}, std::nullopt, {}});
+    EXPECT_EQ(one.wait().exit_code, 0);
+    EXPECT_EQ(two.wait().exit_code, 0);
+    EXPECT_EQ(broken_promise(), "");
+    EXPECT_EQ(Library(folder_ / "library.sqlite").size(), 20);
+}
+
+TEST_F(LibraryProgram, SaysThatTheDiskIsFull) {
+    write_text(folder_ / "a.wav", wav(1, 100000));
+    Launch launch{with_file({"library", "add", "a.wav"}), folder_.path(), {}, 65536, {}};
+    const Finished finished = run(launch);
+    EXPECT_EQ(finished.exit_code, 5) << finished.err;
+    EXPECT_NE(finished.err.find("larger than files may be"), std::string::npos) << finished.err;
+    EXPECT_EQ(broken_promise(), "");
+}

@@ -1,0 +1,320 @@
+#include "stridor/io/library_archive.hpp"
+
+#include "stridor/base/sha256.hpp"
+#include "stridor/io/csv_library.hpp"
+#include "stridor/io/json_library.hpp"
+#include "stridor/io/tar.hpp"
+#include "stridor/noise_library/field.hpp"
+#include "support/counter_random.hpp"
+#include "support/error_text.hpp"
+#include "unit/noise_library/library_folder.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+
+namespace stridor::io {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace noise_library;
+using support::CounterRandom;
+using support::ScratchFolder;
+using support::Thrown;
+using support::thrown_by;
+
+bool has_its_bytes(const Library& library, const Entry& entry) {
+    return base::sha256_text(bytes_of(library.audio_file(entry))) == entry.audio;
+}
+
+Query everything() {
+    Query query;
+    query.extent = Extent::whole;
+    return query;
+}
+
+struct Member {
+    std::string name;
+    std::string bytes;
+};
+
+// an archive written by code of its own
+std::string tar_of(const std::vector<Member>& members, const std::function<void(std::string&)>& spoil = {}) {
+    std::string tar;
+    for (const Member& member : members) {
+        std::string header(512, '\0');
+        const auto put = [&](std::size_t at, const std::string& text) { header.replace(at, text.size(), text); };
+        const auto octal = [](std::size_t value) {
+            std::string digits(11, '0');
+            for (std::size_t k = 11; k-- > 0; value /= 8)
+                digits[k] = static_cast<char>('0' + value % 8);
+            return digits;
+        };
+        put(0, member.name);
+        put(100, "0000644");
+        put(124, octal(member.bytes.size()));
+        put(156, "0");
+        put(257, std::string("ustar\0"
+                             "00",
+                             8));
+        if (spoil) spoil(header);
+        put(148, std::string(8, ' '));
+        std::size_t sum = 0;
+        for (const char c : header)
+            sum += static_cast<unsigned char>(c);
+        put(148, octal(sum).substr(5) + '\0');
+        tar += header + member.bytes + std::string((512 - member.bytes.size() % 512) % 512, '\0');
+    }
+    return tar + std::string(1024, '\0');
+}
+
+const std::string sound = "sound bytes";
+const std::string sound_hash = base::sha256_text(sound);
+const std::string sound_name = "audio/" + sound_hash.substr(0, 2) + "/" + sound_hash + ".wav";
+const std::string opening = "{\"schema\":\"stridor.library-archive/1\"}\n";
+
+std::string line(const std::string& more = "", std::size_t bytes = sound.size(), const std::string& format = "wav") {
+    return "{\"audio\":\"" + sound_hash + "\",\"format\":\"" + format + "\",\"bytes\":" + std::to_string(bytes) + more +
+           "}\n";
+}
+
+class Archive : public testing::Test {
+protected:
+    Library open(const char* name = "library.sqlite") const { return Library(folder_ / name, {Access::fill}); }
+
+    // why it is refused; nothing of it may stay
+    std::string refusal(const std::string& bytes) {
+        write_bytes(archive_, bytes);
+        Library library = open();
+        const Thrown thrown = thrown_by([&] { import_library(library, archive_); });
+        EXPECT_EQ(thrown.kind, ErrorKind::input) << thrown.message;
+        EXPECT_EQ(library.size(), 0);
+        EXPECT_TRUE(files_of(library).empty());
+        return thrown.message;
+    }
+    void expect_refused(const std::string& bytes, const std::string& words) {
+        const std::string message = refusal(bytes);
+        EXPECT_NE(message.find(words), std::string::npos) << "\"" << words << "\" is not in: " << message;
+    }
+    void expect_manifest_refused(const std::string& manifest, const std::string& words) {
+        expect_refused(tar_of({{"manifest.jsonl", manifest}, {sound_name, sound}}), words);
+    }
+
+    ScratchFolder folder_;
+    fs::path archive_ = folder_ / "archive.tar";
+    fs::path sound_ = folder_ / "sound.wav";
+};
+
+TEST_F(Archive, CarriesEntriesFromLibraryToLibraryWhole) {
+    Library library = open();
+    for (int k = 0; k < 5; ++k) {
+        Entry entry;
+        entry.system = "Türdichtung \"" + std::to_string(k) + "\"";
+        entry.notes = "two\nlines";
+        entry.preload = 0.1 * k;
+        entry.case_text = "[joint]\nmass = 0.1\n";
+        entry.verdict = "{\"category\": \"squeal\"}";
+        entry.category = "squeal";
+        set_figure(entry, {"level", "dB", 1.0 / 3.0});
+        add_bytes(library, sound_, std::string(static_cast<std::size_t>(k) * 700, 'x'), entry);
+    }
+    add_recording(library, {sound_, {}, Twins::accept}, probe_bytes);  // two entries of one sound
+    const std::vector<Entry> before = library.find(everything());
+    export_library(library, before, archive_);
+
+    Library other = open("other.sqlite");
+    const Import result = import_library(other, archive_);
+    EXPECT_EQ(result.added, (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(result.skipped, 0U);
+    const std::vector<Entry> after = other.find(everything());
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t k = 0; k < after.size(); ++k)
+        EXPECT_EQ(digest(after[k]), digest(before[k]));
+    EXPECT_EQ(broken_promise(other, has_its_bytes), "");
+
+    // once more changes nothing, and the same entries make the same bytes
+    EXPECT_EQ(import_library(other, archive_).skipped, 6U);
+    EXPECT_EQ(other.size(), 6);
+    export_library(other, after, folder_ / "again.tar");
+    EXPECT_EQ(bytes_of(folder_ / "again.tar"), bytes_of(archive_));
+}
+
+TEST_F(Archive, IsReadFromOtherWritersOfTar) {
+    write_bytes(archive_, tar_of({{"manifest.jsonl", opening + line(",\"preload\":20")}, {sound_name, sound}}));
+    Library library = open();
+    EXPECT_EQ(import_library(library, archive_).added.size(), 1U);
+    EXPECT_EQ(library.find({}).front().preload, 20.0);
+    EXPECT_EQ(broken_promise(library, has_its_bytes), "");
+}
+
+TEST_F(Archive, IsNotWrittenWithDamagedAudioNorOverTheLibrary) {
+    Library library = open();
+    const Entry entry = add_bytes(library, sound_, "bytes");
+    EXPECT_TRUE(thrown_by([&] {
+                    export_library(library, std::span(&entry, 1), library.file());
+                }).says("is the library itself"));
+    write_bytes(library.audio_file(entry), "other");
+    EXPECT_TRUE(thrown_by([&] { export_library(library, std::span(&entry, 1), archive_); }).says("damaged"));
+    fs::remove(library.audio_file(entry));
+    EXPECT_TRUE(thrown_by([&] { export_library(library, std::span(&entry, 1), archive_); }).says("cannot be read"));
+    EXPECT_FALSE(fs::exists(archive_));
+    // adding the recording again mends it
+    write_bytes(sound_, "bytes");
+    add_recording(library, {sound_, {}, Twins::accept}, probe_bytes);
+    EXPECT_EQ(broken_promise(library, has_its_bytes), "");
+}
+
+TEST_F(Archive, RefusesNamesThatLeadElsewhere) {
+    const std::string manifest = opening + line();
+    for (const char* name : {"../../evil.wav", "/etc/passwd", "audio/../../x.wav", "evil.sh"})
+        expect_refused(tar_of({{"manifest.jsonl", manifest}, {name, sound}}), "no entry has the file");
+    expect_manifest_refused(opening + line("", sound.size(), "../../x"), "does not name its audio");
+    expect_manifest_refused(opening + line("", sound.size(), ""), "does not name its audio");
+    EXPECT_FALSE(fs::exists(folder_ / "evil.sh"));
+}
+
+TEST_F(Archive, RefusesLinksAndDevices) {
+    for (const char type : {'1', '2', '3', '4', '6', 'x', 'g', 'L', 'S'})
+        expect_refused(tar_of({{"manifest.jsonl", opening + line()}, {sound_name, sound}},
+                              [&](std::string& header) {
+                                  if (header.starts_with("audio")) header[156] = type;
+                              }),
+                       "something else than files");
+}
+
+TEST_F(Archive, RefusesSizesAndBytesThatAreNotTrue) {
+    const std::string manifest = opening + line();
+    const auto with_size = [&](const std::string& size) {
+        return tar_of({{"manifest.jsonl", manifest}, {sound_name, sound}}, [&](std::string& header) {
+            if (header.starts_with("audio")) header.replace(124, 11, size);
+        });
+    };
+    expect_refused(with_size("77777777777"), "longer than the archive");
+    expect_refused(with_size("99999999999"), "is no number");
+    expect_refused(with_size("-0000000001"), "is no number");
+    expect_refused(with_size("00000000012"), "not as long as its entry says");
+    expect_refused(tar_of({{"manifest.jsonl", opening + line("", 3)}, {sound_name, sound}}), "not as long");
+    expect_refused(tar_of({{"manifest.jsonl", manifest}, {sound_name, "other bytes"}}), "not those of its name");
+    expect_refused(tar_of({{"manifest.jsonl", manifest}}), "is missing");
+    expect_refused(tar_of({{"manifest.jsonl", manifest}, {sound_name, sound}, {sound_name, sound}}), "there twice");
+    expect_refused(tar_of({{sound_name, sound}, {"manifest.jsonl", manifest}}), "first file is not");
+    expect_refused("", "end is missing");
+    expect_refused(std::string(4096, 'x'), "not in the ustar format");
+    expect_refused(std::string(4096, '\0'), "first file is not");
+}
+
+TEST_F(Archive, RefusesManifestsThatMeanNothing) {
+    expect_manifest_refused("", "empty");
+    expect_manifest_refused("{}\n", "schema is none");
+    expect_manifest_refused("{\"schema\":\"stridor.library-archive/2\"}\n", "this program reads");
+    expect_manifest_refused(opening + "[]\n", "no JSON object");
+    expect_manifest_refused(opening + "{\"audio\n", "no JSON object");
+    expect_manifest_refused(opening + std::string(100000, '[') + "\n", "no entry");
+    expect_manifest_refused(opening + std::string(5U << 20U, ' ') + "\n", "longer than 4 MiB");
+    expect_manifest_refused(opening + line(",\"color\":1"), "\"color\" is no field");
+    expect_manifest_refused(opening + line(",\"preload\":\"20\""), "wrong kind");
+    expect_manifest_refused(opening + line(",\"preload\":-20"), "out of range");
+    expect_manifest_refused(opening + line(",\"preload\":1e999"), "");
+    expect_manifest_refused(opening + line(",\"system\":\"a\\u001b[31m\""), "control character");
+    expect_manifest_refused(opening + line(",\"recorded\":\"moon\""), "not one of its choices");
+    expect_manifest_refused(opening + line(",\"figures\":[{\"name\":\"preload\",\"unit\":\"N\",\"value\":1}]"), "name");
+    expect_manifest_refused(opening + line(",\"figures\":[{\"name\":\"a') --\",\"unit\":\"N\",\"value\":1}]"), "name");
+    expect_manifest_refused(opening + line(",\"figures\":3"), "wrong kind");
+    expect_manifest_refused(opening + line(",\"bytes\":-1"), "");
+    expect_manifest_refused(opening + "{\"audio\":\"ab\",\"format\":\"wav\",\"bytes\":1}\n", "does not name its audio");
+}
+
+// whatever is damaged: the archive is refused and leaves nothing, or is taken whole
+TEST_F(Archive, IsTakenWholeOrNotAtAllHoweverItIsDamaged) {
+    const std::string good =
+        tar_of({{"manifest.jsonl", opening + line(",\"system\":\"brake\",\"preload\":20.5")}, {sound_name, sound}});
+    CounterRandom random(3);
+    Library library = open();
+    for (int trial = 0; trial < 1500; ++trial) {
+        std::string bytes = good.substr(0, random.one_in(4) ? random.below(good.size()) : good.size());
+        for (std::size_t k = random.below(3); k < 3 && !bytes.empty(); ++k)
+            bytes[random.below(bytes.size())] = static_cast<char>(random.next());
+        write_bytes(archive_, bytes);
+        try {
+            import_library(library, archive_);
+            EXPECT_EQ(broken_promise(library, has_its_bytes), "");
+            for (const Entry& entry : library.find({}))
+                library.remove(std::span(&entry.id, 1));
+        } catch (const Error&) {
+        }
+        ASSERT_EQ(library.size(), 0);
+        ASSERT_TRUE(files_of(library).empty()) << trial;
+    }
+}
+
+TEST_F(Archive, LeavesNothingOnAFullDisk) {
+    const std::string large(300000, 'l');
+    Library source = open("source.sqlite");
+    const Entry entry = add_bytes(source, sound_, large);
+    Library library = open();
+    export_library(source, std::span(&entry, 1), archive_);
+    {
+        const support::FullDisk full(200000);
+        EXPECT_EQ(thrown_by([&] { import_library(library, archive_); }).kind, ErrorKind::io);
+        EXPECT_EQ(thrown_by([&] { export_library(source, std::span(&entry, 1), folder_ / "new.tar"); }).kind,
+                  ErrorKind::io);
+    }
+    EXPECT_TRUE(files_of(library).empty());
+    EXPECT_FALSE(fs::exists(folder_ / "new.tar"));
+    EXPECT_EQ(import_library(library, archive_).added.size(), 1U);
+}
+
+// ---- the texts
+
+std::vector<Entry> two_entries() {
+    Entry first;
+    first.id = 4;
+    first.system = "door \"hinge\", left";
+    first.preload = 0.1;
+    first.verdict = "{\"category\": \"creak\", \"margin\": 0.5}";
+    set_figure(first, {"level", "dB", 62.5});
+    Entry second;
+    second.id = 9;
+    second.verdict = "no JSON";
+    set_figure(second, {"kurtosis", "1", 3.0});
+    return {first, second};
+}
+
+TEST(LibraryJson, HoldsWhatIsKnownAndNoMore) {
+    const auto document = nlohmann::json::parse(library_json("x.sqlite", two_entries()));
+    EXPECT_EQ(document["schema"], "stridor.library/1");
+    const auto& first = document["entries"][0];
+    EXPECT_EQ(first["preload"], 0.1);
+    EXPECT_EQ(first["figures"]["level"], 62.5);
+    EXPECT_EQ(first["verdict"]["margin"], 0.5);
+    EXPECT_FALSE(first.contains("temperature"));
+    EXPECT_EQ(document["entries"][1]["verdict"], "no JSON");
+    EXPECT_EQ(document["units"]["preload"], "N");
+    EXPECT_EQ(document["units"]["figures.level"], "dB");
+}
+
+TEST(LibraryCsv, HasAColumnPerFieldAndFigure) {
+    const std::string text = library_csv(two_entries());
+    EXPECT_NE(text.find("# schema: stridor.library/1\n"), std::string::npos);
+    EXPECT_NE(text.find("\nid,system,parts"), std::string::npos);
+    EXPECT_NE(text.find(",category,kurtosis,level\n"), std::string::npos);
+    EXPECT_NE(text.find("\n4,\"door \"\"hinge\"\", left\","), std::string::npos);
+    EXPECT_NE(text.find(",,62.5\n"), std::string::npos);
+    EXPECT_EQ(text.find("margin"), std::string::npos);
+}
+
+TEST(SensitivityJson, HoldsRecordsBinsAndCorrelations) {
+    std::vector<Entry> entries = two_entries();
+    entries[1].preload = 3.0;
+    const auto document = nlohmann::json::parse(sensitivity_json("x.sqlite", sensitivity(entries, {})));
+    EXPECT_EQ(document["schema"], "stridor.sensitivity/1");
+    EXPECT_EQ(document["over"], "preload");
+    EXPECT_EQ(document["records"][1]["preload"], 3.0);
+    EXPECT_TRUE(document["records"][1]["level"].is_null());
+    EXPECT_EQ(document["bins"].size(), 2U);
+    EXPECT_EQ(document["level"]["records"], 1);
+    EXPECT_TRUE(document["level"]["spearman"].is_null());
+}
+
+}  // namespace
+}  // namespace stridor::io
