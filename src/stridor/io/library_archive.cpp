@@ -175,12 +175,6 @@ void take_field(Announced& announced, const std::string& name, const Json& value
     }
 }
 
-bool is_audio_name(const AudioName& audio) {
-    const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
-    return audio.hash.size() == 64 && std::all_of(audio.hash.begin(), audio.hash.end(), is_hex) &&
-           noise_library::format_of("x." + audio.format) == audio.format;
-}
-
 Announced announced_in(const Lines& lines, const std::string& line) {
     const Json object = lines.object(line);
     Announced announced;
@@ -192,7 +186,7 @@ Announced announced_in(const Lines& lines, const std::string& line) {
     } catch (const Error& error) {
         lines.refuse(error.problem().what + (error.problem().why.empty() ? "" : ": " + error.problem().why));
     }
-    if (!is_audio_name(audio_of(announced.entry))) lines.refuse("an entry does not name its audio");
+    if (!noise_library::is_audio_name(audio_of(announced.entry))) lines.refuse("an entry does not name its audio");
     return announced;
 }
 

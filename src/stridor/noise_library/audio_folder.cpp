@@ -1,6 +1,5 @@
 #include "stridor/noise_library/audio_folder.hpp"
 
-#include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/sha256.hpp"
 
@@ -58,9 +57,7 @@ public:
         std::ifstream stream(file_);
         for (AudioName name; stream >> name.hash >> name.format;)
             // a line may be cut short
-            if (name.hash.size() == 64 && name.hash.find('/') == std::string::npos &&
-                format_of("x." + name.format) == name.format)
-                names.push_back(name);
+            if (is_audio_name(name)) names.push_back(name);
         return names;
     }
 
@@ -109,8 +106,17 @@ bool remove_leftover(const fs::path& file) {
 
 }  // namespace
 
+bool is_audio_name(const AudioName& name) {
+    const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+    return name.hash.size() == 64 && std::all_of(name.hash.begin(), name.hash.end(), is_hex) &&
+           format_of("x." + name.format) == name.format;
+}
+
 fs::path path_of(const AudioName& name) {
-    STRIDOR_EXPECT(name.hash.size() == 64);
+    // a damaged or hostile database may say anything, and a path is made of it
+    if (!is_audio_name(name))
+        throw Error(ErrorKind::io, {"an entry of the library is damaged", "it does not name its audio",
+                                    "Restore the library from a copy or an export."});
     return fs::path(name.hash.substr(0, 2)) / (name.hash + "." + name.format);
 }
 

@@ -29,7 +29,10 @@ struct AudioName {
     auto operator<=>(const AudioName&) const = default;
 };
 
-/// "ab/abcdef....wav"
+/// Is it a digest and an extension, such as `format_of` gives?
+bool is_audio_name(const AudioName& name);
+
+/// "ab/abcdef....wav"; throws `Error` (io) for what is no audio name.
 std::filesystem::path path_of(const AudioName& name);
 
 /// The extension of a file as a library keeps it: lower case, at most eight letters and digits; "audio" if it has none.
