@@ -25,7 +25,7 @@ using parameters::DriveKind;
 using parameters::PaperCase;
 
 constexpr std::array paper_cases{PaperCase::squeal, PaperCase::squeak, PaperCase::creak, PaperCase::quiet};
-constexpr record::Request with_history{record::KeepHistory::yes, {}};
+const record::Request with_history{record::KeepHistory::yes, {}};
 constexpr std::size_t slip = model::index_of(ContactState::slip);
 constexpr std::size_t stick = model::index_of(ContactState::stick);
 constexpr std::size_t separation = model::index_of(ContactState::separation);
