@@ -9,6 +9,7 @@ find_package(SQLite3 REQUIRED)            # stores and library: SQLite::SQLite3
 find_package(nlohmann_json 3.11 REQUIRED) # JSON: nlohmann_json::nlohmann_json
 find_package(CLI11 REQUIRED)              # command line: CLI11::CLI11
 pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)                   # exports: PkgConfig::netcdf
+pkg_check_modules(sndfile REQUIRED IMPORTED_TARGET sndfile)                # recordings: PkgConfig::sndfile
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus>=3.3)  # cases: PkgConfig::tomlplusplus
 
 if(STRIDOR_TESTS)

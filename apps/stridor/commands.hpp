@@ -18,6 +18,7 @@ void add_simulate(CLI::App& program);
 void add_stability(CLI::App& program);
 void add_chart(CLI::App& program);
 void add_figure(CLI::App& program);
+void add_convert(CLI::App& program);
 void add_verify(CLI::App& program);
 void add_completion(CLI::App& program);
 

@@ -36,6 +36,7 @@ void build(CLI::App& program) {
     add_stability(program);
     add_chart(program);
     add_figure(program);
+    add_convert(program);
     add_verify(program);
     add_completion(program);
 }

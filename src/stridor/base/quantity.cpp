@@ -35,6 +35,8 @@ constexpr std::array symbols{
     Symbol{"Pa", {{1, -1, -2, 0}, 1.0}, true},
     Symbol{"J", {{1, 2, -2, 0}, 1.0}, true},
     Symbol{"Hz", {{0, 0, -1, 0}, 1.0}, true},
+    Symbol{"A", {{0, 0, 0, 0, 1}, 1.0}, true},
+    Symbol{"V", {{1, 2, -3, 0, -1}, 1.0}, true},
     Symbol{"deg", {{0, 0, 0, 1}, 1.0}, false},
     Symbol{"°", {{0, 0, 0, 1}, 1.0}, false},
     Symbol{"rad", {{0, 0, 0, 1}, degrees_per_radian}, true},
@@ -66,6 +68,8 @@ constexpr std::array names{
     Name{{0, 0, -1, 0}, "a frequency (Hz)"},
     Name{{1, -1, -2, 0}, "a pressure (Pa)"},
     Name{{1, 2, -2, 0}, "an energy (J)"},
+    Name{{0, 0, 0, 0, 1}, "a current (A)"},
+    Name{{1, 2, -3, 0, -1}, "a voltage (V)"},
 };
 
 Error bad_unit(std::string_view symbol) {
@@ -74,7 +78,7 @@ Error bad_unit(std::string_view symbol) {
         known.push_back(entry.name);
     const std::string_view near = nearest_name(symbol, known);
     std::string help = near.empty()
-                           ? std::string("Known: m, kg, s, min, N, Pa, J, Hz, deg, rad, %, with G M k c m u n.")
+                           ? std::string("Known: m, kg, s, min, N, Pa, J, Hz, A, V, deg, rad, %, with G M k c m u n.")
                            : "Did you mean \"" + std::string(near) + "\"?";
     return {ErrorKind::input, {"unknown unit \"" + std::string(symbol) + "\"", "", std::move(help)}};
 }
@@ -109,7 +113,7 @@ Unit parse_factor(std::string_view text) {
     }
     const Unit base = parse_symbol(text);
     Unit unit{{base.dimension.mass * power, base.dimension.length * power, base.dimension.time * power,
-               base.dimension.angle * power},
+               base.dimension.angle * power, base.dimension.current * power},
               1.0};
     for (int k = 0; k < std::abs(power); ++k)
         unit.factor *= base.factor;
@@ -119,7 +123,8 @@ Unit parse_factor(std::string_view text) {
 
 Unit product(const Unit& a, const Unit& b, int sign) {
     return {{a.dimension.mass + sign * b.dimension.mass, a.dimension.length + sign * b.dimension.length,
-             a.dimension.time + sign * b.dimension.time, a.dimension.angle + sign * b.dimension.angle},
+             a.dimension.time + sign * b.dimension.time, a.dimension.angle + sign * b.dimension.angle,
+             a.dimension.current + sign * b.dimension.current},
             sign > 0 ? a.factor * b.factor : a.factor / b.factor};
 }
 
@@ -153,7 +158,8 @@ std::string describe(Dimension dimension) {
         if (name.dimension == dimension) return std::string(name.text);
     std::string text = "a quantity in";
     const std::array parts{std::pair{"kg", dimension.mass}, std::pair{"m", dimension.length},
-                           std::pair{"s", dimension.time}, std::pair{"deg", dimension.angle}};
+                           std::pair{"s", dimension.time}, std::pair{"deg", dimension.angle},
+                           std::pair{"A", dimension.current}};
     for (const auto& [symbol, power] : parts)
         if (power != 0) text += std::string(" ") + symbol + (power == 1 ? "" : "^" + std::to_string(power));
     return text;

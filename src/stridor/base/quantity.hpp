@@ -12,6 +12,7 @@ struct Dimension {
     int length = 0;
     int time = 0;
     int angle = 0;
+    int current = 0;
     bool operator==(const Dimension&) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include "stridor/io/atomic_file.hpp"
 
+#include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 
 #include <fcntl.h>
@@ -133,32 +134,6 @@ std::pair<int, std::string> open_temporary(const std::string& folder, const std:
     }
 }
 
-void write_directly(const std::string& path, std::string_view bytes) {
-    Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (!file.is_open()) throw failure("write", path, errno);
-    write_all(file.number(), bytes, path);
-    close(file, path);
-}
-
-void replace(const std::string& target, std::string_view bytes, std::optional<mode_t> mode) {
-    const std::string parent = std::filesystem::path(target).parent_path().string();
-    const std::string folder = parent.empty() ? "." : parent;
-    auto [descriptor, name] = open_temporary(folder, target);
-    Temporary temporary(std::move(name));
-    Descriptor file(descriptor);
-    if (mode && ::fchmod(file.number(), *mode) != 0) throw failure("write", target, errno);
-    write_all(file.number(), bytes, target);
-    flush(file.number(), target);
-    close(file, target);
-    if (::rename(temporary.path().c_str(), target.c_str()) != 0) throw failure("write", target, errno);
-    temporary.keep();
-
-    // the name itself is on the disk only once its folder is
-    Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!directory.is_open()) throw failure("write", target, errno);
-    flush(directory.number(), target);
-}
-
 }  // namespace
 
 std::string read_file(const std::string& path) {
@@ -168,16 +143,100 @@ std::string read_file(const std::string& path) {
     return read_all(file.number(), path);
 }
 
+/// Where the bytes of a file go before it has its name: a temporary beside it, or straight into a device or pipe.
+class PiecewiseFile::Target {
+public:
+    explicit Target(const std::string& path) : path_(path) {
+        struct stat status {};
+        const bool exists = ::stat(path.c_str(), &status) == 0;
+        if (exists && S_ISDIR(status.st_mode)) throw failure("write", path, EISDIR, "Name a file in it.");
+        // renaming onto a device or a pipe would replace it
+        if (exists && !S_ISREG(status.st_mode)) {
+            file_.emplace(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+            if (!file_->is_open()) throw failure("write", path, errno);
+            return;
+        }
+        std::error_code code;
+        const std::filesystem::path resolved = std::filesystem::canonical(path, code);
+        if (exists && !code) path_ = resolved.string();
+        const std::string parent = std::filesystem::path(path_).parent_path().string();
+        folder_ = parent.empty() ? "." : parent;
+        auto [descriptor, name] = open_temporary(folder_, path_);
+        temporary_.emplace(std::move(name));
+        file_.emplace(descriptor);
+        if (exists && ::fchmod(descriptor, status.st_mode & 07777U) != 0) throw failure("write", path_, errno);
+    }
+
+    void write(std::string_view bytes) const { write_all(file_->number(), bytes, path_); }
+
+    void overwrite(std::uint64_t offset, std::string_view bytes) const {
+        while (!bytes.empty()) {
+            const ssize_t count = ::pwrite(file_->number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) throw failure("write", path_, errno);
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+            offset += static_cast<std::uint64_t>(count);
+        }
+    }
+
+    void commit() {
+        if (temporary_) flush(file_->number(), path_);
+        close(*file_, path_);
+        if (!temporary_) return;
+        if (::rename(temporary_->path().c_str(), path_.c_str()) != 0) throw failure("write", path_, errno);
+        temporary_->keep();
+
+        // the name itself is on the disk only once its folder is
+        const Descriptor directory(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+        if (!directory.is_open()) throw failure("write", path_, errno);
+        flush(directory.number(), path_);
+    }
+
+private:
+    std::string path_;
+    std::string folder_;
+    std::optional<Temporary> temporary_;  // nothing: straight into the device
+    std::optional<Descriptor> file_;
+};
+
+PiecewiseFile::PiecewiseFile(const std::string& path) : target_(std::make_unique<Target>(path)) {}
+
+PiecewiseFile::~PiecewiseFile() = default;
+
+void PiecewiseFile::write(std::string_view bytes) {
+    constexpr std::size_t block = 1U << 16U;
+    size_ += bytes.size();
+    if (pending_.size() + bytes.size() > block) {
+        target_->write(pending_);
+        pending_.clear();
+    }
+    if (bytes.size() > block)
+        target_->write(bytes);
+    else
+        pending_ += bytes;
+}
+
+void PiecewiseFile::overwrite(std::uint64_t offset, std::string_view bytes) {
+    STRIDOR_EXPECT(offset + bytes.size() <= size_);
+    target_->write(pending_);
+    pending_.clear();
+    target_->overwrite(offset, bytes);
+}
+
+std::uint64_t PiecewiseFile::size() const {
+    return size_;
+}
+
+void PiecewiseFile::commit() {
+    target_->write(pending_);
+    pending_.clear();
+    target_->commit();
+}
+
 void write_file(const std::string& path, std::string_view bytes) {
-    struct stat status {};
-    const bool exists = ::stat(path.c_str(), &status) == 0;
-    if (exists && S_ISDIR(status.st_mode)) throw failure("write", path, EISDIR, "Name a file in it.");
-    // renaming onto a device or a pipe would replace it
-    if (exists && !S_ISREG(status.st_mode)) return write_directly(path, bytes);
-    std::error_code code;
-    const std::filesystem::path resolved = std::filesystem::canonical(path, code);
-    const std::string target = exists && !code ? resolved.string() : path;
-    replace(target, bytes, exists ? std::optional<mode_t>(status.st_mode & 07777U) : std::nullopt);
+    PiecewiseFile file(path);
+    file.write(bytes);
+    file.commit();
 }
 
 }  // namespace stridor::io

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -20,5 +22,36 @@ std::string read_file(const std::string& path);
 /// a device or a pipe is written directly. On any failure the temporary is removed and `Error` (io) names the file and
 /// the reason. A program that wants the error of a file size limit rather than its signal ignores SIGXFSZ.
 void write_file(const std::string& path, std::string_view bytes);
+
+/// A file that is written piece by piece, for what is too long to stand in memory, and that appears under its name only as
+/// a whole: the same promises as `write_file`, kept at `commit()`. Gone without a trace if it is never committed.
+class PiecewiseFile {
+public:
+    /// Throws `Error` (io) where no file can be begun in the folder.
+    explicit PiecewiseFile(const std::string& path);
+    ~PiecewiseFile();
+    PiecewiseFile(const PiecewiseFile&) = delete;
+    PiecewiseFile& operator=(const PiecewiseFile&) = delete;
+
+    /// Appends. Pieces are gathered into blocks, so they may be small.
+    void write(std::string_view bytes);
+
+    /// Writes over bytes that were appended before: a size in a header that is known only at the end.
+    ///
+    /// Throws `Error` (io) for a pipe, where nothing can be taken back.
+    void overwrite(std::uint64_t offset, std::string_view bytes);
+
+    /// Bytes appended so far.
+    std::uint64_t size() const;
+
+    /// Gives the file its name; nothing is written after it.
+    void commit();
+
+private:
+    class Target;
+    std::unique_ptr<Target> target_;
+    std::string pending_;
+    std::uint64_t size_ = 0;  // [bytes] pending ones included
+};
 
 }  // namespace stridor::io

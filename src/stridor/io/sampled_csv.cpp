@@ -3,35 +3,19 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/io/csv_table.hpp"
+#include "stridor/io/line_reader.hpp"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
-#include <utility>
 
 namespace stridor::io {
 
 namespace {
 
-struct Field {
-    std::string text;
-    int column = 1;  // [1] of its first character
-};
-
-struct Line {
-    std::string_view text;
-    int number = 0;  // [1]
-};
-
-/// What the file is written in.
-struct Dialect {
-    char delimiter = ',';
-    bool allows_comma() const { return delimiter != ','; }  // as decimal mark
-};
+using csv_table::Dialect;
+using csv_table::Field;
 
 /// One of the two columns.
 struct Column {
@@ -48,10 +32,6 @@ struct Header {
     std::size_t lines = 0;  // how many lines of the table it takes
 };
 
-base::Place place(const std::string& name, const Line& line, int column) {
-    return {name, line.number, column, std::string(line.text)};
-}
-
 std::vector<Line> table_lines(std::string_view text) {
     std::vector<Line> lines;
     int number = 0;
@@ -67,89 +47,24 @@ std::vector<Line> table_lines(std::string_view text) {
     return lines;
 }
 
-Dialect sniff(std::string_view line) {
-    for (const char delimiter : {'\t', ';', ','})
-        if (line.find(delimiter) != std::string_view::npos) return {delimiter};
-    return {};
-}
-
-std::vector<Field> split(const Line& line, char delimiter) {
-    std::vector<Field> fields(1);
-    bool is_quoted = false;
-    int column = 0;
-    for (const char byte : line.text) {
-        // count characters, not bytes: the caret stands under what people see
-        const bool continues = (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-        column += continues ? 0 : 1;
-        if (byte == '"') {
-            is_quoted = !is_quoted;
-        } else if (byte == delimiter && !is_quoted) {
-            fields.push_back({"", column + 1});
-        } else {
-            fields.back().text += byte;
-        }
-    }
-    for (Field& field : fields) {
-        const std::size_t blanks = field.text.find_first_not_of(' ');
-        field.column += blanks == std::string::npos ? 0 : static_cast<int>(blanks);
-        field.text = std::string(base::trimmed(field.text));
-    }
-    // a delimiter at the end of every line is a habit of some programs
-    while (fields.size() > 2 && fields.back().text.empty())
-        fields.pop_back();
+std::vector<Field> split(const Line& line, Dialect dialect) {
+    std::vector<Field> fields = csv_table::split(line.text, dialect.delimiter);
+    csv_table::drop_empty_tail(fields, 2);
     return fields;
-}
-
-// with a decimal point
-std::string numeral(std::string text, Dialect dialect) {
-    const bool has_comma = dialect.allows_comma() && text.find('.') == std::string::npos;
-    if (has_comma) std::replace(text.begin(), text.end(), ',', '.');
-    return text;
-}
-
-std::optional<double> number_in(const std::string& field, Dialect dialect) {
-    const std::string text = numeral(field, dialect);
-    const bool has_plus = text.starts_with('+') && !text.starts_with("+-");
-    const char* last = text.data() + text.size();
-    double number = 0.0;
-    const auto [end, code] = std::from_chars(text.data() + (has_plus ? 1 : 0), last, number);
-    if (code == std::errc::invalid_argument || end != last) return std::nullopt;
-    return code == std::errc::result_out_of_range ? std::numeric_limits<double>::infinity() : number;
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return result;
-}
-
-/// "velocity [mm/s]" or "velocity (mm/s)" taken apart.
-struct Title {
-    std::string name;
-    std::string unit;
-};
-
-Title title_of(const std::string& text) {
-    const std::size_t open = text.find_first_of("[(");
-    if (open == std::string::npos) return {lower(text), ""};
-    const std::size_t close = text.find_first_of("])", open);
-    const std::size_t length = close == std::string::npos ? close : close - open - 1;
-    return {lower(base::trimmed(std::string_view(text).substr(0, open))), text.substr(open + 1, length)};
 }
 
 std::size_t find_column(const std::vector<Field>& fields, const Column& column, const std::string& name,
                         const Line& line) {
     std::string seen;
     for (std::size_t k = 0; k < fields.size(); ++k) {
-        const std::string title = title_of(fields[k].text).name;
+        const std::string title = csv_table::lower(csv_table::title_of(fields[k].text).name);
         if (title == column.quantity || title == column.quantity.substr(0, 1)) return k;
         seen += (k == 0 ? "" : ", ") + fields[k].text;
     }
     throw Error(ErrorKind::input,
                 {"there is no column " + std::string(column.quantity), "the columns are: " + seen,
                  "Name it \"" + std::string(column.quantity) + " [" + std::string(column.unit) + "]\"."},
-                place(name, line, 1));
+                place_of(name, line, 1));
 }
 
 void set_unit(Column& column, std::string_view unit, const base::Place& where) {
@@ -167,42 +82,33 @@ void set_unit(Column& column, std::string_view unit, const base::Place& where) {
     }
 }
 
-bool is_number_row(const std::vector<Field>& fields, Dialect dialect) {
-    return std::any_of(fields.begin(), fields.end(),
-                       [&](const Field& field) { return number_in(field.text, dialect).has_value(); });
-}
-
 void read_units(Header& header, const Line& line, Dialect dialect, const std::string& name) {
-    const std::vector<Field> fields = split(line, dialect.delimiter);
+    const std::vector<Field> fields = split(line, dialect);
     for (Column* column : {&header.time, &header.velocity})
         if (column->index < fields.size()) {
             const Field& field = fields[column->index];
-            // "[ms]" and "(ms)" are units too
-            std::string_view unit = field.text;
-            if (unit.starts_with('[') || unit.starts_with('(')) unit.remove_prefix(1);
-            if (unit.ends_with(']') || unit.ends_with(')')) unit.remove_suffix(1);
-            set_unit(*column, unit, place(name, line, field.column));
+            set_unit(*column, csv_table::bare_unit(field.text), place_of(name, line, field.column));
         }
 }
 
 Header read_header(const std::vector<Line>& lines, Dialect dialect, const std::string& name) {
-    const std::vector<Field> first = split(lines.front(), dialect.delimiter);
+    const std::vector<Field> first = split(lines.front(), dialect);
     Header header;
     header.columns = first.size();
-    if (is_number_row(first, dialect)) {
+    if (csv_table::is_number_row(first, dialect)) {
         if (first.size() == 2) return header;
         throw Error(ErrorKind::input,
                     {std::to_string(first.size()) + " columns without a header", "two are expected: time and velocity",
                      "Name the columns in the first line."},
-                    place(name, lines.front(), 1));
+                    place_of(name, lines.front(), 1));
     }
     header.lines = 1;
     for (Column* column : {&header.time, &header.velocity}) {
         column->index = find_column(first, *column, name, lines.front());
         const Field& field = first[column->index];
-        set_unit(*column, title_of(field.text).unit, place(name, lines.front(), field.column));
+        set_unit(*column, csv_table::title_of(field.text).unit, place_of(name, lines.front(), field.column));
     }
-    const bool has_units = lines.size() > 1 && !is_number_row(split(lines[1], dialect.delimiter), dialect);
+    const bool has_units = lines.size() > 1 && !csv_table::is_number_row(split(lines[1], dialect), dialect);
     if (has_units) {
         header.lines = 2;
         read_units(header, lines[1], dialect, name);
@@ -215,7 +121,7 @@ double read_number(const Field& field, const Column& column, Dialect dialect, co
         return Error(ErrorKind::input,
                      {std::string(column.quantity) + " = \"" + field.text + "\" " + what, why, suggestion}, where);
     };
-    const std::optional<double> number = number_in(field.text, dialect);
+    const std::optional<double> number = csv_table::number_in(field.text, dialect);
     const bool has_comma = field.text.find(',') != std::string::npos;
     if (!number)
         throw refuse("is not a number", field.text.empty() ? "the field is empty" : "",
@@ -223,7 +129,7 @@ double read_number(const Field& field, const Column& column, Dialect dialect, co
     if (!std::isfinite(*number)) throw refuse("is not a finite number", "", "");
     if (column.given_unit.empty()) return *number;
     try {
-        return base::parse_quantity(numeral(field.text, dialect) + " " + column.given_unit, column.unit);
+        return base::parse_quantity(csv_table::numeral(field.text, dialect) + " " + column.given_unit, column.unit);
     } catch (const Error& error) {
         throw Error(error.kind(), error.problem(), where);
     }
@@ -232,29 +138,28 @@ double read_number(const Field& field, const Column& column, Dialect dialect, co
 }  // namespace
 
 SampledMotion read_sampled_csv(std::string_view text, const std::string& name) {
-    constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(utf8_mark)) text.remove_prefix(utf8_mark.size());
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    if (text.starts_with(csv_table::utf8_mark)) text.remove_prefix(csv_table::utf8_mark.size());
+    if (csv_table::is_utf16(text))
         throw Error(ErrorKind::input, {"the file is in UTF-16", "", "Save it as UTF-8."}, base::Place{name, 1, 1, ""});
     const std::vector<Line> lines = table_lines(text);
     if (lines.empty())
         throw Error(ErrorKind::input, {"the file holds no table", "a velocity over time is expected", ""},
                     base::Place{name, 0, 0, ""});
-    const Dialect dialect = sniff(lines.front().text);
+    const Dialect dialect = csv_table::sniff(lines.front().text);
     const Header header = read_header(lines, dialect, name);
 
     SampledMotion motion;
     for (std::size_t k = header.lines; k < lines.size(); ++k) {
         const Line& line = lines[k];
-        const std::vector<Field> fields = split(line, dialect.delimiter);
+        const std::vector<Field> fields = split(line, dialect);
         if (fields.size() != header.columns)
             throw Error(ErrorKind::input,
                         {"the row has " + std::to_string(fields.size()) + " columns",
                          "the first row has " + std::to_string(header.columns), ""},
-                        place(name, line, fields.back().column));
+                        place_of(name, line, fields.back().column));
         const auto read = [&](const Column& column) {
             const Field& field = fields[column.index];
-            return read_number(field, column, dialect, place(name, line, field.column));
+            return read_number(field, column, dialect, place_of(name, line, field.column));
         };
         const double time = read(header.time);
         const bool increases = motion.times.empty() || time > motion.times.back();
@@ -263,7 +168,7 @@ SampledMotion read_sampled_csv(std::string_view text, const std::string& name) {
                         {"the times do not increase",
                          base::shortest(time) + " s follows " + base::shortest(motion.times.back()) + " s",
                          "Sort the rows by time."},
-                        place(name, line, fields[header.time.index].column));
+                        place_of(name, line, fields[header.time.index].column));
         motion.times.push_back(time);
         motion.velocities.push_back(read(header.velocity));
     }

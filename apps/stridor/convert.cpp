@@ -1,0 +1,184 @@
+#include "commands.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/io/open_signal.hpp"
+#include "stridor/io/signal_csv_writer.hpp"
+#include "stridor/io/signal_report.hpp"
+#include "stridor/io/uff58.hpp"
+#include "stridor/io/wav.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stridor::app {
+
+namespace {
+
+struct ConvertOptions {
+    std::string input;
+    std::string output;  // empty: only say what the input holds
+    std::vector<std::string> full_scales;
+    std::string format;
+    std::string bits;
+    std::string rate;
+    std::size_t channel = 0;
+    std::size_t dataset = 0;
+    bool json = false;
+};
+
+io::OpenOptions open_options(const ConvertOptions& options) {
+    io::OpenOptions open;
+    for (const std::string& text : options.full_scales)
+        open.full_scales.push_back(io::parse_full_scale(text));
+    if (!options.rate.empty()) open.rate = base::parse_quantity(options.rate, "Hz");
+    if (open.rate && !(*open.rate > 0.0))
+        throw Error(ErrorKind::input, {"\"" + options.rate + "\" is no sampling rate", "it must be positive", ""});
+    if (options.channel > 0) open.channel = options.channel;
+    if (options.dataset > 0) open.dataset = options.dataset;
+    return open;
+}
+
+std::string format_of(const ConvertOptions& options) {
+    if (!options.format.empty()) return options.format;
+    std::string ending = std::filesystem::path(options.output).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    if (ending == ".wav") return "wav";
+    if (ending == ".csv" || ending == ".tsv" || ending == ".txt") return "csv";
+    if (ending == ".uff" || ending == ".unv" || ending == ".uf" || ending == ".58") return "uff58b";
+    throw Error(ErrorKind::input, {"the name \"" + options.output + "\" does not tell the format to write",
+                                   "known are .wav, .csv and .uff", "Say it with --format."});
+}
+
+// the next of 1, 2, 5, 10, ... at or above the peak
+double round_full_scale(double peak) {
+    if (!(peak > 0.0)) return 1.0;
+    const int exponent = static_cast<int>(std::floor(std::log10(peak)));
+    for (const int digit : {1, 2, 5, 10, 20})
+        if (const double scale = digit * std::pow(10.0, exponent); scale >= peak) return scale;
+    return peak;
+}
+
+// a sound keeps its own scale; other measurements get one they fit in, 1 of the unit where single floats hold any
+std::vector<io::FullScale> wav_full_scales(const io::SignalSummary& summary, io::WavSamples samples) {
+    std::vector<io::FullScale> scales;
+    for (std::size_t k = 0; k < summary.peaks.size(); ++k) {
+        io::FullScale scale = summary.facts.full_scales[k];
+        const bool is_whole = samples != io::WavSamples::float_32;
+        if (is_whole && summary.peaks[k] > scale.value) scale.value = round_full_scale(summary.peaks[k]);
+        scales.push_back(scale);
+    }
+    return scales;
+}
+
+io::WavSamples wav_samples(const ConvertOptions& options, const io::SignalSummary& summary) {
+    if (options.bits == "16") return io::WavSamples::pcm_16;
+    if (options.bits == "24") return io::WavSamples::pcm_24;
+    if (options.bits == "float") return io::WavSamples::float_32;
+    // what was whole numbers of sound goes back to such
+    const std::string& format = summary.facts.format;
+    if (format.find("16 bit PCM") != std::string::npos) return io::WavSamples::pcm_16;
+    return format.find("24 bit PCM") != std::string::npos ? io::WavSamples::pcm_24 : io::WavSamples::float_32;
+}
+
+io::SignalOutput write(const ConvertOptions& options, const io::SignalSummary& summary, signal::Source& source) {
+    io::SignalOutput output{options.output, format_of(options), 0};
+    const bool is_stdout = options.output == "-";
+    const std::string path = is_stdout ? "/dev/stdout" : options.output;
+    if (output.format == "wav") {
+        const io::WavSamples samples = wav_samples(options, summary);
+        if (is_stdout)
+            throw Error(ErrorKind::input, {"a WAV file cannot be written to standard output",
+                                           "its header needs the length of the recording", "Name a file."});
+        output.clipped = io::write_wav(path, source, {samples, wav_full_scales(summary, samples), ""}).clipped;
+    } else if (output.format == "csv") {
+        io::write_signal_csv(path, source);
+    } else {
+        io::write_uff58(path, source, output.format == "uff58" ? io::Uff58Form::ascii : io::Uff58Form::binary);
+    }
+    return output;
+}
+
+std::string report(const io::SignalSummary& summary) {
+    const signal::Layout& layout = summary.layout;
+    const auto frames = static_cast<double>(*layout.frames);
+    std::string text =
+        fmt::format("{}\n  format    {}\n  rate      {} Hz\n  duration  {:.6g} s ({} frames)\n", summary.facts.name,
+                    summary.facts.format, base::shortest(layout.rate), frames / layout.rate, *layout.frames);
+    for (std::size_t k = 0; k < layout.channels.size(); ++k) {
+        const signal::Channel& channel = layout.channels[k];
+        const std::string name = channel.name.empty() ? "" : " " + channel.name;
+        text += fmt::format("  channel {}{}: peak {:.6g} {}", k + 1, name, summary.peaks[k], channel.unit);
+        if (summary.facts.calibrations[k] == io::Calibration::none)
+            text += " (not calibrated)";
+        else
+            text += fmt::format(" (1 in the file is {:.6g} {}, by its {})", summary.facts.full_scales[k].value,
+                                channel.unit, io::name(summary.facts.calibrations[k]));
+        text += "\n";
+    }
+    return text;
+}
+
+void convert(const ConvertOptions& options) {
+    const io::OpenOptions open = open_options(options);
+    if (!options.output.empty()) format_of(options);  // before hours are read
+    const io::SignalInput input = io::open_input(options.input);
+    const io::SignalSummary summary = io::summary_of(*io::open_signal(input, open));
+    for (const std::string& note : summary.facts.notes)
+        say("stridor: note: " + note);
+    std::optional<io::SignalOutput> output;
+    if (!options.output.empty()) {
+        output = write(options, summary, *io::open_signal(input, open));
+        if (output->clipped > 0) say(fmt::format("stridor: note: {} samples were cut to full scale", output->clipped));
+    }
+    const std::string text = options.json ? io::convert_json(summary, output) + "\n" : report(summary);
+    if (options.output == "-")
+        say(text);
+    else
+        print(text);
+}
+
+}  // namespace
+
+void add_convert(CLI::App& program) {
+    auto options = std::make_shared<ConvertOptions>();
+    CLI::App* command = program.add_subcommand(
+        "convert", "Read a recording of any format, say what it holds, and write it as another.");
+    command->add_option("in", options->input, "WAV, FLAC, Ogg, AIFF, CSV or UFF 58 file; - for standard input")
+        ->required();
+    command->add_option("out", options->output,
+                        "file to write (.wav, .csv, .uff); without it only the report is printed");
+    command
+        ->add_option("--full-scale", options->full_scales,
+                     "what the number 1 in the file stands for: \"2 Pa\"; once, or once per channel")
+        ->type_name("QUANTITY")
+        ->allow_extra_args(false);
+    command->add_option("--format", options->format, "of OUT, whatever its name")
+        ->check(CLI::IsMember({"wav", "csv", "uff58", "uff58b"}));
+    command->add_option("--bits", options->bits, "of a WAV's samples; by default as in IN, or float")
+        ->check(CLI::IsMember({"16", "24", "float"}));
+    command->add_option("--channel", options->channel, "this channel alone, counted from 1")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--dataset", options->dataset, "this time history of a UFF file, counted from 1")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--rate", options->rate, "sampling rate of a CSV table that does not tell it")->type_name("HZ");
+    command->add_flag("--json", options->json, "print one JSON document (schema stridor.convert/1)");
+    command->footer(
+        "Without --full-scale the unit comes from NAME.json beside the recording, the text in its header, or its own "
+        "units; "
+        "without any it is FS.\n"
+        "Examples:\n  stridor convert squeak.wav\n  stridor convert squeak.wav squeak.uff --full-scale \"2 Pa\"\n"
+        "  stridor convert rig.uff rig.wav --bits 24 --channel 1");
+    command->callback([options] { convert(*options); });
+}
+
+}  // namespace stridor::app

@@ -1,0 +1,385 @@
+#include "stridor/io/signal_csv.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/io/calibration.hpp"
+#include "stridor/io/csv_table.hpp"
+#include "stridor/io/line_reader.hpp"
+#include "stridor/io/time_grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace stridor::io {
+
+namespace {
+
+using csv_table::Dialect;
+using csv_table::Field;
+
+constexpr std::size_t looked_at = 1024;      // rows that the rate is first taken from
+constexpr std::size_t most_columns = 4096;   // more is no table of signals
+constexpr std::size_t most_metadata = 1000;  // `# key: value` lines that are kept
+constexpr double highest_rate = 1e9;         // [Hz]
+
+enum class Role { channel, time, words };
+
+struct Column {
+    std::string name;
+    std::string unit;  // as the file has it
+    Role role = Role::channel;
+};
+
+/// What stands above the numbers.
+struct Header {
+    Dialect dialect;
+    std::vector<Column> columns;
+    std::vector<std::pair<std::string, std::string>> metadata;
+    std::optional<double> rate;  // [Hz] from a `# rate:` line
+    bool has_names = false;
+    std::uint64_t data_offset = 0;  // [bytes] of the first row of numbers
+    int data_number = 1;            // [1] its line
+};
+
+Error refusal(const base::Place& place, std::string what, std::string why = "", std::string suggestion = "") {
+    return {ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)}, place};
+}
+
+bool is_table_line(std::string_view line) {
+    const std::string_view content = base::trimmed(line);
+    return !content.empty() && content.front() != '#';
+}
+
+std::optional<Line> next_row(LineReader& lines) {
+    while (const auto line = lines.next())
+        if (is_table_line(line->text)) return line;
+    return std::nullopt;
+}
+
+void read_comment(Header& header, const Line& line, const std::string& file) {
+    std::string_view content = base::trimmed(line.text);
+    if (!content.starts_with('#')) return;
+    content.remove_prefix(1);
+    const std::size_t colon = content.find(':');
+    if (colon == std::string_view::npos) return;
+    const std::string key(base::trimmed(content.substr(0, colon)));
+    const std::string value(base::trimmed(content.substr(colon + 1)));
+    const std::string small = csv_table::lower(key);
+    if (small == "rate" || small == "sample rate" || small == "sampling rate" || small == "sample_rate") {
+        try {
+            header.rate = base::parse_quantity(value, "Hz");
+        } catch (const Error& error) {
+            throw Error(error.kind(), error.problem(), place_of(file, line, 1));
+        }
+        const bool is_rate = *header.rate > 0.0 && *header.rate <= highest_rate;
+        if (!is_rate) throw refusal(place_of(file, line, 1), "\"" + value + "\" is no sampling rate");
+    } else if (header.metadata.size() < most_metadata) {
+        header.metadata.emplace_back(key, value);
+    }
+}
+
+// names, units and roles; `first` is the first line of the table
+void read_columns(Header& header, LineReader& lines, const Line& first) {
+    const bool has_delimiter = first.text.find_first_of("\t;,") != std::string_view::npos;
+    header.dialect = has_delimiter ? csv_table::sniff(first.text) : Dialect{'\0'};
+    header.data_offset = first.offset;
+    header.data_number = first.number;
+    std::vector<Field> fields = csv_table::split(first.text, header.dialect.delimiter);
+    csv_table::drop_empty_tail(fields, 1);
+    if (fields.size() > most_columns)
+        throw refusal(place_of(lines.name(), first, 1), "the table has " + std::to_string(fields.size()) + " columns",
+                      "at most " + std::to_string(most_columns) + " are read");
+    header.columns.resize(fields.size());
+    header.has_names = !csv_table::is_number_row(fields, header.dialect);
+    if (!header.has_names) return;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        const csv_table::Title title = csv_table::title_of(fields[k].text);
+        header.columns[k] = {title.name, std::string(base::trimmed(title.unit)), Role::channel};
+    }
+    const base::Place titles = place_of(lines.name(), first, 1);
+    std::optional<Line> row = next_row(lines);
+    if (!row) throw refusal(titles, "the table has no row of numbers");
+    std::vector<Field> units = csv_table::split(row->text, header.dialect.delimiter);
+    if (!csv_table::is_number_row(units, header.dialect)) {
+        for (std::size_t k = 0; k < std::min(units.size(), header.columns.size()); ++k)
+            if (const auto unit = base::trimmed(csv_table::bare_unit(units[k].text)); !unit.empty())
+                header.columns[k].unit = unit;
+        row = next_row(lines);
+    }
+    if (!row) throw refusal(titles, "the table has no row of numbers");
+    header.data_offset = row->offset;
+    header.data_number = row->number;
+}
+
+bool is_time(const Column& column) {
+    const std::string name = csv_table::lower(column.name);
+    return name == "time" || name == "t" || (!column.unit.empty() && unit_of_label(column.unit).unit == "s");
+}
+
+Header read_header(const SignalInput& input) {
+    const std::string beginning = text_at(*input.bytes, 0, 4);
+    if (csv_table::is_utf16(beginning))
+        throw refusal({input.name, 1, 1, ""}, "the file is in UTF-16", "", "Save it as UTF-8.");
+    const bool has_mark = beginning.starts_with(csv_table::utf8_mark);
+    LineReader lines(input.bytes, input.name, has_mark ? csv_table::utf8_mark.size() : 0);
+    Header header;
+    while (const auto line = lines.next()) {
+        if (is_table_line(line->text)) {
+            // the text of the line is gone once the reader goes on
+            const std::string text(line->text);
+            read_columns(header, lines, {text, line->number, line->offset});
+            return header;
+        }
+        read_comment(header, *line, input.name);
+    }
+    throw refusal({input.name, 0, 0, ""}, "the file holds no table", "columns of numbers are expected");
+}
+
+/// Rows of a table as numbers.
+class Rows {
+public:
+    Rows(const SignalInput& input, Header header)
+        : header_(std::move(header)),
+          lines_(input.bytes, input.name, header_.data_offset, header_.data_number),
+          values_(header_.columns.size()) {
+        has_words_ = std::any_of(header_.columns.begin(), header_.columns.end(),
+                                 [](const Column& column) { return column.role == Role::words; });
+    }
+
+    /// The numbers of the next row, shape [column], NaN in columns of words; empty at the end.
+    std::span<const double> next() {
+        line_ = next_row(lines_);
+        if (!line_) return {};
+        if (has_words_ || !read_plain()) read_fields();
+        return values_;
+    }
+
+    /// The fields of the row that was read last.
+    std::vector<Field> fields() const {
+        std::vector<Field> fields = csv_table::split(line_->text, header_.dialect.delimiter);
+        csv_table::drop_empty_tail(fields, header_.columns.size());
+        return fields;
+    }
+
+    base::Place place(std::size_t column) const { return place_of(lines_.name(), *line_, fields()[column].column); }
+
+private:
+    // the usual row, without words, quotes and decimal commas; false for any other
+    bool read_plain() {
+        const char* at = line_->text.data();
+        const char* const end = at + line_->text.size();
+        const auto skip = [&] {
+            while (at != end && *at == ' ')
+                ++at;
+        };
+        for (std::size_t k = 0; k < values_.size(); ++k) {
+            if (k > 0 && (at == end || *at++ != header_.dialect.delimiter)) return false;
+            skip();
+            const auto [behind, code] = std::from_chars(at, end, values_[k]);
+            if (code != std::errc{} || !std::isfinite(values_[k])) return false;
+            at = behind;
+            skip();
+        }
+        return at == end;
+    }
+
+    void read_fields() {
+        const std::vector<Field> row = fields();
+        if (row.size() != values_.size())
+            throw refusal(place_of(lines_.name(), *line_, row.back().column),
+                          "the row has " + std::to_string(row.size()) + " columns",
+                          "the first row has " + std::to_string(values_.size()));
+        for (std::size_t k = 0; k < row.size(); ++k)
+            values_[k] = header_.columns[k].role == Role::words ? std::numeric_limits<double>::quiet_NaN()
+                                                                : number(row[k], header_.columns[k]);
+    }
+
+    double number(const Field& field, const Column& column) const {
+        const std::optional<double> number = csv_table::number_in(field.text, header_.dialect);
+        if (number && std::isfinite(*number)) return *number;
+        const std::string what = (column.name.empty() ? "" : column.name + " = ") + "\"" + field.text + "\"";
+        const base::Place place = place_of(lines_.name(), *line_, field.column);
+        if (number) throw refusal(place, what + " is not a finite number");
+        throw refusal(place, what + " is not a number", field.text.empty() ? "the field is empty" : "",
+                      field.text.find(',') == std::string::npos ? "" : "Write the decimal mark as a point.");
+    }
+
+    Header header_;
+    LineReader lines_;
+    std::optional<Line> line_;
+    std::vector<double> values_;
+    bool has_words_ = false;
+};
+
+// columns in which the first row has no number are left out
+std::vector<std::string> find_words(Header& header, const SignalInput& input) {
+    LineReader lines(input.bytes, input.name, header.data_offset, header.data_number);
+    const std::optional<Line> row = next_row(lines);
+    if (!row) return {};
+    const std::vector<Field> fields = csv_table::split(row->text, header.dialect.delimiter);
+    std::vector<std::string> notes;
+    for (std::size_t k = 0; k < std::min(fields.size(), header.columns.size()); ++k) {
+        const bool is_words = !fields[k].text.empty() && !csv_table::number_in(fields[k].text, header.dialect);
+        if (!is_words) continue;
+        header.columns[k].role = Role::words;
+        notes.push_back("the column \"" + header.columns[k].name + "\" holds words and was left out");
+    }
+    return notes;
+}
+
+std::optional<std::size_t> find_time(Header& header, bool is_rate_known) {
+    for (std::size_t k = 0; k < header.columns.size(); ++k)
+        if (header.columns[k].role == Role::channel && is_time(header.columns[k])) return k;
+    const bool is_first = !header.has_names && !is_rate_known && header.columns.size() > 1;
+    return is_first ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+// the numeral of the time in the last row that has one
+std::optional<std::string> last_time(const SignalInput& input, const Header& header, std::size_t column) {
+    const std::uint64_t size = input.bytes->size();
+    const std::uint64_t from = std::max(header.data_offset, size - std::min<std::uint64_t>(size, LineReader::longest));
+    const std::string tail = text_at(*input.bytes, from, LineReader::longest);
+    std::string_view rest = tail;
+    while (!rest.empty()) {
+        const std::size_t end = rest.find_last_of("\r\n");
+        const std::string_view line = end == std::string_view::npos ? rest : rest.substr(end + 1);
+        rest = rest.substr(0, end == std::string_view::npos ? 0 : end);
+        if (!is_table_line(line)) continue;
+        const std::vector<Field> fields = csv_table::split(line, header.dialect.delimiter);
+        const bool is_whole = fields.size() >= header.columns.size() &&
+                              csv_table::number_in(fields[column].text, header.dialect).has_value();
+        if (!is_whole) return std::nullopt;
+        return csv_table::numeral(fields[column].text, header.dialect);
+    }
+    return std::nullopt;
+}
+
+time_grid::Times times_of(const SignalInput& input, const Header& header, std::size_t column) {
+    const std::string& label = header.columns[column].unit;
+    const FullScale unit = unit_of_label(label);
+    time_grid::Times times;
+    times.unit = unit.unit == "s" ? unit.value : 1.0;
+    Rows rows(input, header);
+    while (times.first.size() < looked_at) {
+        const std::span<const double> row = rows.next();
+        if (row.empty()) break;
+        const double time = row[column];
+        if (!times.first.empty() && !(time > times.first.back()))
+            throw refusal(rows.place(column), "the times do not increase",
+                          base::shortest(time) + " follows " + base::shortest(times.first.back()),
+                          "Sort the rows by time, or print the times with more digits.");
+        times.first.push_back(time);
+        const std::string numeral = csv_table::numeral(rows.fields()[column].text, header.dialect);
+        times.precision = time_grid::finer(times.precision, time_grid::precision_of(numeral));
+    }
+    times.last = times.first.back();
+    if (const auto numeral = last_time(input, header, column)) {
+        const double last = csv_table::number_in(*numeral, {'\0'}).value_or(times.last);
+        if (std::isfinite(last) && last > times.first.back()) {
+            times.last = last;
+            times.precision = time_grid::finer(times.precision, time_grid::precision_of(*numeral));
+        }
+    }
+    return times;
+}
+
+class SignalCsv final : public signal::Source {
+public:
+    SignalCsv(const SignalInput& input, const Header& header, double rate, std::optional<time_grid::Times> times)
+        : rows_(input, header),
+          times_(std::move(times)) {
+        layout_.rate = rate;
+        for (std::size_t k = 0; k < header.columns.size(); ++k) {
+            if (header.columns[k].role == Role::time) time_column_ = k;
+            if (header.columns[k].role != Role::channel) continue;
+            layout_.channels.push_back({header.columns[k].name, header.columns[k].unit});
+            columns_.push_back(k);
+        }
+    }
+
+    const signal::Layout& layout() const override { return layout_; }
+
+    std::size_t read(std::span<double> frames) override {
+        const std::size_t width = columns_.size();
+        STRIDOR_EXPECT(frames.size() % width == 0);
+        std::size_t count = 0;
+        for (; count < frames.size() / width; ++count) {
+            const std::span<const double> row = rows_.next();
+            if (row.empty()) break;
+            if (times_) check_time(row[time_column_]);
+            for (std::size_t k = 0; k < width; ++k)
+                frames[count * width + k] = row[columns_[k]];
+            ++frames_;
+        }
+        return count;
+    }
+
+private:
+    void check_time(double time) const {
+        const double step = 1.0 / (layout_.rate * times_->unit);  // in the unit of the file
+        const double expected = times_->first.front() + static_cast<double>(frames_) * step;
+        const double off = std::abs(time - expected);
+        if (off <= 0.05 * step) return;
+        if (off <= 0.05 * step + 2.0 * time_grid::resolution(times_->precision, time)) return;
+        throw refusal(rows_.place(time_column_), "the times are not evenly spaced",
+                      "at " + base::shortest(layout_.rate) + " Hz this row is due at " + base::shortest(expected) +
+                          ", not at " + base::shortest(time),
+                      "Resample the table to an even step.");
+    }
+
+    Rows rows_;
+    std::optional<time_grid::Times> times_;
+    signal::Layout layout_;
+    std::vector<std::size_t> columns_;  // of the channels
+    std::size_t time_column_ = 0;
+    std::uint64_t frames_ = 0;  // read so far
+};
+
+SnappedRate rate_from(const time_grid::Times& times, const base::Place& place) {
+    if (times.first.size() < 2)
+        throw refusal(place, "one row does not tell the sampling rate", "", "Write \"# rate: 48000\" above the table.");
+    const SnappedRate snapped = time_grid::rate_of(times);
+    const bool is_rate = std::isfinite(snapped.rate) && snapped.rate > 0.0 && snapped.rate <= highest_rate;
+    if (!is_rate) throw refusal(place, "the times give no sampling rate");
+    return snapped;
+}
+
+}  // namespace
+
+RawSignal open_signal_csv(const SignalInput& input, std::optional<double> rate) {
+    Header header = read_header(input);
+    RawSignal raw;
+    raw.format = "CSV";
+    raw.metadata = header.metadata;
+    raw.notes = find_words(header, input);
+    if (!rate) rate = header.rate;
+    const std::optional<std::size_t> time = find_time(header, rate.has_value());
+    const base::Place place{input.name, header.data_number, 0, ""};
+    std::optional<time_grid::Times> times;
+    if (time) {
+        header.columns[*time].role = Role::time;
+        times = times_of(input, header, *time);
+    }
+    if (times && !rate) {
+        const SnappedRate snapped = rate_from(*times, place);
+        rate = snapped.rate;
+        if (!snapped.note.empty()) raw.notes.push_back(snapped.note);
+    }
+    if (!rate)
+        throw refusal(place, "the table does not tell its sampling rate", "it has no column of times",
+                      "Write \"# rate: 48000\" above it, or name one column \"time\".");
+    const bool has_channel = std::any_of(header.columns.begin(), header.columns.end(),
+                                         [](const Column& column) { return column.role == Role::channel; });
+    if (!has_channel) throw refusal(place, "the table has no column of samples");
+    raw.source = std::make_unique<SignalCsv>(input, header, *rate, std::move(times));
+    return raw;
+}
+
+}  // namespace stridor::io

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "stridor/io/calibration.hpp"
+#include "stridor/signal/source.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace stridor::io {
+
+enum class WavSamples { pcm_16, pcm_24, float_32 };
+
+struct WavOptions {
+    WavSamples samples = WavSamples::pcm_24;
+    std::vector<FullScale> full_scales{};  // what 1 stands for, of every channel or one each; empty: 1 of its unit
+    std::string description{};             // goes into the bext text before the calibration; 256 bytes hold both
+};
+
+/// What became of the samples.
+struct WavWritten {
+    std::uint64_t frames = 0;
+    std::uint64_t clipped = 0;  // [1] samples beyond full scale, cut to it (whole numbers only)
+};
+
+/// Writes a WAV file (RF64 beyond 4 GiB), a calibration into its bext chunk, and NAME.wav.json beside it where the WAV cannot
+/// say everything: names, units, full scales, a rate that is no whole number.
+///
+/// A sample x becomes x / full scale; in whole numbers the nearest one to that times 2^15 or 2^23, so that samples which came
+/// from such a file go back bit for bit. The same source gives the same bytes. An old sidecar never stands beside a new
+/// recording. Throws `Error` (input) for full scales that do not fit the channels in number or unit, and for samples that
+/// are not finite.
+WavWritten write_wav(const std::string& path, signal::Source& source, const WavOptions& options = {});
+
+}  // namespace stridor::io

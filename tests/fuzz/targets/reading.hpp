@@ -1,0 +1,35 @@
+#pragma once
+
+#include "fuzz/targets/targets.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/io/raw_signal.hpp"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::fuzz {
+
+/// Opens bytes as a recording and reads it to its end; `open` takes the input.
+template <typename Open>
+void read_signal(std::string_view bytes, Open open) {
+    try {
+        const io::RawSignal raw = open(io::SignalInput{io::bytes_of(std::string(bytes)), "input", {}});
+        const signal::Layout& layout = raw.source->layout();
+        const std::size_t width = layout.channels.size();
+        require(width > 0 && layout.rate > 0.0 && std::isfinite(layout.rate));
+        std::vector<double> block(16 * width);
+        std::uint64_t frames = 0;
+        while (const std::size_t count = raw.source->read(block)) {
+            require(count <= 16);
+            frames += count;
+            require(frames <= bytes.size());  // a frame takes a byte at least
+        }
+        require(!layout.frames || *layout.frames == frames);
+    } catch (const Error& error) {
+        require(error.kind() == ErrorKind::input && error.place().has_value() && !error.problem().what.empty());
+    }
+}
+
+}  // namespace stridor::fuzz

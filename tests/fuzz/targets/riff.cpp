@@ -1,0 +1,19 @@
+#include "stridor/io/riff.hpp"
+
+#include "fuzz/targets/targets.hpp"
+
+#include <cstdlib>
+#include <string>
+
+namespace stridor::fuzz {
+
+void require(bool promise) {
+    if (!promise) std::abort();
+}
+
+void riff(std::string_view bytes) {
+    const auto data = io::find_riff_data(*io::bytes_of(std::string(bytes)));
+    if (data) require(data->offset + data->available == bytes.size());
+}
+
+}  // namespace stridor::fuzz

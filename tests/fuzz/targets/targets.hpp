@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+/// Readers of bytes that nobody vouches for. Each returns, whatever it is given: an `Error` of the user's kind is an end as good
+/// as a value, anything else is a finding. libFuzzer drives them (`./dev fuzz`), the tests replay the corpus.
+namespace stridor::fuzz {
+
+void signal_csv(std::string_view bytes);
+void uff58(std::string_view bytes);
+void sidecar(std::string_view bytes);
+void calibration(std::string_view bytes);
+void riff(std::string_view bytes);
+
+struct Target {
+    std::string_view name;  // of its folder in the corpus
+    void (*run)(std::string_view bytes);
+};
+
+inline constexpr std::array targets{Target{"signal_csv", signal_csv}, Target{"uff58", uff58},
+                                    Target{"sidecar", sidecar}, Target{"calibration", calibration},
+                                    Target{"riff", riff}};
+
+/// Stops the program where a promise is broken, in every build.
+void require(bool promise);
+
+}  // namespace stridor::fuzz
