@@ -19,6 +19,8 @@ void add_stability(CLI::App& program);
 void add_chart(CLI::App& program);
 void add_figure(CLI::App& program);
 void add_convert(CLI::App& program);
+void add_analyse(CLI::App& program);
+void add_classify(CLI::App& program);
 void add_verify(CLI::App& program);
 void add_completion(CLI::App& program);
 

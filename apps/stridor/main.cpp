@@ -37,6 +37,8 @@ void build(CLI::App& program) {
     add_chart(program);
     add_figure(program);
     add_convert(program);
+    add_analyse(program);
+    add_classify(program);
     add_verify(program);
     add_completion(program);
 }
