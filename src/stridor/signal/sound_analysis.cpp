@@ -235,8 +235,25 @@ SoundAnalysis ChannelAnalyser::finish() {
     return result;
 }
 
+namespace {
+
+void check(const Layout& layout) {
+    constexpr double lowest = 1000.0;  // [Hz] below there is no sound to hear
+    constexpr double highest = 1e7;    // [Hz] above there is no such recorder
+    constexpr std::size_t most = 64;   // channels, a few megabytes each
+    if (!(layout.rate >= lowest && layout.rate <= highest))
+        throw Error(ErrorKind::input, {"a rate of " + base::shortest(layout.rate) + " Hz is none of a sound",
+                                       "it must lie between 1000 Hz and 10 MHz", "Is it given in Hz?"});
+    if (layout.channels.empty() || layout.channels.size() > most)
+        throw Error(ErrorKind::input, {"the recording has " + std::to_string(layout.channels.size()) + " channels",
+                                       "from 1 to 64 can be analysed at a time", "Choose one of them."});
+}
+
+}  // namespace
+
 std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress) {
     const Layout layout = source.layout();
+    check(layout);
     const std::size_t width = layout.channels.size();
     std::vector<ChannelAnalyser> analysers;
     for (const Channel& channel : layout.channels)

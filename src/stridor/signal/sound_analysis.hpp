@@ -66,13 +66,13 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// What is done with each part of a long recording that is through [frames].
+/// Called as a recording is read, with the frames that are done.
 using Progress = std::function<void(std::uint64_t frames)>;
 
 /// Reads a recording to its end and analyses all channels, each by a thread of its own; shape [channel].
 ///
 /// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite
-/// number.
+/// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.
 std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress = {});
 
 }  // namespace stridor::signal
