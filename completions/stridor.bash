@@ -2,7 +2,7 @@
 _stridor() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=""
     if ((COMP_CWORD == 1)); then
-        COMPREPLY=($(compgen -W "init check simulate stability chart figure listen rig convert library verify completion --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "init check simulate stability chart figure listen rig convert library analyse classify verify completion --help --version" -- "$word"))
         return
     fi
     if [[ $previous == --set ]]; then
@@ -25,6 +25,8 @@ _stridor() {
         rig) options="--help" ;;
         convert) options="--help --full-scale --format --bits --channel --dataset --rate --json" ;;
         library) options="--help" ;;
+        analyse) options="--help --full-scale --channel --dataset --rate --set --a-weighting --figure --json" ;;
+        classify) options="--help --full-scale --channel --dataset --rate --set --json" ;;
         verify) options="--help" ;;
         completion) options="--help" ;;
     esac

@@ -22,6 +22,8 @@ void add_listen(CLI::App& program);
 void add_rig(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_library(CLI::App& program);
+void add_analyse(CLI::App& program);
+void add_classify(CLI::App& program);
 void add_verify(CLI::App& program);
 void add_completion(CLI::App& program);
 

@@ -6,7 +6,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
-#include "stridor/io/json_sound.hpp"
+#include "stridor/io/json_listen.hpp"
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_document.hpp"
 #include "stridor/io/toml_study.hpp"
@@ -336,7 +336,7 @@ void listen(const ListenOptions& options) {
 
     const io::WavOptions file{io::WavSamples::pcm_24, {{info.full_scale, info.unit}}, description(info, choice.c)};
     if (!options.out.empty()) io::write_wav(options.out, *sound, file);
-    print(options.json ? io::sound_json(choice.c, info) + "\n" : report(info));
+    print(options.json ? io::listen_json(choice.c, info) + "\n" : report(info));
     if (!options.out.empty()) return;
     const TemporaryFile temporary;
     io::write_wav(temporary.path(), *sound, file);
@@ -384,7 +384,7 @@ void add_listen(CLI::App& program) {
     command->add_option("--fade", options->fade, "fade at both ends of each stretch")
         ->type_name("TIME")
         ->capture_default_str();
-    command->add_flag("--json", options->json, "print what was made as JSON (schema stridor.sound/1)");
+    command->add_flag("--json", options->json, "print what was made as JSON (schema stridor.listen/1)");
     command->footer(
         "The sound is the motion itself, in m/s or m/s^2: no sound pressure. The file says what its full scale is.\n"
         "Examples:\n  stridor listen squeal.toml\n  stridor listen creak.toml --out creak.wav --quantity acceleration\n"

@@ -40,6 +40,8 @@ void build(CLI::App& program) {
     add_rig(program);
     add_convert(program);
     add_library(program);
+    add_analyse(program);
+    add_classify(program);
     add_verify(program);
     add_completion(program);
 }

@@ -46,7 +46,7 @@ TEST(Listen, WritesASoundWhoseFullScaleIsAVelocity) {
     for (const int rate : {44100, 48000, 51200}) {
         const json document =
             listened({"squeal.toml", "--out", "a.wav", "--rate", std::to_string(rate), "--seconds", "0.3"});
-        EXPECT_EQ(document["schema"], "stridor.sound/1");
+        EXPECT_EQ(document["schema"], "stridor.listen/1");
         const json& sound = document["sound"];
         EXPECT_EQ(sound["rate"], rate);
         EXPECT_NEAR(sound["duration"].get<double>(), 0.3, 1.5 / rate);

@@ -13,9 +13,9 @@ namespace stridor::classification {
 struct Margin {
     std::string_view threshold_name;  // "quiet_slip", the key in [verdict]
     std::string_view figure_name;     // "judged slip rate"
-    double figure = 0.0;              // [1]
-    double threshold = 0.0;           // [1]
-    double distance = 0.0;            // [1]
+    double figure = 0.0;              // in the threshold's unit
+    double threshold = 0.0;           // in its unit
+    double distance = 0.0;            // in its unit
 };
 
 /// A category with the figures it was made from, how far each lies from its threshold, and why.

@@ -1,32 +1,31 @@
 #pragma once
 
-#include "stridor/parameters/case.hpp"
+#include "stridor/classification/sound_verdict.hpp"
+#include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/signal/sound_analysis.hpp"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace stridor::io {
 
-/// A sound that was made of a simulated motion.
-struct SoundInfo {
-    std::string file;         // empty: it was played
-    std::string player;       // the program that plays it; empty: it was written
-    std::string cell;         // of which chart's cell, in words; empty: of a case
-    std::string of;           // "joint", "plate"
-    std::string component;    // "x", "y"
-    std::string quantity;     // "velocity", "acceleration"
-    std::string direction;    // "whole", "going", "coming"
-    std::string part;         // "all", "judged"
-    std::string level;        // "normalised", "absolute"
-    std::string unit;         // of peak, rms and full_scale
-    double rate = 0.0;        // [Hz]
-    double duration = 0.0;    // [s]
-    double high_pass = 0.0;   // [Hz]
-    double peak = 0.0;        // [unit]
-    double rms = 0.0;         // [unit]
-    double full_scale = 1.0;  // [unit] the largest number of the file
+/// What was found in a recording: one analysis and one verdict per channel.
+struct SoundReport {
+    std::string file;
+    std::string format;
+    std::vector<std::string> notes{};
+    parameters::SoundThresholds thresholds{};
+    std::vector<signal::SoundAnalysis> channels{};
+    std::vector<classification::RecordingVerdict> verdicts{};  // shape [channel]
+    std::size_t loudest = 0;  // the channel with the greatest level, whose verdict is the recording's
 };
 
-/// "stridor.sound/1": the case and what was made of it.
-std::string sound_json(const parameters::Case& c, const SoundInfo& sound);
+/// "stridor.classify/1": category of the recording and of each channel, its shares, and each segment with figures,
+/// margins and reasons; thresholds and units.
+std::string classify_json(const SoundReport& report);
+
+/// "stridor.analyse/1": levels, spectrum, peaks, octave, third-octave and named bands and segments per channel.
+std::string analyse_json(const SoundReport& report);
 
 }  // namespace stridor::io

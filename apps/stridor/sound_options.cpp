@@ -1,0 +1,120 @@
+#include "sound_options.hpp"
+
+#include "stridor/base/quantity.hpp"
+#include "stridor/classification/sound_rules.hpp"
+#include "stridor/io/open_signal.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+
+namespace stridor::app {
+
+namespace {
+
+io::OpenOptions open_options(const SoundOptions& options) {
+    io::OpenOptions open;
+    for (const std::string& text : options.full_scales)
+        open.full_scales.push_back(io::parse_full_scale(text));
+    if (!options.rate.empty()) open.rate = base::parse_quantity(options.rate, "Hz");
+    if (open.rate && !(*open.rate > 0.0))
+        throw Error(ErrorKind::input, {"\"" + options.rate + "\" is no sampling rate", "it must be positive", ""});
+    if (options.channel > 0) open.channel = options.channel;
+    if (options.dataset > 0) open.dataset = options.dataset;
+    return open;
+}
+
+// a line that is redrawn in a terminal, a line per 10 % of long recordings anywhere else, nothing for short ones
+signal::Progress progress_of(const signal::Layout& layout) {
+    constexpr double long_recording = 300.0;  // [s]
+    const double whole = layout.frames ? static_cast<double>(*layout.frames) : 0.0;
+    if (whole < long_recording * layout.rate) return {};
+    return [whole, said = 0](std::uint64_t frames) mutable {
+        const int percent = static_cast<int>(100.0 * static_cast<double>(frames) / whole);
+        if (percent < said + (has_terminal() ? 1 : 10)) return;
+        said = percent;
+        const std::string line = fmt::format("analysed {} %", percent);
+        if (has_terminal())
+            static_cast<void>(std::fprintf(stderr, "\r%s%s", line.c_str(), percent >= 100 ? "\n" : ""));
+        else
+            say(line);
+    };
+}
+
+}  // namespace
+
+void add_sound_options(CLI::App& command, SoundOptions& options) {
+    command.add_option("file", options.file, "WAV, FLAC, Ogg, AIFF, CSV or UFF 58 file; - for standard input")
+        ->required();
+    command
+        .add_option("--full-scale", options.full_scales,
+                    "what the number 1 in the file stands for: \"2 Pa\"; once, or once per channel")
+        ->type_name("QUANTITY")
+        ->allow_extra_args(false);
+    command.add_option("--channel", options.channel, "this channel alone, counted from 1")->check(CLI::PositiveNumber);
+    command.add_option("--dataset", options.dataset, "this time history of a UFF file, counted from 1")
+        ->check(CLI::PositiveNumber);
+    command.add_option("--rate", options.rate, "sampling rate of a CSV table that does not tell it")->type_name("HZ");
+    command.add_option("--set", options.thresholds, "another threshold: --set squeal_regularity=0.7 (repeatable)")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+}
+
+io::SoundReport listen_to(const SoundOptions& options) {
+    io::SoundReport report;
+    for (const std::string& assignment : options.thresholds)
+        parameters::set_sound_threshold(report.thresholds, assignment);
+    const std::unique_ptr<io::SignalFile> file = io::open_signal(options.file, open_options(options));
+    report.file = file->facts().name;
+    report.format = file->facts().format;
+    report.notes = file->facts().notes;
+    for (const std::string& note : report.notes)
+        say("stridor: note: " + note);
+    report.channels = signal::analyse(*file, progress_of(file->layout()));
+    double greatest = -1.0;
+    for (std::size_t k = 0; k < report.channels.size(); ++k) {
+        const signal::SoundAnalysis& analysis = report.channels[k];
+        report.verdicts.push_back(classification::classify_recording(analysis.stretches, report.thresholds));
+        const double reference = signal::reference_of(analysis.unit);
+        const double square = analysis.mean_square / (reference * reference);
+        if (square > greatest) {
+            greatest = square;
+            report.loudest = k;
+        }
+    }
+    return report;
+}
+
+std::string channel_title(const io::SoundReport& report, std::size_t channel) {
+    const signal::SoundAnalysis& analysis = report.channels[channel];
+    const bool is_only = report.channels.size() == 1;
+    std::string text = is_only ? report.file : fmt::format("{}, channel {}", report.file, channel + 1);
+    if (!analysis.name.empty()) text += " (" + analysis.name + ")";
+    return text;
+}
+
+std::string segment_table(const signal::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict) {
+    const double reference = signal::reference_of(analysis.unit);
+    std::string text =
+        fmt::format("{:>9}{:>10}  {:<10}{:>9}{:>11}{:>9}{:>11}{:>9}{:>7}{:>9}\n", "from", "to", "category", "level",
+                    "frequency", "tonal", "regularity", "moves", "rest", "kurtosis");
+    for (const classification::SoundSegment& segment : verdict.segments) {
+        const signal::SoundFeatures& f = segment.verdict.features;
+        const bool is_noisy = segment.verdict.category != classification::Category::none;
+        const std::string category = styled(fmt::format("{:<10}", classification::name(segment.verdict.category)),
+                                            is_noisy ? Style::bold : Style::plain, STDOUT_FILENO);
+        text += fmt::format("{:>7.3f} s{:>8.3f} s  {}", segment.from, segment.to, category);
+        if (f.mean_square > 0.0)
+            text += fmt::format("{:>6.1f} dB{:>8.0f} Hz{:>9.2f}{:>11.3f}{:>7.1f} %{:>7.2f}{:>9.1f}\n",
+                                signal::level_of(segment.mean_square, reference), f.frequency, f.tonality, f.regularity,
+                                100.0 * f.movement, f.rest, f.kurtosis);
+        else
+            text += "  silence\n";
+    }
+    return text;
+}
+
+}  // namespace stridor::app

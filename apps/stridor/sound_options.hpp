@@ -1,0 +1,37 @@
+#pragma once
+
+#include "stridor/io/json_sound.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace stridor::app {
+
+/// What every command that listens to a recording takes.
+struct SoundOptions {
+    std::string file;                      // "-" is stdin
+    std::vector<std::string> full_scales;  // "2 Pa"
+    std::size_t channel = 0;               // from 1; 0: all
+    std::size_t dataset = 0;               // of a UFF file, from 1; 0: all
+    std::string rate;                      // of a CSV table
+    std::vector<std::string> thresholds;   // "squeal_regularity=0.7"
+};
+
+/// Adds the file, --full-scale, --channel, --dataset, --rate and --set.
+void add_sound_options(CLI::App& command, SoundOptions& options);
+
+/// Reads, analyses and judges the recording that the options name; says on stderr what is noteworthy, and how far it is.
+io::SoundReport listen_to(const SoundOptions& options);
+
+/// "0.28 - 0.78 s  squeal ...": the segments of a channel as a table.
+std::string segment_table(const signal::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict);
+
+/// "1 left": how a channel is called.
+std::string channel_title(const io::SoundReport& report, std::size_t channel);
+
+}  // namespace stridor::app

@@ -1,0 +1,45 @@
+#include "stridor/classification/confusion.hpp"
+
+#include <limits>
+#include <numeric>
+
+namespace stridor::classification {
+
+namespace {
+
+std::size_t sum_of(const Confusion::Row& row) {
+    return std::accumulate(row.begin(), row.end(), std::size_t{0});
+}
+
+double share(std::size_t part, std::size_t whole) {
+    return whole == 0 ? std::numeric_limits<double>::quiet_NaN()
+                      : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+}  // namespace
+
+Confusion counted(Confusion table, Category truth, Category heard) {
+    ++table.counts[static_cast<std::size_t>(truth)][static_cast<std::size_t>(heard)];
+    return table;
+}
+
+std::size_t total(const Confusion& table) {
+    std::size_t sum = 0;
+    for (const Confusion::Row& row : table.counts)
+        sum += sum_of(row);
+    return sum;
+}
+
+double agreement(const Confusion& table) {
+    std::size_t same = 0;
+    for (std::size_t k = 0; k < table.counts.size(); ++k)
+        same += table.counts[k][k];
+    return share(same, total(table));
+}
+
+double agreement_on(const Confusion& table, Category truth) {
+    const auto k = static_cast<std::size_t>(truth);
+    return share(table.counts[k][k], sum_of(table.counts[k]));
+}
+
+}  // namespace stridor::classification

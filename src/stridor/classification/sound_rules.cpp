@@ -1,0 +1,198 @@
+#include "stridor/classification/sound_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace stridor::classification {
+
+namespace {
+
+using parameters::SoundThresholds;
+using signal::SoundFeatures;
+using signal::SoundStretch;
+
+// What deviates from a straight fall of the level, as a share of the fall; infinite where the level does not fall.
+double crookedness(const SoundFeatures& features) {
+    const double fall = -features.trend * features.duration;
+    return fall > 0.0 ? features.unsteadiness / fall : std::numeric_limits<double>::infinity();
+}
+
+std::vector<Margin> margins_of(const SoundFeatures& f, const SoundThresholds& t) {
+    const auto margin = [](std::string_view threshold_name, std::string_view figure_name, double figure,
+                           double threshold) {
+        return Margin{threshold_name, figure_name, figure, threshold, figure - threshold};
+    };
+    return {
+        margin("least_clearness", "clearness", f.clearness, t.least_clearness),
+        margin("decay", "fall of the level", -f.trend, t.decay),
+        margin("decay_straightness", "deviation from it", crookedness(f), t.decay_straightness),
+        margin("creak_rest", "rest", f.rest, t.creak_rest),
+        margin("creak_kurtosis", "kurtosis", f.kurtosis, t.creak_kurtosis),
+        margin("rubbing_tonality", "tonality", f.tonality, t.rubbing_tonality),
+        margin("rubbing_repetition", "repetition", f.repetition, t.rubbing_repetition),
+        margin("least_frequency", "frequency", f.frequency, t.least_frequency),
+        margin("creak_periodicity", "impulse periodicity", f.impulse_periodicity, t.creak_periodicity),
+        margin("squeal_regularity", "regularity", f.regularity, t.squeal_regularity),
+        margin("squeal_movement", "movement", f.movement, t.squeal_movement),
+    };
+}
+
+}  // namespace
+
+SoundVerdict classify_sound(const SoundFeatures& f, const SoundThresholds& t) {
+    SoundVerdict verdict{Category::undecided, f, margins_of(f, t), {}};
+    const auto decide = [&](Category category, std::string reason) {
+        verdict.category = category;
+        verdict.reasons.push_back(std::move(reason));
+        return verdict;
+    };
+    if (!(f.mean_square > 0.0) || f.clearness < t.least_clearness)
+        return decide(Category::none, "nothing stands out of the background");
+    if (-f.trend >= t.decay && crookedness(f) <= t.decay_straightness)
+        return decide(Category::none, fmt::format("dies away by itself, {:.1f} dB/s", -f.trend));
+    if (f.rest >= t.creak_rest)
+        return decide(Category::creak, fmt::format("rests {:.1f} % of the time between impulses", 100.0 * f.rest));
+    if (f.kurtosis >= t.creak_kurtosis)
+        return decide(Category::creak, fmt::format("impulses stand out (kurtosis {:.1f})", f.kurtosis));
+    const bool is_broad = f.tonality < t.rubbing_tonality && f.repetition < t.rubbing_repetition;
+    if (is_broad || f.frequency < t.least_frequency) {
+        verdict.reasons.push_back(
+            fmt::format("no tone: {:.1f} % of the power in the strongest line at {:.0f} Hz, cycles alike to {:.2f}",
+                        100.0 * f.tonality, f.frequency, f.repetition));
+        if (f.impulse_periodicity >= t.creak_periodicity)
+            return decide(Category::creak, fmt::format("impulses every {:.1f} ms, alike to {:.2f}",
+                                                       1e3 * f.impulse_interval, f.impulse_periodicity));
+        return decide(Category::none, "and no impulses that repeat: mere rubbing");
+    }
+    if (f.regularity < t.squeal_regularity)
+        return decide(Category::squeak, fmt::format("a tone at {:.0f} Hz whose cycles are alike to {:.3f} only",
+                                                    f.frequency, f.regularity));
+    if (f.movement > t.squeal_movement)
+        return decide(Category::squeak,
+                      fmt::format("a tone that moves by {:.1f} % around {:.0f} Hz", 100.0 * f.movement, f.frequency));
+    return decide(Category::squeal, fmt::format("a steady tone at {:.0f} Hz whose cycles are alike to {:.3f}",
+                                                f.frequency, f.regularity));
+}
+
+namespace {
+
+double energy_of(const SoundFeatures& f) {
+    return f.mean_square * f.duration;
+}
+
+void describe_impulses(SoundSegment& segment) {
+    std::vector<double> intervals(segment.impulses.size());
+    std::adjacent_difference(segment.impulses.begin(), segment.impulses.end(), intervals.begin());
+    if (intervals.size() < 2) return;
+    intervals.erase(intervals.begin());
+    double change = 0.0;
+    for (std::size_t k = 1; k < intervals.size(); ++k)
+        change += std::abs(intervals[k] - intervals[k - 1]);
+    const double sum = std::accumulate(intervals.begin(), intervals.end(), 0.0);
+    const auto count = static_cast<double>(intervals.size());
+    if (intervals.size() > 1) segment.impulse_regularity = std::max(0.0, 1.0 - change / (count - 1.0) / (sum / count));
+    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+    std::nth_element(intervals.begin(), middle, intervals.end());
+    segment.impulse_interval = *middle;
+}
+
+void append(SoundSegment& segment, const SoundStretch& stretch, SoundVerdict verdict) {
+    const SoundFeatures& f = stretch.features;
+    const double before = segment.to - segment.from;
+    segment.to = f.from + f.duration;
+    segment.mean_square = (segment.mean_square * before + energy_of(f)) / (before + f.duration);
+    for (const double instant : stretch.impulses)
+        segment.impulses.push_back(f.from + instant);
+    const bool is_louder = segment.verdict.margins.empty() || f.mean_square > segment.verdict.features.mean_square;
+    if (is_louder) segment.verdict = std::move(verdict);
+}
+
+std::vector<SoundSegment> segments_of(std::span<const SoundStretch> stretches, const SoundThresholds& t) {
+    double loudest = 0.0;
+    for (const SoundStretch& stretch : stretches)
+        loudest = std::max(loudest, stretch.features.mean_square);
+    std::vector<SoundSegment> segments;
+    for (const SoundStretch& stretch : stretches) {
+        const SoundFeatures& f = stretch.features;
+        SoundVerdict verdict = classify_sound(f, t);
+        const double depth = 10.0 * std::log10(loudest / f.mean_square);
+        if (verdict.category != Category::none && depth > t.quiet_depth) {
+            verdict.category = Category::none;
+            verdict.reasons = {fmt::format("lies {:.1f} dB below the loudest stretch", depth)};
+        }
+        const bool continues = !segments.empty() && segments.back().verdict.category == verdict.category;
+        if (!continues) segments.push_back({f.from, f.from, 0.0, {}, 0.0, 0.0, {}});
+        append(segments.back(), stretch, std::move(verdict));
+    }
+    return segments;
+}
+
+void doubt(SoundSegment& segment, const SoundThresholds& t) {
+    SoundVerdict& verdict = segment.verdict;
+    const double duration = segment.to - segment.from;
+    if (verdict.category != Category::none && duration < t.least_duration) {
+        verdict.category = Category::undecided;
+        verdict.reasons.push_back(fmt::format("lasts only {:.0f} ms", 1e3 * duration));
+    }
+    if (verdict.category != Category::creak) {
+        segment.impulses.clear();
+        return;
+    }
+    describe_impulses(segment);
+    // impulses that run into each other are counted by their interval
+    const SoundFeatures& f = verdict.features;
+    const bool is_periodic = f.impulse_periodicity >= t.creak_periodicity && f.impulse_interval > 0.0;
+    const double repeats = is_periodic ? std::floor(duration / f.impulse_interval) : 0.0;
+    const double count = std::max(static_cast<double>(segment.impulses.size()), repeats);
+    verdict.margins.push_back({"least_impulses", "impulses", count, t.least_impulses, count - t.least_impulses});
+    if (count >= t.least_impulses) return;
+    verdict.category = Category::undecided;
+    verdict.reasons.push_back(fmt::format("only {} impulses: a knock rather than a creak", segment.impulses.size()));
+}
+
+}  // namespace
+
+RecordingVerdict classify_recording(std::span<const SoundStretch> stretches, const SoundThresholds& t) {
+    RecordingVerdict verdict;
+    verdict.segments = segments_of(stretches, t);
+    double whole = 0.0;
+    for (SoundSegment& segment : verdict.segments) {
+        doubt(segment, t);
+        const double energy = segment.mean_square * (segment.to - segment.from);
+        verdict.shares[static_cast<std::size_t>(segment.verdict.category)] += energy;
+        whole += energy;
+    }
+    if (stretches.empty()) {
+        verdict.reasons.emplace_back("the recording is shorter than the shortest stretch that can be judged");
+        return verdict;
+    }
+    if (!(whole > 0.0)) {
+        verdict.category = Category::none;
+        verdict.reasons.emplace_back("nothing stands out of the background anywhere");
+        return verdict;
+    }
+    for (double& share : verdict.shares)
+        share /= whole;
+    const auto most = std::max_element(verdict.shares.begin(), verdict.shares.end());
+    const auto category = static_cast<Category>(most - verdict.shares.begin());
+    verdict.reasons.push_back(fmt::format("{:.1f} % of the energy is {}", 100.0 * *most, name(category)));
+    if (*most >= t.majority)
+        verdict.category = category;
+    else
+        verdict.reasons.emplace_back("no category has the majority");
+    return verdict;
+}
+
+const SoundSegment* RecordingVerdict::loudest() const {
+    const SoundSegment* best = nullptr;
+    for (const SoundSegment& segment : segments)
+        if (segment.verdict.category == category && (best == nullptr || segment.mean_square > best->mean_square))
+            best = &segment;
+    return best;
+}
+
+}  // namespace stridor::classification

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "stridor/classification/sound_verdict.hpp"
+#include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/signal/sound_features.hpp"
+
+#include <span>
+
+namespace stridor::classification {
+
+/// The category of a stretch of sound, by these rules in this order:
+///
+///     clearness < least_clearness                          none    nothing stands out of the background
+///     trend <= -decay, along a straight line               none    a free vibration dies away
+///     rest >= creak_rest or kurtosis >= creak_kurtosis     creak   impulses with rest between them
+///     tonality and repetition below those of rubbing, or frequency < least_frequency:
+///         envelope's periodicity >= creak_periodicity      creak   impulses that run into each other
+///         otherwise                                        none    rubbing without tone or impulses
+///     regularity >= squeal_regularity, movement <= squeal_movement   squeal  a tone that stays
+///     otherwise                                            squeak  a tone that is irregular or moves
+///
+/// The gain of the sound does not matter. Sources: Elmaian et al. 2012, section 2.1, for what each noise sounds like;
+/// docs/methods/sound.md for the figures.
+SoundVerdict classify_sound(const signal::SoundFeatures& features, const parameters::SoundThresholds& thresholds);
+
+/// The segments and the category of a recording from its stretches in time.
+///
+/// Stretches `quiet_depth` below the loudest are background, hence `none`. Neighbours of one category are one segment. A creak with
+/// fewer than `least_impulses` impulses, and a noise shorter than `least_duration`, is `undecided`. The recording has the
+/// category with most energy, if that is at least `majority` of all; else it is `undecided`.
+RecordingVerdict classify_recording(std::span<const signal::SoundStretch> stretches,
+                                    const parameters::SoundThresholds& thresholds);
+
+}  // namespace stridor::classification

@@ -1,0 +1,109 @@
+#include "stridor/parameters/sound_thresholds.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace stridor::parameters {
+
+namespace {
+
+using Thresholds = SoundThresholds;
+constexpr Range share{0.0, 1.0, Range::Low::closed};
+constexpr Range level{-200.0, 200.0, Range::Low::closed};
+constexpr Range not_negative{0.0, 1e6, Range::Low::closed};
+
+constexpr std::array table{
+    SoundThreshold{"least_clearness", "dB", "sound over background from which there is anything to judge", level,
+                   &Thresholds::least_clearness},
+    SoundThreshold{"quiet_depth", "dB", "what lies this far below the loudest stretch is background", level,
+                   &Thresholds::quiet_depth},
+    SoundThreshold{"decay", "dB/s", "fall of the level from which a sound dies away by itself", not_negative,
+                   &Thresholds::decay},
+    SoundThreshold{"decay_straightness", "1", "largest deviation from a straight fall, as a share of the fall", share,
+                   &Thresholds::decay_straightness},
+    SoundThreshold{"creak_rest", "1", "share of time at rest between impulses from which a sound is creak", share,
+                   &Thresholds::creak_rest},
+    SoundThreshold{"creak_kurtosis", "1", "kurtosis from which a sound is creak", not_negative,
+                   &Thresholds::creak_kurtosis},
+    SoundThreshold{"rubbing_tonality", "1", "share of the strongest line below which a sound may be mere rubbing",
+                   share, &Thresholds::rubbing_tonality},
+    SoundThreshold{"rubbing_repetition", "1", "likeness of cycles below which a sound may be mere rubbing", share,
+                   &Thresholds::rubbing_repetition},
+    SoundThreshold{"least_frequency", "Hz", "a strongest line below it is the rumble of rubbing and no tone",
+                   not_negative, &Thresholds::least_frequency},
+    SoundThreshold{"creak_periodicity", "1", "likeness of the envelope's cycles from which rubbing is creak", share,
+                   &Thresholds::creak_periodicity},
+    SoundThreshold{"squeal_regularity", "1", "likeness of neighbouring cycles from which a tone is squeal", share,
+                   &Thresholds::squeal_regularity},
+    SoundThreshold{"squeal_movement", "1", "most movement of the strongest frequency in a squeal", share,
+                   &Thresholds::squeal_movement},
+    SoundThreshold{"least_impulses", "1", "fewest impulses of a creak; fewer are undecided", not_negative,
+                   &Thresholds::least_impulses},
+    SoundThreshold{"least_duration", "s", "shortest noise that can be judged; shorter is undecided", not_negative,
+                   &Thresholds::least_duration},
+    SoundThreshold{"majority", "1", "share of the energy that the category of a whole recording must have", share,
+                   &Thresholds::majority},
+};
+
+// decibels have no dimension that `parse_quantity` knows: their unit is cut off first
+double value_of(std::string_view text, std::string_view unit) {
+    if (unit.starts_with("dB")) {
+        std::string_view number = base::trimmed(text);
+        if (number.ends_with(unit)) number.remove_suffix(unit.size());
+        return base::parse_quantity(number, "1");
+    }
+    return base::parse_quantity(text, unit);
+}
+
+[[noreturn]] void refuse_key(std::string_view key) {
+    std::vector<std::string_view> names;
+    for (const SoundThreshold& threshold : table)
+        names.push_back(threshold.name);
+    const std::string_view near = base::nearest_name(key, names);
+    throw Error(ErrorKind::input,
+                {"no threshold is called \"" + std::string(key) + "\"", "thresholds by sound have names of their own",
+                 near.empty() ? "See `stridor classify --help`." : "Did you mean \"" + std::string(near) + "\"?"},
+                base::Place{"--set", 0, 0, ""});
+}
+
+}  // namespace
+
+std::span<const SoundThreshold> sound_thresholds() {
+    return table;
+}
+
+void set_sound_threshold(SoundThresholds& thresholds, std::string_view assignment) {
+    const base::Place place{"--set", 0, 0, std::string(assignment)};
+    const auto sign = assignment.find('=');
+    if (sign == std::string_view::npos)
+        throw Error(
+            ErrorKind::input,
+            {"\"" + std::string(assignment) + "\" sets nothing", "it has no =", "Write --set squeal_regularity=0.7"},
+            place);
+    const std::string_view key = base::trimmed(assignment.substr(0, sign));
+    const auto* found = std::find_if(table.begin(), table.end(),
+                                     [&](const SoundThreshold& threshold) { return threshold.name == key; });
+    if (found == table.end()) refuse_key(key);
+    double value = 0.0;
+    try {
+        value = value_of(assignment.substr(sign + 1), found->unit);
+    } catch (const Error& error) {
+        throw Error(error.kind(), error.problem(), place);
+    }
+    if (!(value >= found->range.low && value <= found->range.high))
+        throw Error(
+            ErrorKind::input,
+            {std::string(key) + " = " + base::shortest(value) + " is out of range",
+             "it must lie between " + base::shortest(found->range.low) + " and " + base::shortest(found->range.high),
+             ""},
+            place);
+    thresholds.*(found->member) = value;
+}
+
+}  // namespace stridor::parameters

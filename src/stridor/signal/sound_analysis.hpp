@@ -1,0 +1,78 @@
+#pragma once
+
+#include "stridor/signal/level.hpp"
+#include "stridor/signal/sound_features.hpp"
+#include "stridor/signal/source.hpp"
+#include "stridor/signal/spectrogram.hpp"
+#include "stridor/signal/spectrum.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stridor::signal {
+
+/// The longest stretch that is described as one [s].
+inline constexpr double longest_stretch = 0.5;
+
+/// A smallest and a largest sample: what a drawn waveform needs of a moment.
+struct Extent {
+    double low = 0.0;   // [unit]
+    double high = 0.0;  // [unit]
+};
+
+/// The shape of a waveform over equal moments.
+struct Waveform {
+    double interval = 0.0;  // [s]
+    std::vector<Extent> extents{};
+};
+
+/// All that is found in one channel of a recording.
+struct SoundAnalysis {
+    std::string name{};              // of the channel; may be empty
+    std::string unit = full_scale;   // of its samples
+    double rate = 0.0;               // [Hz]
+    double duration = 0.0;           // [s]
+    double mean_square = 0.0;        // [unit²] of all samples
+    double peak = 0.0;               // [unit] largest magnitude
+    double greatest_weighted = 0.0;  // [unit²] greatest A-weighted mean square of any frame
+    LevelHistory level{};            // [dB re `reference_of(unit)`] fast
+    Spectrum spectrum{};
+    Spectrogram spectrogram{};
+    Waveform waveform{};
+    std::vector<SoundStretch> stretches{};  // one after the other, in time
+};
+
+/// Analyses one channel as its samples come. What it keeps grows with a few hundred bytes per half second.
+///
+/// The sound is cut into stretches: wherever its sustained level, the median over eight parts of 5 ms, changes by more than 6 dB,
+/// and at the latest after half a second. A median of 40 ms does not see impulses, so they stay in the stretch they
+/// belong to; the going and coming phases of a rig fall into stretches of their own.
+class ChannelAnalyser {
+public:
+    ChannelAnalyser(double rate, Channel channel);
+    ~ChannelAnalyser();
+    ChannelAnalyser(ChannelAnalyser&&) noexcept;
+    ChannelAnalyser& operator=(ChannelAnalyser&&) noexcept;
+
+    void push(std::span<const double> samples);
+
+    /// Ends the recording. A rest too short to be described is counted in the spectra only.
+    SoundAnalysis finish();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Called as a recording is read, with the frames that are done.
+using Progress = std::function<void(std::uint64_t frames)>;
+
+/// Reads a recording to its end and analyses all channels, each by a thread of its own; shape [channel].
+///
+/// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite
+/// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.
+std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress = {});
+
+}  // namespace stridor::signal

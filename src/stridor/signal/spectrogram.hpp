@@ -1,0 +1,53 @@
+#pragma once
+
+#include "stridor/signal/signal.hpp"
+#include "stridor/signal/spectrum.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace stridor::signal {
+
+/// Power over time and frequency: columns of equal duration, rows of equal width.
+struct Spectrogram {
+    double column = 0.0;  // [s] duration of a column
+    double row = 0.0;     // [Hz] width of a row; row r lies around (r + 1/2) * row
+    std::size_t rows = 0;
+    std::string unit = full_scale;  // of the samples
+    std::vector<double> density{};  // [unit²/Hz] shape [column][row]
+    std::size_t columns() const { return rows == 0 ? 0 : density.size() / rows; }
+};
+
+/// Gathers the frames of a `Welch` into a spectrogram of bounded size: lines are averaged into at most `most_rows` rows, and
+/// whenever there are too many columns, neighbours are averaged and columns become twice as long.
+class Spectrograph {
+public:
+    Spectrograph(double spacing, double hop, std::size_t lines);  // [Hz], [s], [1]
+
+    void push(std::span<const double> density);  // shape [line]
+
+    Spectrogram spectrogram() const;
+
+    static constexpr std::size_t most_rows = 512;
+    static constexpr std::size_t most_columns = 1024;
+
+private:
+    void merge();
+
+    double spacing_;
+    double hop_;
+    std::size_t lines_;
+    std::size_t pool_;  // lines per row
+    std::size_t rows_;
+    std::size_t stride_ = 1;  // frames per column
+    std::size_t filled_ = 0;  // frames in the last column
+    std::vector<double> current_;
+    std::vector<double> density_{};
+};
+
+/// The spectrogram of a whole signal, Hann, half overlapped.
+Spectrogram spectrogram(const Signal& signal, std::size_t size = 4096);
+
+}  // namespace stridor::signal

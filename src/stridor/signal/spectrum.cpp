@@ -1,0 +1,151 @@
+#include "stridor/signal/spectrum.hpp"
+
+#include "stridor/base/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace stridor::signal {
+
+Welch::Welch(double rate, WelchOptions options, Listener listener)
+    : rate_(rate),
+      options_(options),
+      listener_(std::move(listener)),
+      fourier_(options.size),
+      window_(window(options.window, options.size)),
+      squares_(std::inner_product(window_.begin(), window_.end(), window_.begin(), 0.0)),
+      windowed_(options.size),
+      density_(options.size / 2 + 1),
+      sum_(options.size / 2 + 1) {
+    STRIDOR_EXPECT(rate > 0.0);
+}
+
+void Welch::push(std::span<const double> samples) {
+    pending_.insert(pending_.end(), samples.begin(), samples.end());
+    std::size_t first = 0;
+    for (; first + options_.size <= pending_.size(); first += hop())
+        take(std::span(pending_).subspan(first, options_.size), squares_);
+    pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
+void Welch::take(std::span<const double> samples, double squares) {
+    for (std::size_t n = 0; n < samples.size(); ++n)
+        windowed_[n] = window_[n] * samples[n];
+    const auto lines = fourier_.spectrum(std::span(windowed_).first(samples.size()));
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const double sides = k == 0 || k + 1 == lines.size() ? 1.0 : 2.0;
+        density_[k] = sides * std::norm(lines[k]) / (rate_ * squares);
+        sum_[k] += density_[k];
+    }
+    ++frames_;
+    if (listener_) listener_(density_);
+}
+
+Spectrum Welch::spectrum() {
+    if (frames_ == 0 && !pending_.empty()) {
+        // a short signal: its own, shorter window, so that its level stays right
+        window_ = window(options_.window, pending_.size());
+        const double squares = std::inner_product(window_.begin(), window_.end(), window_.begin(), 0.0);
+        if (squares > 0.0) take(pending_, squares);
+        pending_.clear();
+    }
+    Spectrum result;
+    result.spacing = spacing();
+    result.bandwidth = noise_bandwidth(window_) * rate_ / static_cast<double>(window_.size());
+    result.frames = frames_;
+    result.density = sum_;
+    for (double& value : result.density)
+        value /= static_cast<double>(std::max<std::size_t>(1, frames_));
+    return result;
+}
+
+Spectrum welch(const Signal& signal, WelchOptions options) {
+    Welch average(signal.rate, options);
+    average.push(signal.samples);
+    Spectrum result = average.spectrum();
+    result.unit = signal.unit;
+    return result;
+}
+
+double mean_square_between(const Spectrum& spectrum, double low, double high) {
+    double sum = 0.0;
+    const auto lines = spectrum.density.size();
+    for (std::size_t k = 0; k < lines; ++k) {
+        // the first and the last line reach only inwards
+        const double centre = static_cast<double>(k) * spectrum.spacing;
+        const double from = std::max(low, centre - (k == 0 ? 0.0 : 0.5 * spectrum.spacing));
+        const double to = std::min(high, centre + (k + 1 == lines ? 0.0 : 0.5 * spectrum.spacing));
+        const double share = k == 0 || k + 1 == lines ? 2.0 : 1.0;
+        if (to > from) sum += share * spectrum.density[k] * (to - from);
+    }
+    return sum;
+}
+
+std::vector<double> line_squares(const Spectrum& spectrum) {
+    std::vector<double> squares;
+    squares.reserve(spectrum.density.size());
+    for (const double density : spectrum.density)
+        squares.push_back(density * spectrum.bandwidth);
+    return squares;
+}
+
+namespace {
+
+double octave_median(std::span<const double> density, std::size_t centre) {
+    const auto low = static_cast<std::size_t>(0.7071 * static_cast<double>(centre));
+    const auto high = std::min(density.size(), static_cast<std::size_t>(1.4142 * static_cast<double>(centre)) + 2);
+    std::vector<double> around(density.begin() + static_cast<std::ptrdiff_t>(low),
+                               density.begin() + static_cast<std::ptrdiff_t>(high));
+    const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
+    std::nth_element(around.begin(), middle, around.end());
+    return *middle;
+}
+
+SpectrumPeak peak_at(const Spectrum& spectrum, std::size_t k) {
+    const std::vector<double>& density = spectrum.density;
+    SpectrumPeak peak;
+    double shift = 0.0;
+    double lift = 0.0;
+    if (density[k - 1] > 0.0 && density[k + 1] > 0.0) {
+        const double left = std::log10(density[k - 1] / density[k]);
+        const double right = std::log10(density[k + 1] / density[k]);
+        const double curvature = left + right;
+        shift = curvature < 0.0 ? 0.5 * (left - right) / curvature : 0.0;
+        lift = -0.25 * (left - right) * shift;
+    }
+    peak.frequency = (static_cast<double>(k) + shift) * spectrum.spacing;
+    peak.mean_square = density[k] * spectrum.bandwidth * std::pow(10.0, lift);
+    peak.prominence = 10.0 * std::log10(density[k] / std::max(octave_median(density, k), 1e-30 * density[k]));
+    return peak;
+}
+
+}  // namespace
+
+std::vector<SpectrumPeak> strongest_peaks(const Spectrum& spectrum, std::size_t most, double prominence) {
+    constexpr double lowest = 20.0;  // [Hz]
+    constexpr std::size_t apart = 4;
+    const std::vector<double>& density = spectrum.density;
+    std::vector<std::size_t> summits;
+    for (std::size_t k = 1; k + 1 < density.size(); ++k)
+        if (static_cast<double>(k) * spectrum.spacing >= lowest && density[k] > density[k - 1] &&
+            density[k] >= density[k + 1])
+            summits.push_back(k);
+    std::stable_sort(summits.begin(), summits.end(), [&](auto a, auto b) { return density[a] > density[b]; });
+
+    std::vector<SpectrumPeak> peaks;
+    std::vector<std::size_t> taken;
+    for (const std::size_t k : summits) {
+        if (peaks.size() == most) break;
+        const bool is_beside = std::any_of(
+            taken.begin(), taken.end(), [&](std::size_t other) { return (k > other ? k - other : other - k) < apart; });
+        taken.push_back(k);
+        if (is_beside) continue;
+        const SpectrumPeak peak = peak_at(spectrum, k);
+        if (peak.prominence >= prominence) peaks.push_back(peak);
+    }
+    return peaks;
+}
+
+}  // namespace stridor::signal

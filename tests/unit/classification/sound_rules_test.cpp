@@ -1,0 +1,144 @@
+#include "stridor/classification/sound_rules.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/classification/confusion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stridor::classification {
+namespace {
+
+using parameters::SoundThresholds;
+using signal::SoundFeatures;
+using signal::SoundStretch;
+
+SoundFeatures squeal() {
+    SoundFeatures f;
+    f.duration = 0.5;
+    f.mean_square = 1.0;
+    f.clearness = 40.0;
+    f.frequency = 900.0;
+    f.tonality = 0.9;
+    f.regularity = 0.95;
+    f.repetition = 0.95;
+    f.rest = 0.2;
+    f.kurtosis = 1.6;
+    f.unsteadiness = 0.1;
+    return f;
+}
+
+SoundFeatures with(double SoundFeatures::*member, double value) {
+    SoundFeatures f = squeal();
+    f.*member = value;
+    return f;
+}
+
+Category heard(const SoundFeatures& f) {
+    return classify_sound(f, {}).category;
+}
+
+TEST(SoundRules, EachFigureDecidesAtItsThreshold) {
+    EXPECT_EQ(heard(squeal()), Category::squeal);
+    EXPECT_EQ(heard(with(&SoundFeatures::regularity, 0.8)), Category::squeal);
+    EXPECT_EQ(heard(with(&SoundFeatures::regularity, 0.79)), Category::squeak);
+    EXPECT_EQ(heard(with(&SoundFeatures::movement, 0.13)), Category::squeak);
+    EXPECT_EQ(heard(with(&SoundFeatures::rest, 0.7)), Category::creak);
+    EXPECT_EQ(heard(with(&SoundFeatures::kurtosis, 20.0)), Category::creak);
+    EXPECT_EQ(heard(with(&SoundFeatures::clearness, -21.0)), Category::none);
+    EXPECT_EQ(heard(with(&SoundFeatures::trend, -30.0)), Category::none);
+    EXPECT_EQ(heard(with(&SoundFeatures::mean_square, 0.0)), Category::none);
+}
+
+TEST(SoundRules, ACrookedFallIsNoFreeVibration) {
+    SoundFeatures f = with(&SoundFeatures::trend, -30.0);
+    f.unsteadiness = 1.0;
+    EXPECT_EQ(heard(f), Category::squeal);
+}
+
+TEST(SoundRules, WithoutToneItIsRubbingUnlessImpulsesRepeat) {
+    SoundFeatures f = squeal();
+    f.tonality = 0.1;
+    f.repetition = 0.3;
+    EXPECT_EQ(heard(f), Category::none);
+    f.impulse_periodicity = 0.5;
+    EXPECT_EQ(heard(f), Category::creak);
+    EXPECT_EQ(heard(with(&SoundFeatures::frequency, 50.0)), Category::none);
+}
+
+TEST(SoundRules, AVerdictListsEveryMarginAndAReason) {
+    const SoundVerdict verdict = classify_sound(squeal(), {});
+    EXPECT_EQ(verdict.margins.size(), 11u);
+    EXPECT_FALSE(verdict.reasons.empty());
+    for (const Margin& margin : verdict.margins)
+        if (margin.threshold_name == "squeal_regularity") EXPECT_NEAR(margin.distance, 0.15, 1e-12);
+}
+
+SoundStretch stretch(SoundFeatures f, double from) {
+    f.from = from;
+    return {f, {0.1, 0.2, 0.3, 0.4}};
+}
+
+TEST(RecordingRules, NeighboursOfOneCategoryAreOneSegmentAndMostEnergyWins) {
+    const SoundFeatures quiet = with(&SoundFeatures::mean_square, 0.1);
+    SoundFeatures squeak = quiet;
+    squeak.regularity = 0.3;
+    const std::vector<SoundStretch> stretches{stretch(squeal(), 0.0), stretch(squeal(), 0.5), stretch(squeak, 1.0)};
+    const RecordingVerdict verdict = classify_recording(stretches, {});
+    EXPECT_EQ(verdict.category, Category::squeal);
+    ASSERT_EQ(verdict.segments.size(), 2u);
+    EXPECT_EQ(verdict.segments[0].to, 1.0);
+    EXPECT_NEAR(verdict.shares[static_cast<std::size_t>(Category::squeal)], 1.0 / 1.05, 1e-12);
+    EXPECT_EQ(verdict.loudest(), &verdict.segments[0]);
+}
+
+TEST(RecordingRules, WhatLiesFarBelowTheLoudestIsBackground) {
+    const std::vector<SoundStretch> stretches{stretch(squeal(), 0.0),
+                                              stretch(with(&SoundFeatures::mean_square, 1e-3), 0.5)};
+    const RecordingVerdict verdict = classify_recording(stretches, {});
+    EXPECT_EQ(verdict.segments[1].verdict.category, Category::none);
+}
+
+TEST(RecordingRules, ThinEvidenceIsUndecided) {
+    SoundStretch knock = stretch(with(&SoundFeatures::kurtosis, 100.0), 0.0);
+    knock.impulses = {0.25};
+    EXPECT_EQ(classify_recording(std::vector{knock}, {}).category, Category::undecided);
+    const SoundStretch brief = stretch(with(&SoundFeatures::duration, 0.04), 0.0);
+    EXPECT_EQ(classify_recording(std::vector{brief}, {}).category, Category::undecided);
+    EXPECT_EQ(classify_recording({}, {}).category, Category::undecided);
+    EXPECT_EQ(classify_recording(std::vector{stretch(with(&SoundFeatures::mean_square, 0.0), 0.0)}, {}).category,
+              Category::none);
+}
+
+TEST(SoundThresholds, AreSetByNameAndRefusedWithTheNearest) {
+    SoundThresholds thresholds;
+    parameters::set_sound_threshold(thresholds, "squeal_regularity = 0.7");
+    EXPECT_EQ(thresholds.squeal_regularity, 0.7);
+    parameters::set_sound_threshold(thresholds, "quiet_depth=30 dB");
+    EXPECT_EQ(thresholds.quiet_depth, 30.0);
+    parameters::set_sound_threshold(thresholds, "least_duration=20 ms");
+    EXPECT_EQ(thresholds.least_duration, 0.02);
+    EXPECT_THROW(parameters::set_sound_threshold(thresholds, "squeal_regularity=1.5"), Error);
+    EXPECT_THROW(parameters::set_sound_threshold(thresholds, "squeal_regularity"), Error);
+    try {
+        parameters::set_sound_threshold(thresholds, "squeal_regularty=0.7");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.problem().suggestion, "Did you mean \"squeal_regularity\"?");
+    }
+}
+
+TEST(Confusion, CountsAndAgrees) {
+    Confusion table;
+    table = counted(table, Category::squeal, Category::squeal);
+    table = counted(table, Category::squeal, Category::squeak);
+    table = counted(table, Category::none, Category::none);
+    EXPECT_EQ(total(table), 3u);
+    EXPECT_NEAR(agreement(table), 2.0 / 3.0, 1e-15);
+    EXPECT_EQ(agreement_on(table, Category::squeal), 0.5);
+    EXPECT_TRUE(std::isnan(agreement_on(table, Category::creak)));
+}
+
+}  // namespace
+}  // namespace stridor::classification
