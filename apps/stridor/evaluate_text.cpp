@@ -21,7 +21,7 @@ std::string percent(double share) {
     return std::isfinite(share) ? fmt::format("{:.1f} %", 100.0 * share) : "-";
 }
 
-double agreement(const Confusion& table) {
+double agreement_of(const Confusion& table) {
     return classification::agreement(classification::decided(table));
 }
 
@@ -89,7 +89,7 @@ std::string charts_text(const io::HearingReport& report) {
 }
 
 std::string perturbation_row(std::string_view name, const Confusion& table) {
-    std::string text = fmt::format("  {:<20}{:>10}{:>10}", name, percent(agreement(table)),
+    std::string text = fmt::format("  {:<20}{:>10}{:>10}", name, percent(agreement_of(table)),
                                    percent(classification::mean_agreement(table)));
     for (const Category category : decided_categories)
         text += fmt::format("{:>10}", percent(classification::agreement_on(table, category)));

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <list>
 #include <utility>
 
 namespace stridor::sweep {
@@ -28,6 +27,8 @@ using signal::Signal;
 
 constexpr double least_motion = 1e-9;  // [m/s, m/s²] what is smaller is rounding
 constexpr double lead_in = 0.1;        // [s] before the sound begins, for the high pass at 20 Hz to forget its start
+// trace samples per sample of the sound: what folds back lies 92 dB below the tone (docs/methods/auralisation.md)
+constexpr int density = 8;
 
 constexpr std::array<Perturbation, 12> all_perturbations{{
     {.name = "noise at 30 dB", .noise = 30.0},
@@ -49,75 +50,96 @@ Phase phase_of(const Case& c, Direction direction) {
     return direction == Direction::going ? Phase::going : Phase::coming;
 }
 
-// one direction of a run while it goes on
-struct Listener {
-    signal::AuralisationSettings settings;
-    signal::Auralisation auralisation;
-    Signal sound;
+// the parts of a motion that the verdict by contact states is made from; none if the drive never moves that way
+std::vector<signal::Stretch> judged_parts(const record::Schedule& schedule, const Case& c, Direction direction) {
+    return signal::stretches_of(schedule, phase_of(c, direction), record::Use::judged);
+}
 
-    explicit Listener(signal::AuralisationSettings the_settings)
-        : settings(std::move(the_settings)),
-          auralisation(settings),
-          sound{settings.rate, signal::unit_of(settings.pickup.quantity), {}} {}
-
-    void take(const std::vector<double>& block) {
-        sound.samples.insert(sound.samples.end(), block.begin(), block.end());
+// the sound of a run from somewhat before its first judged part on
+class Recorder {
+public:
+    Recorder(const Case& c, const record::Schedule& schedule, const HearingSettings& settings)
+        : auralisation_({.pickup = settings.pickup, .rate = settings.rate}),
+          sound_{settings.rate, signal::unit_of(settings.pickup.quantity), {}} {
+        const auto is_judged = [](const record::Span& span) { return span.use == record::Use::judged; };
+        const auto first = std::find_if(schedule.spans.begin(), schedule.spans.end(), is_judged);
+        if (first == schedule.spans.end()) return;
+        request_.trace = {std::max(0.0, first->from - lead_in), c.run.duration, 1.0 / (settings.rate * density),
+                          [this](const record::Trace& trace) { take(trace); }};
     }
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    const record::Request& request() const { return request_; }
+
+    /// After the run.
+    void finish() { append(auralisation_.finish()); }
+
+    Signal part(const signal::Stretch& stretch) const {
+        const auto index = [&](double time) {
+            const double samples = std::ceil(std::max(0.0, time - begin_) * sound_.rate - 1e-6);
+            return std::min(sound_.samples.size(), static_cast<std::size_t>(samples));
+        };
+        const auto at = [&](double time) { return sound_.samples.begin() + static_cast<std::ptrdiff_t>(index(time)); };
+        return {sound_.rate, sound_.unit, {at(stretch.from), at(stretch.to)}};
+    }
+
+private:
+    void take(const record::Trace& trace) {
+        if (!has_begun_ && !trace.time.empty()) begin_ = trace.time.front();
+        has_begun_ = has_begun_ || !trace.time.empty();
+        append(auralisation_.add(trace));
+    }
+
+    void append(const std::vector<double>& block) {
+        sound_.samples.insert(sound_.samples.end(), block.begin(), block.end());
+    }
+
+    signal::Auralisation auralisation_;
+    Signal sound_;
+    record::Request request_;
+    double begin_ = 0.0;  // [s] instant of the sound's first sample
+    bool has_begun_ = false;
 };
 
-using Listeners = std::list<Listener>;  // they stay where they are; one per direction
-
-Listeners listeners_for(const Case& c, std::span<const Direction> directions, const HearingSettings& settings) {
-    Listeners listeners;
-    const record::Schedule schedule = record::schedule(c);
-    for (const Direction direction : directions) {
-        signal::AuralisationSettings of_direction;
-        of_direction.pickup = settings.pickup;
-        of_direction.rate = settings.rate;
-        of_direction.fade = 0.0;
-        of_direction.stretches = signal::stretches_of(schedule, phase_of(c, direction), record::Use::judged);
-        listeners.emplace_back(std::move(of_direction));
+// what is not next to each other in time is described by itself: no splice is heard
+classification::RecordingVerdict verdict_on(std::span<const Signal> parts,
+                                            const parameters::SoundThresholds& thresholds) {
+    std::vector<signal::SoundStretch> stretches;
+    double from = 0.0;  // [s] one part after the other
+    for (const Signal& part : parts) {
+        signal::ChannelAnalyser analyser(part.rate, {"", part.unit});
+        analyser.push(part.samples);
+        for (signal::SoundStretch& stretch : analyser.finish().stretches) {
+            stretch.features.from += from;
+            stretches.push_back(std::move(stretch));
+        }
+        from += signal::duration(part);
     }
-    return listeners;
+    return classification::classify_recording(stretches, thresholds);
 }
 
-// a listener without stretches has nothing to hear
-bool hears(const Listener& listener) {
-    return !listener.settings.stretches.empty();
-}
-
-record::Request request_for(const Case& c, double rate, Listeners& listeners) {
-    double from = c.run.duration;
-    double to = 0.0;
-    for (const Listener& listener : listeners) {
-        if (!hears(listener)) continue;
-        from = std::min(from, listener.settings.stretches.front().from - lead_in);
-        to = std::max(to, listener.settings.stretches.back().to);
-    }
-    record::Request request;
-    if (to == 0.0) return request;
-    request.trace = {std::max(0.0, from), to, 1.0 / (rate * signal::trace_density),
-                     [&listeners](const record::Trace& trace) {
-                         for (Listener& listener : listeners)
-                             if (hears(listener)) listener.take(listener.auralisation.add(trace));
-                     }};
-    return request;
-}
-
-classification::RecordingVerdict verdict_on(const Signal& sound, const parameters::SoundThresholds& thresholds) {
-    signal::ChannelAnalyser analyser(sound.rate, {"", sound.unit});
-    analyser.push(sound.samples);
-    return classification::classify_recording(analyser.finish().stretches, thresholds);
-}
-
-void judge(HeardSound& heard, const Signal& sound, const parameters::SoundThresholds& thresholds) {
-    const classification::RecordingVerdict verdict = verdict_on(sound, thresholds);
+void judge(HeardSound& heard, std::span<const Signal> parts, const parameters::SoundThresholds& thresholds) {
+    const classification::RecordingVerdict verdict = verdict_on(parts, thresholds);
     heard.heard = verdict.category;
     heard.reason = verdict.reasons.empty() ? "" : verdict.reasons.back();
     const classification::SoundSegment* loudest = verdict.loudest();
     if (loudest == nullptr) return;
     heard.features = loudest->verdict.features;
     if (!loudest->verdict.reasons.empty()) heard.reason = loudest->verdict.reasons.back();
+}
+
+Category heard_after(const Perturbation& perturbation, std::vector<Signal> parts, std::uint64_t seed,
+                     const parameters::SoundThresholds& thresholds) {
+    for (Signal& part : parts)
+        part = perturbed(std::move(part), perturbation, seed++);
+    return verdict_on(parts, thresholds).category;
+}
+
+std::vector<Signal> audible(std::vector<Signal> parts) {
+    for (Signal& part : parts)
+        if (signal::peak(part.samples) < least_motion) std::fill(part.samples.begin(), part.samples.end(), 0.0);
+    return parts;
 }
 
 }  // namespace
@@ -138,7 +160,7 @@ Signal perturbed(Signal sound, const Perturbation& perturbation, std::uint64_t s
 void check_audible(const Case& c, const HearingSettings& settings) {
     if (c.run.engine != parameters::Engine::beta_2) return;
     // engines sample at their own steps
-    const double wanted = 1.0 / (settings.rate * signal::trace_density * c.run.step);
+    const double wanted = 1.0 / (settings.rate * density * c.run.step);
     const double interval = std::max(1.0, std::round(wanted)) * c.run.step;
     if (4.0 * interval * settings.rate <= 1.0) return;
     throw Error(ErrorKind::input, {"run.step = " + base::shortest(c.run.step) + " s is too long for a sound of " +
@@ -149,35 +171,29 @@ void check_audible(const Case& c, const HearingSettings& settings) {
 
 std::vector<HeardSound> hear(const Case& c, std::span<const Direction> directions, const HearingSettings& settings,
                              const std::stop_token& stop, integration::Workspace& workspace) {
-    Listeners listeners;
-    record::Request request;
-    if (parameters::findings(c).empty()) {
-        check_audible(c, settings);
-        listeners = listeners_for(c, directions, settings);
-        request = request_for(c, settings.rate, listeners);
-    }
-    const std::optional<Attempt> run = attempt(c, request, stop, workspace);
+    const bool is_valid = parameters::findings(c).empty();
+    const record::Schedule schedule = is_valid ? record::schedule(c) : record::Schedule{};
+    if (is_valid) check_audible(c, settings);
+    Recorder recorder(c, schedule, settings);
+    const std::optional<Attempt> run = attempt(c, recorder.request(), stop, workspace);
     if (!run) return {};
+    recorder.finish();
     std::vector<HeardSound> sounds;
-    auto listener = listeners.begin();
     for (const Direction direction : directions) {
         HeardSound& heard = sounds.emplace_back();
         heard.cell = cell_of(c, direction, *run);
         if (heard.cell.status != Status::done) continue;
-        Listener& here = *listener++;
-        heard.reason = "no part of the motion is judged";
-        if (!hears(here)) continue;
-        here.take(here.auralisation.finish());
-        Signal& sound = here.sound;
-        if (signal::peak(sound.samples) < least_motion) std::fill(sound.samples.begin(), sound.samples.end(), 0.0);
-        judge(heard, sound, settings.thresholds);
+        std::vector<Signal> parts;
+        for (const signal::Stretch& stretch : judged_parts(schedule, c, direction))
+            parts.push_back(recorder.part(stretch));
+        parts = audible(std::move(parts));
+        judge(heard, parts, settings.thresholds);
         if (!settings.seed) continue;
-        for (std::size_t k = 0; k < all_perturbations.size(); ++k) {
-            const std::uint64_t seed =
-                (*settings.seed * directions.size() + sounds.size()) * all_perturbations.size() + k;
-            const Signal changed = perturbed(sound, all_perturbations[k], seed);
-            heard.perturbed.push_back(verdict_on(changed, settings.thresholds).category);
-        }
+        // each change of each sound has a noise of its own
+        const std::uint64_t number = *settings.seed * directions.size() + sounds.size();
+        for (std::size_t k = 0; k < all_perturbations.size(); ++k)
+            heard.perturbed.push_back(heard_after(all_perturbations[k], parts,
+                                                  (number * all_perturbations.size() + k) << 16U, settings.thresholds));
     }
     return sounds;
 }

@@ -58,8 +58,8 @@ struct HeardSound {
 /// Runs a case and judges the steady part of each direction by its contact states and, from the sound of the same motion, by
 /// ear; shape [direction], or empty if it was stopped. The index is left to the caller.
 ///
-/// The sound has no fades. It is that part of the motion alone that the contact-state verdict is made from: several phases
-/// stand one after the other. A motion below 1e-9 m/s (or m/s²) is rounding and taken as silence.
+/// Only that part of the motion is heard that the contact-state verdict is made from; of several phases each is described by
+/// itself, as a stretch without fades. A motion below 1e-9 m/s (or m/s²) is rounding and taken as silence.
 std::vector<HeardSound> hear(const parameters::Case& c, std::span<const parameters::Direction> directions,
                              const HearingSettings& settings, const std::stop_token& stop,
                              integration::Workspace& workspace);
