@@ -2,6 +2,7 @@
 #include "evaluate_text.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "sound.hpp"
 #include "stridor/classification/sound_rules.hpp"
 #include "stridor/io/atomic_file.hpp"
 #include "stridor/io/hearing_report.hpp"
@@ -60,16 +61,37 @@ sweep::HearingOptions hearing_options(const EvaluateOptions& options) {
 
 // --- what is heard
 
+// the loudest channel, as `stridor classify` has it
+classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds) {
+    const std::vector<signal::SoundAnalysis> channels = signal::analyse(source);
+    const auto loudest = std::max_element(channels.begin(), channels.end(),
+                                          [](const auto& a, const auto& b) { return a.mean_square < b.mean_square; });
+    return classification::classify_recording(loudest->stretches, thresholds);
+}
+
+// the whole motion as `stridor listen` makes it audible
+classification::RecordingVerdict verdict_on_whole(const parameters::Case& c, const sweep::HearingOptions& options) {
+    signal::AuralisationSettings settings;
+    settings.pickup = options.settings.pickup;
+    settings.rate = options.settings.rate;
+    settings.stretches = {{0.0, c.run.duration}};
+    const std::unique_ptr<Spool> sound = render(c, settings, options.stop, [](double) {});
+    return verdict_on(*sound, options.settings.thresholds);
+}
+
 std::vector<io::HeardCase> hear_table_1(const sweep::HearingOptions& options) {
     constexpr std::array directions{Direction::going, Direction::coming};
     std::vector<io::HeardCase> cases;
     integration::Workspace workspace;
     for (std::size_t k = 0; k < parameters::paper_case_names.size(); ++k) {
         const parameters::Case c = parameters::paper_case(static_cast<parameters::PaperCase>(k));
-        std::vector<sweep::HeardSound> sounds = sweep::hear(c, directions, options.settings, options.stop, workspace);
-        if (sounds.empty()) interrupted("Table 1");
-        for (std::size_t d = 0; d < directions.size(); ++d)
-            cases.push_back({std::string(parameters::paper_case_names[k]), directions[d], std::move(sounds[d])});
+        io::HeardCase& heard = cases.emplace_back();
+        heard.name = parameters::paper_case_names[k];
+        heard.phases = sweep::hear(c, directions, options.settings, options.stop, workspace);
+        if (heard.phases.empty()) interrupted("Table 1");
+        const classification::RecordingVerdict whole = verdict_on_whole(c, options);
+        heard.whole = whole.category;
+        heard.reason = whole.reasons.front();
     }
     return cases;
 }
@@ -99,14 +121,10 @@ void hear_charts(std::vector<io::HeardChart>& charts, sweep::HearingOptions opti
     }
 }
 
-// the loudest channel of a recording, as `stridor classify` has it
 io::HeardRecording hear_recording(const io::Expectation& expectation, const parameters::SoundThresholds& thresholds) {
     const std::unique_ptr<io::SignalFile> file = io::open_signal(expectation.file);
-    const std::vector<signal::SoundAnalysis> channels = signal::analyse(*file);
-    const auto loudest = std::max_element(channels.begin(), channels.end(),
-                                          [](const auto& a, const auto& b) { return a.mean_square < b.mean_square; });
-    const classification::RecordingVerdict verdict = classification::classify_recording(loudest->stretches, thresholds);
-    return {expectation, verdict.category, verdict.reasons.empty() ? "" : verdict.reasons.front()};
+    const classification::RecordingVerdict verdict = verdict_on(*file, thresholds);
+    return {expectation, verdict.category, verdict.reasons.front()};
 }
 
 void evaluate(const EvaluateOptions& options) {

@@ -51,17 +51,21 @@ std::string confusion_text(const Confusion& table) {
 }
 
 std::string cases_text(const std::vector<io::HeardCase>& cases) {
-    std::string text = "Table 1, steady parts of the phases:\n\n";
-    text += fmt::format("  {:<8}{:<11}{:<16}{:<11}{}\n", "case", "direction", "contact states", "by ear", "why");
-    std::size_t same = 0;
+    std::string text =
+        fmt::format("Table 1\n\n  {:<8}{:<8}{:<16}{:<11}{}\n", "case", "part", "contact states", "by ear", "why");
     for (const io::HeardCase& heard : cases) {
-        const Category truth = heard.sound.cell.category;
-        same += truth == heard.sound.heard ? 1 : 0;
-        const auto direction = parameters::direction_names[static_cast<std::size_t>(heard.direction)];
-        text += fmt::format("  {:<8}{:<11}{:<16}{:<11}{}\n", heard.name, direction, classification::name(truth),
-                            classification::name(heard.sound.heard), heard.sound.reason);
+        const auto row = [&](std::string_view name, std::string_view part, std::string_view truth, Category category,
+                             std::string_view why) {
+            text += fmt::format("  {:<8}{:<8}{:<16}{:<11}{}\n", name, part, truth, classification::name(category), why);
+        };
+        row(heard.name, "whole", "", heard.whole, heard.reason);
+        for (std::size_t direction = 0; direction < heard.phases.size(); ++direction) {
+            const sweep::HeardSound& sound = heard.phases[direction];
+            row("", parameters::direction_names[direction], classification::name(sound.cell.category), sound.heard,
+                sound.reason);
+        }
     }
-    return text + fmt::format("\n{} of {} agree.\n", same, cases.size());
+    return text + "\nWhole: the second as it is heard, with its reversals; going, coming: those phases alone.\n";
 }
 
 std::string charts_text(const io::HearingReport& report) {

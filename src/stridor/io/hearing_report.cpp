@@ -193,12 +193,11 @@ bool is_right(const HeardRecording& recording) {
 std::string hearing_json(const HearingReport& report) {
     Json document{{"schema", "stridor.evaluate/1"}, {"version", base::version()}, {"commit", base::commit()}};
     Json cases = Json::array();
-    for (const HeardCase& heard : report.cases) {
-        Json object = sound_object(heard.sound);
-        object["case"] = heard.name;
-        object["direction"] = word(heard.direction);
-        cases.push_back(std::move(object));
-    }
+    for (const HeardCase& heard : report.cases)
+        cases.push_back({{"case", heard.name},
+                         {"going", sound_object(heard.phases[0])},
+                         {"coming", sound_object(heard.phases[1])},
+                         {"whole", {{"by_ear", word(heard.whole)}, {"reason", heard.reason}}}});
     document["table_1"] = std::move(cases);
     if (!report.charts.empty()) {
         Json charts = Json::array();

@@ -10,11 +10,12 @@
 
 namespace stridor::io {
 
-/// One of Table 1's cases by ear, its going or its coming phases.
+/// One of Table 1's cases by ear.
 struct HeardCase {
-    std::string name;  // "squeal"
-    parameters::Direction direction = parameters::Direction::going;
-    sweep::HeardSound sound;
+    std::string name;                                                      // "squeal"
+    std::vector<sweep::HeardSound> phases;                                 // going, coming
+    classification::Category whole = classification::Category::undecided;  // the whole second, all phases as they come
+    std::string reason;                                                    // why the whole sounds so
 };
 
 /// A chart by ear.

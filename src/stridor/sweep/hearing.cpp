@@ -50,19 +50,20 @@ Phase phase_of(const Case& c, Direction direction) {
     return direction == Direction::going ? Phase::going : Phase::coming;
 }
 
-// the parts of a motion that the verdict by contact states is made from; none if the drive never moves that way
-std::vector<signal::Stretch> judged_parts(const record::Schedule& schedule, const Case& c, Direction direction) {
-    return signal::stretches_of(schedule, phase_of(c, direction), record::Use::judged);
+// What is heard of a direction: the window of a constant drive, else its whole phases, for their steady parts may be too short to
+// be described (two points of a level always lie on a line). None if the drive never moves that way.
+std::vector<signal::Stretch> heard_parts(const record::Schedule& schedule, const Case& c, Direction direction) {
+    return signal::stretches_of(schedule, phase_of(c, direction), record::Use::counted);
 }
 
-// the sound of a run from somewhat before its first judged part on
+// the sound of a run from somewhat before its first part that is heard on
 class Recorder {
 public:
     Recorder(const Case& c, const record::Schedule& schedule, const HearingSettings& settings)
         : auralisation_({.pickup = settings.pickup, .rate = settings.rate}),
           sound_{settings.rate, signal::unit_of(settings.pickup.quantity), {}} {
-        const auto is_judged = [](const record::Span& span) { return span.use == record::Use::judged; };
-        const auto first = std::find_if(schedule.spans.begin(), schedule.spans.end(), is_judged);
+        const auto is_heard = [](const record::Span& span) { return span.use != record::Use::unused; };
+        const auto first = std::find_if(schedule.spans.begin(), schedule.spans.end(), is_heard);
         if (first == schedule.spans.end()) return;
         request_.trace = {std::max(0.0, first->from - lead_in), c.run.duration, 1.0 / (settings.rate * density),
                           [this](const record::Trace& trace) { take(trace); }};
@@ -184,7 +185,7 @@ std::vector<HeardSound> hear(const Case& c, std::span<const Direction> direction
         heard.cell = cell_of(c, direction, *run);
         if (heard.cell.status != Status::done) continue;
         std::vector<Signal> parts;
-        for (const signal::Stretch& stretch : judged_parts(schedule, c, direction))
+        for (const signal::Stretch& stretch : heard_parts(schedule, c, direction))
             parts.push_back(recorder.part(stretch));
         parts = audible(std::move(parts));
         judge(heard, parts, settings.thresholds);
