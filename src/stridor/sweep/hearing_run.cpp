@@ -73,69 +73,72 @@ private:
     bool is_over_ = false;
 };
 
-// all cells of a study, by index
+// all cells of a study on many threads
 class Hearing {
 public:
     Hearing(const Study& study, const HearingOptions& options)
         : study_(study),
           options_(options),
-          points_(cell_count(study) / study.directions.size()),
-          together_(directions_per_run(study)),
-          desk(cell_count(study)),
-          sounds(cell_count(study)) {}
+          desk_(cell_count(study)),
+          sounds_(cell_count(study)) {}
 
-    // one run after the other, each a task of its own: it takes milliseconds to seconds
+    // tells the desk when it is done, whatever happens
     void compute() {
         try {
-            const int count = options_.threads > 0 ? options_.threads : tbb::info::default_concurrency();
-            tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
-            tbb::task_arena arena(count);
-            tbb::enumerable_thread_specific<integration::Workspace> workspaces;
-            using Range = tbb::blocked_range<std::size_t>;
-            const std::size_t runs = sounds.size() / together_;
-            const auto compute_range = [&](const Range& range) {
-                for (std::size_t run = range.begin(); run < range.end() && !stops(); ++run)
-                    compute(run, workspaces.local());
-            };
-            arena.execute([&] { tbb::parallel_for(Range(0, runs, 1), compute_range, tbb::simple_partitioner()); });
+            compute_all();
         } catch (...) {
-            desk.keep(std::current_exception());
+            desk_.keep(std::current_exception());
         }
-        desk.close();
+        desk_.close();
     }
 
-    bool stops() const { return halt_.stop_requested() || options_.stop.stop_requested(); }
+    Desk& desk() { return desk_; }
+    std::vector<HeardSound> take() { return std::move(sounds_); }
 
 private:
-    const Study& study_;
-    const HearingOptions& options_;
-    std::size_t points_;    // [1] of the grid
-    std::size_t together_;  // [1] directions that one run gives
-    std::stop_source halt_;
+    // each run is a task of its own: it takes milliseconds to seconds
+    void compute_all() {
+        const int count = options_.threads > 0 ? options_.threads : tbb::info::default_concurrency();
+        tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
+        tbb::task_arena arena(count);
+        tbb::enumerable_thread_specific<integration::Workspace> workspaces;
+        using Range = tbb::blocked_range<std::size_t>;
+        const auto compute_range = [&](const Range& range) {
+            for (std::size_t run = range.begin(); run < range.end() && !halt_.stop_requested(); ++run)
+                compute(run, workspaces.local());
+        };
+        const std::size_t runs = sounds_.size() / directions_per_run(study_);
+        arena.execute([&] { tbb::parallel_for(Range(0, runs, 1), compute_range, tbb::simple_partitioner()); });
+    }
 
+    // the cells of the run whose first cell has this index
     void compute(std::size_t first, integration::Workspace& workspace) {
         const CellPlace place = place_of(study_, first);
+        const std::span directions = std::span(study_.directions).subspan(place.direction, directions_per_run(study_));
+        const std::size_t points = sounds_.size() / study_.directions.size();
         HearingSettings settings = options_.settings;
         if (options_.perturb_every > 0 && first % options_.perturb_every == 0) settings.seed = first;
         try {
-            const std::span directions = std::span(study_.directions).subspan(place.direction, together_);
-            const std::stop_callback relay(options_.stop, [this] { halt_.request_stop(); });
             std::vector<HeardSound> heard =
                 hear(case_at(study_, place), directions, settings, halt_.get_token(), workspace);
-            desk.note(heard);
-            for (std::size_t k = 0; k < heard.size(); ++k) {
-                heard[k].index = first + k * points_;
-                sounds[heard[k].index] = std::move(heard[k]);
-            }
+            for (std::size_t k = 0; k < heard.size(); ++k)
+                heard[k].index = first + k * points;
+            desk_.note(heard);
+            for (HeardSound& sound : heard)
+                sounds_[sound.index] = std::move(sound);
         } catch (...) {
-            desk.keep(std::current_exception());
+            // kept here: TBB drops an exception that comes after another
+            desk_.keep(std::current_exception());
             halt_.request_stop();  // the others need not finish what will not be used
         }
     }
 
-public:
-    Desk desk;
-    std::vector<HeardSound> sounds;  // shape [cell]
+    const Study& study_;
+    const HearingOptions& options_;
+    std::stop_source halt_;
+    std::stop_callback<std::function<void()>> relay_{options_.stop, [this] { halt_.request_stop(); }};
+    Desk desk_;
+    std::vector<HeardSound> sounds_;  // shape [cell]
 };
 
 }  // namespace
@@ -148,10 +151,10 @@ std::vector<HeardSound> hear(const Study& study, const HearingOptions& options) 
     Hearing hearing(study, options);
     {
         const std::jthread conductor([&] { hearing.compute(); });
-        hearing.desk.watch(options.progress);
+        hearing.desk().watch(options.progress);
     }
     if (options.stop.stop_requested()) return {};
-    return std::move(hearing.sounds);
+    return hearing.take();
 }
 
 }  // namespace stridor::sweep
