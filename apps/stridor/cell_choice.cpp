@@ -97,4 +97,13 @@ std::string cell_words(const sweep::Study& study, const sweep::CellPlace& place)
     return words(study.x) + ", " + words(study.y);
 }
 
+std::string cell_name(const sweep::Study& study, const sweep::CellPlace& place) {
+    const auto value = [](const sweep::Axis& axis, int index) {
+        const auto& quantity = std::get<parameters::Quantity>(parameters::find_field(axis.parameter)->kind);
+        return fmt::format("{:.4g}{}{}", sweep::value_at(axis, index), quantity.unit == "1" ? "" : " ",
+                           quantity.unit == "1" ? "" : quantity.unit);
+    };
+    return "x=" + value(study.x, place.ix) + ",y=" + value(study.y, place.iy);
+}
+
 }  // namespace stridor::app

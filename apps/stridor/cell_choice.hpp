@@ -25,4 +25,7 @@ sweep::CellPlace nearest_cell(const sweep::Study& study, const CellChoice& choic
 /// "contact.preload = 20.7 N, contact.kinetic_friction = 0.59": the values of a cell.
 std::string cell_words(const sweep::Study& study, const sweep::CellPlace& place);
 
+/// "x=20.74 N,y=0.5949": the same in short, as it can be asked for.
+std::string cell_name(const sweep::Study& study, const sweep::CellPlace& place);
+
 }  // namespace stridor::app

@@ -23,7 +23,7 @@ using classification::ComparedFigure;
 using classification::ComparedSound;
 
 constexpr std::size_t least_width = 12;  // [1] letters of a column
-constexpr std::size_t most_width = 28;
+constexpr std::size_t most_width = 30;
 
 struct CompareCommand {
     CompareOptions input;
@@ -127,8 +127,7 @@ std::string comparison_table(std::span<const ComparedSound> sounds) {
     add("from", [](const ComparedSound& s) { return s.origin; });
     add("rate", [](const ComparedSound& s) { return fmt::format("{:g} Hz", s.rate); });
     add("duration", [](const ComparedSound& s) { return fmt::format("{:.4g} s", s.length); });
-    add("category by ear",
-        [](const ComparedSound& s) { return std::string(classification::name(s.heard.category)); });
+    add("category by ear", [](const ComparedSound& s) { return std::string(classification::name(s.heard.category)); });
     add("category by contact states", [](const ComparedSound& s) { return contact_words(s.contact); });
     for (const ComparedFigure& figure : classification::compared_figures()) {
         const auto is_known = [&](const ComparedSound& s) { return figure_text(figure, s) != "-"; };
@@ -161,10 +160,12 @@ void add_compare(CLI::App& program) {
 void add_figure_compare(CLI::App& figure) {
     auto options = std::make_shared<FigureCommand>();
     CLI::App* command = figure.add_subcommand(
-        "compare", "Vehicle, rig and model side by side: time history, spectrogram, contact states, figures (Figure 4).");
+        "compare",
+        "Vehicle, rig and model side by side: time history, spectrogram, contact states, figures (Figure 4).");
     add_compare_options(*command, options->input);
     command
-        ->add_option("--detail", options->input.detail, "how long the stretch is that is drawn wave by wave, 1 ms to 2 s")
+        ->add_option("--detail", options->input.detail,
+                     "how long the stretch is that is drawn wave by wave, 1 ms to 2 s")
         ->type_name("TIME")
         ->capture_default_str();
     command->add_option("-o,--output", options->output, "FILE.png or FILE.svg")

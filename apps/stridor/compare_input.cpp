@@ -33,8 +33,8 @@ using classification::ComparedSound;
 
 constexpr std::size_t least_sounds = 2;
 constexpr std::size_t most_sounds = 8;
-constexpr double motion_rate = 48000.0;        // [Hz] of simulations where no recording asks for less
-constexpr double least_motion_rate = 8000.0;   // [Hz] and of those below a recording's
+constexpr double motion_rate = 48000.0;        // [Hz] of simulations among themselves
+constexpr double least_motion_rate = 8000.0;   // [Hz] beside recordings of any rate
 constexpr double most_motion_rate = 192000.0;  // [Hz]
 constexpr double least_detail = 1e-3;          // [s]
 constexpr double most_detail = 2.0;            // [s]
@@ -91,7 +91,7 @@ Asked asked_entry(const std::string& text, const std::string& number, const Libr
 Asked asked_case(const std::string& path) {
     const parameters::Case c = io::read_case(path);
     const std::string stem = std::filesystem::path(path).stem().string();
-    return {path, c.title.empty() ? stem : c.title, "simulation", SimulatedSound{path, c, {}, motion_rate}};
+    return {path, stem, "simulation", SimulatedSound{path, c, {}, motion_rate}};
 }
 
 Asked asked_cell(const std::string& text, const std::string& path, const std::string& cell) {
@@ -102,7 +102,7 @@ Asked asked_cell(const std::string& text, const std::string& path, const std::st
     if (choice.direction) simulated.stretches = sweep::heard_stretches(simulated.c, *choice.direction);
     if (choice.direction && simulated.stretches.empty())
         refuse("nothing of \"" + text + "\" can be heard", "the drive never moves that way in the window", "");
-    return {text, cell_words(study, place), "simulation", std::move(simulated)};
+    return {text, cell_name(study, place), "simulation", std::move(simulated)};
 }
 
 io::OpenOptions with_channel(const std::string& text, const std::string& number) {
@@ -132,20 +132,21 @@ Asked asked_sound(const std::string& text, const LibraryOption& library) {
 
 // --- one rate for all
 
-double rate_of(const Asked& asked) {
-    if (const auto* recorded = std::get_if<Recorded>(&asked.source)) return recorded->rate;
-    return std::get<SimulatedSound>(asked.source).rate;
-}
-
-// the lowest of all: a band that one of them lacks would tell them apart by their recorders
+// the lowest of all recordings: a band that one of them lacks would tell them apart by their recorders
 double common_rate(const std::vector<Asked>& all) {
     double lowest = most_motion_rate;
-    double recorded = most_motion_rate;
-    for (const Asked& asked : all) {
-        lowest = std::min(lowest, rate_of(asked));
-        if (std::holds_alternative<Recorded>(asked.source)) recorded = std::min(recorded, rate_of(asked));
-    }
-    return std::min(lowest, recorded);
+    bool is_recorded = false;
+    for (const Asked& asked : all)
+        if (const auto* recorded = std::get_if<Recorded>(&asked.source)) {
+            lowest = std::min(lowest, recorded->rate);
+            is_recorded = true;
+        }
+    return is_recorded ? lowest : motion_rate;
+}
+
+bool is_resampled(const Asked& asked, double rate) {
+    const auto* recorded = std::get_if<Recorded>(&asked.source);
+    return recorded != nullptr && recorded->rate != rate;
 }
 
 std::unique_ptr<signal::Source> opened(const Recorded& recorded, double rate,
@@ -192,8 +193,8 @@ void set_detail(ComparedSound& sound, signal::Source& source, double detail) {
     sound.detail.signal = {sound.analysis.rate, sound.analysis.unit, frames_from(source, from, length)};
     std::vector<double>& samples = sound.detail.signal.samples;
     const auto size = static_cast<std::size_t>(std::round(detail * sound.analysis.rate));
-    const auto greatest = std::max_element(samples.begin(), samples.end(),
-                                           [](double a, double b) { return std::abs(a) < std::abs(b); });
+    const auto greatest =
+        std::max_element(samples.begin(), samples.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     std::size_t begin = static_cast<std::size_t>(greatest - samples.begin());
     begin -= std::min(begin, size / 3);
     if (begin + size > samples.size()) begin = samples.size() > size ? samples.size() - size : 0;
@@ -342,8 +343,7 @@ std::vector<ComparedSound> load_sounds(const CompareOptions& options) {
         sounds.push_back(loaded(asked, rate, options.motion, detail));
     for (std::size_t k = 0; k < options.labels.size(); ++k)
         sounds[k].label = options.labels[k];
-    const auto differs = [&](const Asked& asked) { return rate_of(asked) != rate; };
-    if (std::any_of(all.begin(), all.end(), differs))
+    if (std::any_of(all.begin(), all.end(), [&](const Asked& asked) { return is_resampled(asked, rate); }))
         say(fmt::format("stridor: note: all sounds are compared at the lowest rate, {:g} Hz", rate));
     return sounds;
 }
@@ -353,7 +353,7 @@ ComparedSound load_recording(const std::string& text, const LibraryOption& libra
         refuse("\"" + text + "\" is no recording", "it is a case or a chart",
                "`stridor compare` lays simulations side by side; `stridor listen --out` makes a recording of one.");
     const Asked asked = asked_sound(text, library);
-    return loaded(asked, rate_of(asked), {}, detail_of("50 ms"));
+    return loaded(asked, std::get<Recorded>(asked.source).rate, {}, 0.05);
 }
 
 ComparedSound simulate_sound(const SimulatedSound& simulated, const MotionOptions& motion, double detail) {
@@ -374,8 +374,7 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const MotionOption
     rendering.sound->rewind();
     set_detail(sound, *rendering.sound, detail);
     for (const record::Tally& tally : rendering.record.phases)
-        sound.contact.verdicts.push_back(
-            classification::classify(analysis::evidence(tally), simulated.c.verdict));
+        sound.contact.verdicts.push_back(classification::classify(analysis::evidence(tally), simulated.c.verdict));
     sound.contact.history = heard_history(rendering.record.history, settings.stretches, sound.detail.from,
                                           sound.detail.from + signal::duration(sound.detail.signal));
     return sound;

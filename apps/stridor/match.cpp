@@ -1,3 +1,4 @@
+#include "cell_choice.hpp"
 #include "commands.hpp"
 #include "compare.hpp"
 #include "compare_input.hpp"
@@ -9,7 +10,6 @@
 #include "stridor/io/json_compare.hpp"
 #include "stridor/io/toml_study.hpp"
 #include "stridor/io/wav.hpp"
-#include "stridor/parameters/field.hpp"
 #include "stridor/sweep/store.hpp"
 #include "terminal.hpp"
 
@@ -20,7 +20,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 namespace stridor::app {
 
@@ -143,18 +142,10 @@ sweep::SoundSearchResult searched(const MatchOptions& options, const io::MatchRe
 
 // --- what is told
 
-std::string value_words(const sweep::Study& study, const sweep::Axis& axis, int index) {
-    (void)study;
-    const auto& quantity = std::get<parameters::Quantity>(parameters::find_field(axis.parameter)->kind);
-    return fmt::format("{:.4g}{}", sweep::value_at(axis, index),
-                       quantity.unit == "1" ? "" : " " + std::string(quantity.unit));
-}
-
-std::string cell_name(const sweep::Study& study, const SoundMatch& match) {
+std::string name_of(const sweep::Study& study, const SoundMatch& match) {
     const sweep::CellPlace place = sweep::place_of(study, match.cell.index);
     const auto direction = static_cast<std::size_t>(study.directions[place.direction]);
-    return fmt::format("x={},y={},direction={}", value_words(study, study.x, place.ix),
-                       value_words(study, study.y, place.iy), parameters::direction_names[direction]);
+    return cell_name(study, place) + ",direction=" + std::string(parameters::direction_names[direction]);
 }
 
 // "dominant frequency 425 -> 431 Hz"
@@ -186,12 +177,12 @@ std::string report_text(const io::MatchReport& report) {
     std::string text = fmt::format("{}: {} by ear\n{}: x is {}, y is {}; {}\n{}\n", report.recording.name,
                                    classification::name(report.recording.heard.category), report.chart,
                                    study.x.parameter, study.y.parameter, report.motion, search_words(report));
-    text += fmt::format("{:>3} {:>9}  {:<9}{:<9}{:<44}  what differs\n", "", "distance", "by ear", "contact", "cell");
+    text += fmt::format("{:>3} {:>9}  {:<9}{:<9}{:<40}  what differs\n", "", "distance", "by ear", "contact", "cell");
     for (std::size_t k = 0; k < report.result.best.size(); ++k) {
         const SoundMatch& match = report.result.best[k];
-        text += fmt::format("{:>3} {:>9.3f}  {:<9}{:<9}{:<44}  {}\n", k + 1, match.likeness.distance,
+        text += fmt::format("{:>3} {:>9.3f}  {:<9}{:<9}{:<40}  {}\n", k + 1, match.likeness.distance,
                             classification::name(match.cell.heard), classification::name(match.cell.contact),
-                            cell_name(study, match), differences(match.likeness));
+                            name_of(study, match), differences(match.likeness));
     }
     return text;
 }
@@ -200,7 +191,7 @@ std::string report_text(const io::MatchReport& report) {
 
 SimulatedSound simulated(const io::MatchReport& report, const SoundMatch& match) {
     const sweep::CellPlace place = sweep::place_of(report.study, match.cell.index);
-    SimulatedSound sound{cell_name(report.study, match), sweep::case_at(report.study, place), {}, report.rate};
+    SimulatedSound sound{name_of(report.study, match), sweep::case_at(report.study, place), {}, report.rate};
     sound.stretches = sweep::heard_stretches(sound.c, report.study.directions[place.direction]);
     return sound;
 }
@@ -214,8 +205,9 @@ void write_cell(const SimulatedSound& cell, const MatchOptions& options, const s
     const std::unique_ptr<Spool> sound = render(cell.c, settings, interrupt.token(), [](double) {});
     const std::string unit = signal::unit_of(settings.pickup.quantity);
     const double full_scale = sound->peak() > 0.0 ? sound->peak() / normal_peak : 1.0;
-    io::write_wav(file, *sound,
-                  {io::WavSamples::pcm_24, {{full_scale, unit}}, "simulated by stridor: " + motion_words(options.motion)});
+    io::write_wav(
+        file, *sound,
+        {io::WavSamples::pcm_24, {{full_scale, unit}}, "simulated by stridor: " + motion_words(options.motion)});
 }
 
 void write_folder(const MatchOptions& options, const io::MatchReport& report) {
@@ -223,8 +215,7 @@ void write_folder(const MatchOptions& options, const io::MatchReport& report) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
-        throw Error(ErrorKind::io,
-                    {"cannot make the folder " + options.out, error.message(), "Choose another --out."});
+        throw Error(ErrorKind::io, {"cannot make the folder " + options.out, error.message(), "Choose another --out."});
     io::write_file((folder / "match.json").string(), io::match_json(report) + "\n");
     std::vector<ComparedSound> sounds{report.recording};
     for (std::size_t k = 0; k < report.result.best.size(); ++k) {
@@ -234,7 +225,7 @@ void write_folder(const MatchOptions& options, const io::MatchReport& report) {
         sounds.push_back(simulate_sound(cell, options.motion, 0.05));
         sounds.back().name = cell.name;
         sounds.back().label = fmt::format("match {}", k + 1);
-        sounds.back().origin = cell.name;
+        sounds.back().origin = "simulation at " + cell.name;
     }
     draw_both(chart::side_by_side(sounds), folder / "match");
 }

@@ -74,7 +74,8 @@ TEST(Compare, FindsNothingBetweenASoundAndItself) {
 }
 
 TEST(Compare, BringsMixedRatesToTheLowest) {
-    ASSERT_EQ(stridor({"listen", "squeal.toml", "--seconds", "0.3", "--rate", "16000", "--out", "low.wav"}).exit_code, 0);
+    ASSERT_EQ(stridor({"listen", "squeal.toml", "--seconds", "0.3", "--rate", "16000", "--out", "low.wav"}).exit_code,
+              0);
     const json document = document_of({"compare", "low.wav", "cell.wav"});
     EXPECT_EQ(document["sounds"][1]["rate"], 48000.0);
     EXPECT_EQ(document["sounds"][1]["compared_at"], 16000.0);

@@ -25,7 +25,7 @@ enum Row : std::size_t { waveform, spectrogram, category, detail, states, figure
 constexpr std::array<double, rows> heights{22.0, 40.0, 4.5, 22.0, 15.0, 38.0};
 
 constexpr double column_width = 52.0;  // [mm] with what parts it from the next
-constexpr std::array<std::string_view, 7> told{"frequency", "tonality", "regularity",       "movement",
+constexpr std::array<std::string_view, 7> told{"frequency",  "tonality", "regularity",      "movement",
                                                "abruptness", "kurtosis", "impulse_interval"};
 
 // the text that fits, with dots where it was cut
@@ -166,7 +166,7 @@ std::vector<std::pair<std::string, std::string>> figure_lines(const ComparedSoun
     std::vector<std::pair<std::string, std::string>> lines;
     lines.emplace_back("by ear", classification::name(sound.heard.category));
     const classification::Verdict* phase = classification::loudest_phase(sound.contact);
-    lines.emplace_back("by contact states", phase == nullptr ? "-" : std::string(name(phase->category)));
+    lines.emplace_back("by contact states", phase == nullptr ? "not known" : std::string(name(phase->category)));
     for (const ComparedFigure& figure : classification::compared_figures())
         if (std::find(told.begin(), told.end(), figure.name) != told.end())
             lines.emplace_back(figure.words, figure_text(figure, sound));
@@ -206,7 +206,7 @@ std::string caption_of(std::span<const ComparedSound> sounds) {
         text += fmt::format("{}{}) {}{}{}", k == 0 ? "" : "; ", static_cast<char>('a' + k), sound.origin,
                             sound.what.empty() ? "" : ", ", sound.what);
     }
-    return text + ". Each on its own scale of amplitude and time.";
+    return text + ". Each on its own scale of amplitude and time; colours below the strongest of each.";
 }
 
 }  // namespace
@@ -236,7 +236,7 @@ Scene side_by_side(std::span<const ComparedSound> sounds) {
         scene.panels.push_back(figures_panel(sound, k));
     }
     scene.legend = category_legend(verdicts);
-    scene.colour_bar = ColourBar{"level per hertz, re the strongest", "dB", {{-spectrogram_depth, 0.0}}};
+    scene.colour_bar = ColourBar{"level per hertz", "dB", {{-spectrogram_depth, 0.0}}, spectrogram};
     scene.width = std::max(120.0, 34.0 + column_width * static_cast<double>(sounds.size()));
     scene.height = is_known ? 205.0 : 185.0;
     return scene;

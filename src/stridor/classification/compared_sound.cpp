@@ -50,12 +50,18 @@ double contact_frequency(const ComparedSound& sound) {
     return alternates ? verdict->evidence.alternation.frequency : unknown;
 }
 
+// what is no more impulsive than noise has none
+bool has_impulses(const ComparedSound& sound) {
+    constexpr double noise = 3.0;
+    return sound.profile.features.kurtosis > noise && sound.profile.impulse_interval > 0.0;
+}
+
 double impulse_interval(const ComparedSound& sound) {
-    return sound.profile.impulse_interval > 0.0 ? sound.profile.impulse_interval : unknown;
+    return has_impulses(sound) ? sound.profile.impulse_interval : unknown;
 }
 
 double impulse_regularity(const ComparedSound& sound) {
-    return sound.profile.impulse_interval > 0.0 ? sound.profile.impulse_regularity : unknown;
+    return has_impulses(sound) ? sound.profile.impulse_regularity : unknown;
 }
 
 using enum FigureStyle;
@@ -80,7 +86,7 @@ constexpr std::array table{
     ComparedFigure{"rest", "1", "rest", fixed, 2, of_sound<&SoundFeatures::rest>},
     ComparedFigure{"kurtosis", "1", "kurtosis", fixed, 1, of_sound<&SoundFeatures::kurtosis>},
     ComparedFigure{"crest", "1", "crest factor", fixed, 1, of_sound<&SoundFeatures::crest>},
-    ComparedFigure{"impulse_interval", "s", "impulse interval", milliseconds, 2, impulse_interval},
+    ComparedFigure{"impulse_interval", "s", "impulse interval", milliseconds, 1, impulse_interval},
     ComparedFigure{"impulse_regularity", "1", "impulse regularity", fixed, 2, impulse_regularity},
 };
 

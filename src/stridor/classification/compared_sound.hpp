@@ -49,11 +49,11 @@ enum class FigureStyle { fixed, percent, milliseconds };
 
 /// One number of a compared sound: a row of the table and of the document, and a line of the figure.
 struct ComparedFigure {
-    std::string_view name;      // "impulse_interval"
-    std::string_view unit;      // of `value`; empty: the sound's own, as a level
-    std::string_view words;     // "impulse interval"
+    std::string_view name;   // "impulse_interval"
+    std::string_view unit;   // of `value`; empty: the sound's own, as a level
+    std::string_view words;  // "impulse interval"
     FigureStyle style = FigureStyle::fixed;
-    int digits = 2;             // [1] after the point
+    int digits = 2;                         // [1] after the point
     double (*value)(const ComparedSound&);  // [unit] NaN: not known, or the sound has no such thing
 };
 

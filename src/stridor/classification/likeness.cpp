@@ -25,23 +25,30 @@ double tonality(const SoundProfile& p) {
 }
 
 double repetition(const SoundProfile& p) {
-    return p.features.repetition_frequency > 0.0 ? share(p.features.repetition) : 0.0;
+    return share(p.features.repetition);
 }
 
 double tone(const SoundProfile& p) {
     return p.features.frequency > 0.0 ? tonality(p) : 0.0;
 }
 
-double impulse_regularity(const SoundProfile& p) {
-    return p.impulse_interval > 0.0 ? share(p.impulse_regularity) : 0.0;
+// the envelope of a steady tone repeats, too, after any number of cycles: only a sound that is more impulsive than noise
+// has impulses
+double impulsiveness(const SoundProfile& p) {
+    constexpr double noise = 3.0;
+    constexpr double impulses = 10.0;
+    return share((p.features.kurtosis - noise) / (impulses - noise));
+}
+
+double sure_interval(const SoundProfile& p) {
+    return p.impulse_interval > 0.0 ? impulsiveness(p) * share(p.impulse_regularity) : 0.0;
 }
 
 constexpr std::array table{
     LikenessFigure{"frequency", "Hz", "strongest line; as sure as the sound is tonal", FigureScale::octaves, 1.0 / 6.0,
                    3.0, [](const SoundProfile& p) { return p.features.frequency; }, tone},
-    LikenessFigure{"repetition_frequency", "Hz", "best cycle; as sure as the cycles are alike", FigureScale::octaves,
-                   1.0 / 6.0, 2.0, [](const SoundProfile& p) { return p.features.repetition_frequency; }, repetition},
-    LikenessFigure{"tonality", "1", "share of the power in the strongest line", FigureScale::linear, 0.2, 2.0, tonality},
+    LikenessFigure{"tonality", "1", "share of the power in the strongest line", FigureScale::linear, 0.2, 2.0,
+                   tonality},
     LikenessFigure{"repetition", "1", "likeness of cycles", FigureScale::linear, 0.2, 1.0, repetition},
     LikenessFigure{"movement", "1", "movement of the strongest line", FigureScale::linear, 0.1, 1.0,
                    [](const SoundProfile& p) { return p.features.movement; }, tone},
@@ -53,10 +60,12 @@ constexpr std::array table{
                    [](const SoundProfile& p) { return p.features.rest; }},
     LikenessFigure{"kurtosis", "1", "impulsiveness", FigureScale::octaves, 0.5, 2.0,
                    [](const SoundProfile& p) { return p.features.kurtosis; }},
-    LikenessFigure{"impulse_interval", "s", "time between impulses; as sure as they are regular", FigureScale::octaves,
-                   0.25, 2.0, [](const SoundProfile& p) { return p.impulse_interval; }, impulse_regularity},
-    LikenessFigure{"impulse_regularity", "1", "likeness of the intervals between impulses", FigureScale::linear, 0.25,
-                   1.0, impulse_regularity},
+    LikenessFigure{"impulse_interval", "s", "time between impulses; as sure as there are any, and they are regular",
+                   FigureScale::octaves, 0.25, 2.0, [](const SoundProfile& p) { return p.impulse_interval; },
+                   sure_interval},
+    LikenessFigure{"impulse_regularity", "1", "likeness of the intervals between impulses; as sure as there are any",
+                   FigureScale::linear, 0.25, 1.0, [](const SoundProfile& p) { return p.impulse_regularity; },
+                   impulsiveness},
 };
 
 double difference(const LikenessFigure& figure, double first, double second) {
@@ -162,7 +171,8 @@ SoundProfile profile_of(std::span<const SoundStretch> stretches, const Recording
     profile.impulse_regularity = profile.features.impulse_periodicity;
     // impulses further apart than a stretch is long are seen by their instants only
     const SoundSegment* loudest = verdict.loudest();
-    const bool is_slow = loudest != nullptr && loudest->impulse_interval > 0.0 && !(profile.impulse_interval > 0.0);
+    const bool is_slow = loudest != nullptr && loudest->impulse_interval > 0.0 &&
+                         profile.impulse_regularity < thresholds.creak_periodicity;
     if (is_slow) {
         profile.impulse_interval = loudest->impulse_interval;
         profile.impulse_regularity = loudest->impulse_regularity;

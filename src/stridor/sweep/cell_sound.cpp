@@ -51,8 +51,7 @@ integration::Motion rendered(const Case& c, const signal::AuralisationSettings& 
                              integration::Workspace& workspace) {
     signal::Auralisation auralisation(settings);
     record::Request request;
-    request.trace = auralisation.request(c.run.duration,
-                                         [&](std::span<const double> block) { analyser.push(block); });
+    request.trace = auralisation.request(c.run.duration, [&](std::span<const double> block) { analyser.push(block); });
     integration::Motion motion = integration::simulate(c, request, stop, workspace);
     if (integration::has_result(motion.outcome)) analyser.push(auralisation.finish());
     return motion;

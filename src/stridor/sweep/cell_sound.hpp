@@ -23,11 +23,11 @@ struct CellListening {
 
 /// What one cell of a chart sounds like.
 struct CellSound {
-    std::size_t index = 0;                                                     // of the cell in its study
-    Status status = Status::failed;                                            // only a done cell has a sound
-    std::string message{};                                                     // why it is not done
-    classification::Category contact = classification::Category::undecided;    // by contact states
-    classification::Category heard = classification::Category::undecided;      // by ear
+    std::size_t index = 0;                                                   // of the cell in its study
+    Status status = Status::failed;                                          // only a done cell has a sound
+    std::string message{};                                                   // why it is not done
+    classification::Category contact = classification::Category::undecided;  // by contact states
+    classification::Category heard = classification::Category::undecided;    // by ear
     classification::SoundProfile profile{};
 };
 

@@ -19,8 +19,8 @@ enum class Extent { search, every };
 
 struct SoundSearch {
     Extent extent = Extent::search;
-    std::size_t keep = 5;                                                          // [1] of the best cells
-    std::size_t first_grid = 400;                                                  // [1] most cells of the first grid
+    std::size_t keep = 5;          // [1] of the best cells
+    std::size_t first_grid = 400;  // [1] most cells of the first grid
     classification::LevelUse level = classification::LevelUse::ignored;
     std::vector<bool> ruled_out{};  // cells that are not listened to, shape [cell]; empty: none
     int threads = 0;                // 0: one per processor this process may use

@@ -22,8 +22,7 @@ Signal tone(double frequency, double rest = 0.0) {
         const double time = k / signal.rate;
         const double turns = frequency * time;
         const bool is_at_rest = std::fmod(time, 0.02) < 0.02 * rest;
-        const double wave =
-            std::sin(2.0 * std::numbers::pi * turns) + 0.3 * std::sin(4.0 * std::numbers::pi * turns);
+        const double wave = std::sin(2.0 * std::numbers::pi * turns) + 0.3 * std::sin(4.0 * std::numbers::pi * turns);
         signal.samples.push_back(is_at_rest ? 0.0 : wave);
     }
     return signal;
@@ -38,21 +37,21 @@ SoundProfile profile(const Signal& signal) {
 
 // any figures, not only those that a sound could have
 rc::Gen<SoundProfile> any_profile() {
-    return rc::gen::map(
-        rc::gen::container<std::vector<double>>(10, number_between(0.0, 1.0)), [](const std::vector<double>& x) {
-            SoundProfile p;
-            p.features.mean_square = 1.0 + x[0];
-            p.features.frequency = 4000.0 * x[1];
-            p.features.repetition_frequency = 4000.0 * x[2];
-            p.features.tonality = x[3];
-            p.features.repetition = x[4];
-            p.features.unsteadiness = 10.0 * x[5];
-            p.features.rest = x[6];
-            p.features.kurtosis = 1.0 + 100.0 * x[7];
-            p.impulse_interval = 0.1 * x[8];
-            p.impulse_regularity = x[9];
-            return p;
-        });
+    return rc::gen::map(rc::gen::container<std::vector<double>>(10, number_between(0.0, 1.0)),
+                        [](const std::vector<double>& x) {
+                            SoundProfile p;
+                            p.features.mean_square = 1.0 + x[0];
+                            p.features.frequency = 4000.0 * x[1];
+                            p.features.repetition_frequency = 4000.0 * x[2];
+                            p.features.tonality = x[3];
+                            p.features.repetition = x[4];
+                            p.features.unsteadiness = 10.0 * x[5];
+                            p.features.rest = x[6];
+                            p.features.kurtosis = 1.0 + 100.0 * x[7];
+                            p.impulse_interval = 0.1 * x[8];
+                            p.impulse_regularity = x[9];
+                            return p;
+                        });
 }
 
 }  // namespace
@@ -103,7 +102,9 @@ TEST(Likeness, NamesWhatTellsImpulsesFromATone) {
     const Likeness apart = likeness(profile(tone(440.0)), profile(tone(440.0, 0.8)));
     EXPECT_GT(apart.distance, 1.0);
     for (const FigureDifference& each : apart.differences)
-        if (each.name == "frequency") EXPECT_LT(each.share, 0.2) << "both have the same tone";
+        if (each.name == "frequency") {
+            EXPECT_LT(each.share, 0.2) << "both have the same tone";
+        }
 }
 
 TEST(Likeness, SilenceIsFarFromEverySoundAndAlikeAmongItself) {
@@ -131,7 +132,9 @@ TEST(ComparedFigures, AreUnknownInSilence) {
     sound.profile = profile(tone(440.0));
     sound.analysis.unit = "Pa";
     for (const ComparedFigure& figure : compared_figures())
-        if (figure.name == "frequency") EXPECT_EQ(figure_text(figure, sound), "440 Hz");
+        if (figure.name == "frequency") {
+            EXPECT_EQ(figure_text(figure, sound), "440 Hz");
+        }
 }
 
 }  // namespace stridor::classification

@@ -118,7 +118,8 @@ TEST(SoundSearch, ListensToFewerCellsOfALargeChart) {
     SoundSearch options;
     options.first_grid = 20;
     options.keep = 1;
-    const SoundSearchResult result = search(study, profile(recording_of(noises().begin()->second)), listening(), options);
+    const SoundSearchResult result =
+        search(study, profile(recording_of(noises().begin()->second)), listening(), options);
     EXPECT_LT(result.heard, cell_count(study) / 3);
     EXPECT_EQ(result.best.size(), 1U);
 }
