@@ -25,6 +25,8 @@ void add_library(CLI::App& program);
 void add_analyse(CLI::App& program);
 void add_classify(CLI::App& program);
 void add_evaluate(CLI::App& program);
+void add_compare(CLI::App& program);
+void add_match(CLI::App& program);
 void add_verify(CLI::App& program);
 void add_completion(CLI::App& program);
 

@@ -43,6 +43,8 @@ void build(CLI::App& program) {
     add_analyse(program);
     add_classify(program);
     add_evaluate(program);
+    add_compare(program);
+    add_match(program);
     add_verify(program);
     add_completion(program);
 }
