@@ -55,7 +55,8 @@ struct HeardSound {
     std::vector<classification::Category> perturbed{};  // by ear after each of `perturbations()`; may be empty
 };
 
-/// Runs a case and judges each direction by its contact states and, from the sound of the same motion, by ear; shape [direction], or empty if it was stopped. The index is left to the caller.
+/// Runs a case and judges each direction by its contact states and, from the sound of the same motion, by ear; shape
+/// [direction], or empty if it was stopped. The index is left to the caller.
 ///
 /// Of a constant drive the window is heard, from which the contact-state verdict is made too; of any other each phase as a
 /// whole, described by itself, as a stretch without fades. A motion below 1e-9 m/s (or m/s²) is rounding and taken as
