@@ -30,6 +30,7 @@ struct Query {
     std::vector<std::string> words{};     // each stands somewhere in the text of the entry, in either case
     std::string sort{};                   // a field or a figure; empty: by id
     Direction direction = Direction::rising;
+    std::size_t limit = 0;  // [1] so many, the first in that order; 0: all
     Extent extent = Extent::summary;
 };
 
