@@ -46,15 +46,16 @@ std::vector<std::string> parted_at_commas(const std::string& text) {
     return parts;
 }
 
-// does the table show more than the plain fields?
+// no more than the table shows
 Extent extent_of(const ListOptions& options) {
-    const auto is_plain = [](const std::string& name) {
+    if (options.csv) return Extent::figures;
+    Extent extent = Extent::summary;
+    for (const std::string& name : parted_at_commas(options.columns)) {
         const Field* field = noise_library::find_field(name);
-        return name == "id" || (field != nullptr && !is_document(*field));
-    };
-    const std::vector<std::string> columns = parted_at_commas(options.columns);
-    const bool is_summary = !options.json && !options.csv && std::all_of(columns.begin(), columns.end(), is_plain);
-    return is_summary ? Extent::summary : Extent::whole;
+        if (field != nullptr && is_document(*field)) return Extent::whole;
+        if (field == nullptr && name != "id") extent = Extent::figures;
+    }
+    return extent;
 }
 
 constexpr std::size_t screenful = 100;  // rows that a person reads on a terminal

@@ -3,6 +3,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/toml_case.hpp"
+#include "stridor/io/toml_writer.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "terminal.hpp"
 
@@ -171,6 +172,20 @@ double peak_velocity(const parameters::Drive& drive) {
     return noise_library::unknown;
 }
 
+// a trace tells each key of its case as a line
+std::string case_of_trace(const Metadata& metadata) {
+    io::TomlSource source{"", "the trace", {}};
+    for (const auto& [key, value] : metadata) {
+        if (key.find('.') != std::string::npos) source.overrides.push_back(key + "=" + value);
+        if (key == "title") source.overrides.push_back("title=" + value);
+    }
+    try {
+        return io::case_toml(io::read_case(source), {io::Comments::none, ""});
+    } catch (const Error&) {
+        return "";
+    }
+}
+
 // preload and motion as the case has them
 void take_case(Entry& entry) {
     parameters::Case c;
@@ -188,7 +203,7 @@ void take_case(Entry& entry) {
     if (c.drive.kind == parameters::DriveKind::sinusoidal)
         filler.take("velocity_profile", fmt::format("sinusoidal {:g} Hz", c.drive.frequency));
     if (c.drive.kind == parameters::DriveKind::constant) filler.take("velocity_profile", "constant");
-    filler.say_what("the case of " + entry.file);
+    filler.say_what(entry.file + " is a simulation; its case");
 }
 
 void expect_simulation(Entry& entry) {
@@ -197,7 +212,6 @@ void expect_simulation(Entry& entry) {
                     {entry.file + " was not recorded in a " + entry.recorded + " but simulated",
                      "it says so itself, and a library that mixes the two proves nothing",
                      "Leave --recorded out."});
-    if (entry.recorded.empty()) say("stridor: note: " + entry.file + " says it is a simulation");
     entry.recorded = "simulation";
 }
 
@@ -205,7 +219,15 @@ void expect_simulation(Entry& entry) {
 
 void take_facts(const io::SignalFacts& facts, Entry& entry) {
     const bool is_simulation = is_simulated(facts.metadata);
-    if (is_simulation) expect_simulation(entry);
+    if (is_simulation) {
+        const bool is_said = !entry.recorded.empty();
+        expect_simulation(entry);
+        if (entry.case_text.empty()) entry.case_text = value_of(facts.metadata, "case");
+        if (entry.case_text.empty()) entry.case_text = case_of_trace(facts.metadata);
+        if (entry.case_text.empty() && !is_said) say("stridor: note: " + entry.file + " says it is a simulation");
+    }
+    // what a simulation is like is the case's to say
+    if (!entry.case_text.empty() && entry.recorded == "simulation") take_case(entry);
     Filler filler(entry);
     for (const auto& [key, value] : facts.metadata)
         if (is_id_line(key))
@@ -213,8 +235,6 @@ void take_facts(const io::SignalFacts& facts, Entry& entry) {
         else if (!io::calibration_in(value) && !value.starts_with(simulated))
             filler.take(key, value);
     filler.say_what(entry.file);
-    if (is_simulation && entry.case_text.empty()) entry.case_text = value_of(facts.metadata, "case");
-    if (entry.recorded == "simulation" && !entry.case_text.empty()) take_case(entry);
 }
 
 }  // namespace stridor::app

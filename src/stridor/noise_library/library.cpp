@@ -194,13 +194,15 @@ std::vector<Entry> Library::read(const Query& query) {
     for (Entry& entry : entries)
         by_id.emplace(entry.id, &entry);
     const std::string of_these = " WHERE entry IN (SELECT e.id" + selection.rows + (query.limit == 0 ? "" : selection.order) + ") ORDER BY entry, name";
-    Statement documents = database_.prepare("SELECT entry, name, text FROM document" + of_these);
-    bind(documents, selection);
-    while (documents.step()) {
-        const Field* field = find_field(documents.text(1));
-        const auto found = by_id.find(documents.integer(0));
-        if (found != by_id.end() && field != nullptr && is_document(*field))
-            words_in(*found->second, *field) = documents.text(2);
+    if (query.extent == Extent::whole) {
+        Statement documents = database_.prepare("SELECT entry, name, text FROM document" + of_these);
+        bind(documents, selection);
+        while (documents.step()) {
+            const Field* field = find_field(documents.text(1));
+            const auto found = by_id.find(documents.integer(0));
+            if (found != by_id.end() && field != nullptr && is_document(*field))
+                words_in(*found->second, *field) = documents.text(2);
+        }
     }
     Statement values = database_.prepare("SELECT entry, name, unit, value FROM figure" + of_these);
     bind(values, selection);

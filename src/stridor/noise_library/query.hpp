@@ -18,8 +18,8 @@ struct Condition {
     std::string value;
 };
 
-/// How much of each entry is read: `summary` leaves documents and figures empty.
-enum class Extent { summary, whole };
+/// How much of each entry is read: `summary` leaves documents and figures empty, `figures` the documents.
+enum class Extent { summary, figures, whole };
 
 enum class Direction { rising, falling };
 

@@ -12,6 +12,8 @@ void uff58(std::string_view bytes);
 void sidecar(std::string_view bytes);
 void calibration(std::string_view bytes);
 void riff(std::string_view bytes);
+void tar(std::string_view bytes);
+void manifest(std::string_view bytes);
 
 struct Target {
     std::string_view name;  // of its folder in the corpus
@@ -20,7 +22,7 @@ struct Target {
 
 inline constexpr std::array targets{Target{"signal_csv", signal_csv}, Target{"uff58", uff58},
                                     Target{"sidecar", sidecar}, Target{"calibration", calibration},
-                                    Target{"riff", riff}};
+                                    Target{"riff", riff}, Target{"tar", tar}, Target{"manifest", manifest}};
 
 /// Stops the program where a promise is broken, in every build.
 void require(bool promise);
