@@ -41,7 +41,7 @@ constexpr std::array symbols{
     Symbol{"°", {{0, 0, 0, 1}, 1.0}, false},
     Symbol{"rad", {{0, 0, 0, 1}, degrees_per_radian}, true},
     Symbol{"degC", {{0, 0, 0, 0, 0, 1}, 1.0}, false},
-    Symbol{"°C", {{0, 0, 0, 0, 1}, 1.0}, false},
+    Symbol{"°C", {{0, 0, 0, 0, 0, 1}, 1.0}, false},
 };
 
 constexpr std::array prefixes{
