@@ -7,7 +7,8 @@ get_property(modules GLOBAL PROPERTY STRIDOR_MODULE_TARGETS)
 foreach(target IN LISTS modules)
     install(TARGETS ${target} EXPORT stridorTargets
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-        FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+        FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+        FILE_SET alone DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 endforeach()
 install(TARGETS stridor_all EXPORT stridorTargets)
 install(EXPORT stridorTargets NAMESPACE stridor:: DESTINATION "${package_dir}")

@@ -10,6 +10,8 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <thread>
+#include <vector>
 
 namespace stridor::app {
 
@@ -25,6 +27,14 @@ io::OpenOptions open_options(const SoundOptions& options) {
     if (options.channel > 0) open.channel = options.channel;
     if (options.dataset > 0) open.dataset = options.dataset;
     return open;
+}
+
+// a thread for each piece but the first
+void side_by_side(std::size_t count, const std::function<void(std::size_t)>& work) {
+    std::vector<std::jthread> others;
+    for (std::size_t k = 1; k < count; ++k)
+        others.emplace_back([&work, k] { work(k); });
+    if (count > 0) work(0);
 }
 
 // a line that is redrawn in a terminal, a line per 10 % of long recordings anywhere else, nothing for short ones
@@ -73,7 +83,7 @@ io::SoundReport listen_to(const SoundOptions& options) {
     report.notes = file->facts().notes;
     for (const std::string& note : report.notes)
         say("stridor: note: " + note);
-    report.channels = signal::analyse(*file, progress_of(file->layout()));
+    report.channels = signal::analyse(*file, progress_of(file->layout()), side_by_side);
     double greatest = -1.0;
     for (std::size_t k = 0; k < report.channels.size(); ++k) {
         const signal::SoundAnalysis& analysis = report.channels[k];

@@ -155,7 +155,9 @@ protected:
         std::this_thread::sleep_for(life_ * random_.between(0.0, 1.2));
         process.send(SIGKILL);
         Finished finished = process.wait();
-        kills_ += finished.signal == SIGKILL ? 1 : 0;
+        const bool is_killed = finished.signal == SIGKILL;
+        kills_ += is_killed ? 1 : 0;
+        life_ *= is_killed ? 1.05 : 0.8;  // other programs make this one slower, and then faster again
         return finished;
     }
     std::size_t entries() const { return static_cast<std::size_t>(Library(folder_ / "library.sqlite").size()); }
@@ -193,7 +195,7 @@ TEST_F(KilledLibrary, HasEveryEntryThatAddSaidAndNothingHalf) {
             before = 0;
         }
     }
-    EXPECT_GT(kills_, kills / 2) << "most kills came too late";
+    EXPECT_GT(kills_, kills / 3) << "most kills came too late";
     expect_done(with_file({"library", "add", "s0.wav", "--again"}));
 }
 
@@ -204,7 +206,7 @@ TEST_F(KilledLibrary, HasAllOfAnImportOrNothing) {
         ASSERT_TRUE(entries() == 4 || (entries() == 0 && said(finished) == 0)) << entries();
         if (entries() == 4) remove_entries();
     }
-    EXPECT_GT(kills_, kills / 2) << "most kills came too late";
+    EXPECT_GT(kills_, kills / 3) << "most kills came too late";
     expect_done(with_file({"library", "import", "all.tar"}));
     EXPECT_EQ(entries(), 4U);
 }

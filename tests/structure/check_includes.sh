@@ -7,7 +7,8 @@
 #   1. a file includes only headers of its own module or of modules earlier in the order;
 #   2. files do not include each other in a circle;
 #   3. a module up to and including `classification` knows no files, threads or terminals;
-#   4. our headers are named from the include root ("stridor/<module>/..."), so that rules 1 and 2 see them.
+#   4. our headers are named from the include root ("stridor/<module>/..."), so that rules 1 and 2 see them;
+#   5. a source includes the header of its own name first, which shows that the header compiles on its own.
 #
 # `io` reads and writes, and so stands late, at the edge, beside the things it stores: it may include `chart` (a picture
 # becomes a file), but `chart` may not include `io` (drawing a scene does not need to know where it came from). Rule 1
@@ -52,8 +53,10 @@ function check_ours(place, file, module, header,    parts, count) {
 function check_line(place, file, module, line,    header) {
     if (line !~ /^[ \t]*#[ \t]*include[ \t]*["<]/) return
     header = line
+    includes[file]++
     sub(/^[^"<]*["<]/, "", header)
     sub(/[">].*$/, "", header)
+    if (includes[file] == 1) first_include[file] = header
     if (line ~ /include[ \t]*"/)
         check_ours(place, file, module, header)
     else if (rank[module] <= rank[last_core] && (header in edge_of_the_world))
@@ -84,6 +87,12 @@ BEGIN {
 }
 
 END {
+    for (i = 1; i <= file_count; i++) known[files[i]] = 1
+    for (i = 1; i <= file_count; i++) {
+        own = files[i]
+        if (sub(/\.cpp$/, ".hpp", own) && own in known && first_include[files[i]] != own)
+            complain(files[i], "The source does not include \"" own "\" first.")
+    }
     for (i = 1; i <= file_count; i++)
         if (!(files[i] in mark)) visit(files[i], files[i])
     if (file_count == 0) complain(root "stridor", "There are no source files to check.")

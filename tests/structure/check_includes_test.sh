@@ -54,6 +54,10 @@ file model/b.hpp '#include "stridor/model/c.hpp"'
 file model/c.hpp '#include "stridor/model/a.hpp"'
 expect rejects 'files that include each other' 'model/a.hpp -> stridor/model/b.hpp -> stridor/model/c.hpp -> stridor/model/a.hpp'
 
+good_tree
+file base/error.cpp '#include <string>' '#include "stridor/base/error.hpp"'
+expect rejects 'a source that does not begin with its header' 'does not include "stridor/base/error.hpp" first'
+
 for header in iostream fstream thread cstdio stdio.h filesystem; do
     good_tree
     file classification/prints.cpp "#include <$header>"

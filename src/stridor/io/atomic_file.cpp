@@ -2,6 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/storage/system_io.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -19,57 +20,13 @@ namespace stridor::io {
 
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
     return "\"" + text + "\"";
 }
 
-std::string reason(int code) {
-    switch (code) {
-        case ENOSPC:
-            return "the disk is full";
-        case EDQUOT:
-            return "the disk quota is used up";
-        case EFBIG:
-            return "it would be larger than files may be here";
-        case EACCES:
-        case EPERM:
-            return "permission denied";
-        case EROFS:
-            return "the file system is read-only";
-        case ENOENT:
-            return "no such file or folder";
-        case ENOTDIR:
-            return "a part of its path is not a folder";
-        case EISDIR:
-            return "it is a folder";
-        default:
-            return std::generic_category().message(code);
-    }
-}
-
 Error failure(const std::string& doing, const std::string& path, int code, std::string suggestion = "") {
-    return {ErrorKind::io, {"cannot " + doing + " " + quoted(path), reason(code), std::move(suggestion)}};
+    return storage::system_failure(doing, in_quotes(path), code, std::move(suggestion));
 }
-
-/// An open file, closed on the way out.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-
-    int number() const { return number_; }
-    bool is_open() const { return number_ >= 0; }
-
-    // closing may report a write that failed late; the descriptor is gone either way
-    int close() { return ::close(std::exchange(number_, -1)); }
-
-private:
-    int number_;
-};
 
 /// Removes a file unless it was renamed.
 class Temporary {
@@ -100,24 +57,6 @@ std::string read_all(int descriptor, const std::string& path) {
     }
 }
 
-void write_all(int descriptor, std::string_view bytes, const std::string& path) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) throw failure("write", path, errno);
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-}
-
-// some file systems cannot flush (EINVAL, ENOTSUP): there the rename is all that can be had
-void flush(int descriptor, const std::string& path) {
-    if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP) throw failure("write", path, errno);
-}
-
-void close(Descriptor& file, const std::string& path) {
-    if (file.close() != 0) throw failure("write", path, errno);
-}
-
 // a short name of its own, so that a long target name stays within what a folder allows
 std::string name_beside(const std::string& folder, int number) {
     return folder + "/.stridor-" + std::to_string(::getpid()) + "-" + std::to_string(number) + ".tmp";
@@ -130,7 +69,7 @@ std::pair<int, std::string> open_temporary(const std::string& folder, const std:
         if (descriptor >= 0) return {descriptor, std::move(name)};
         if (errno == EEXIST) continue;
         const bool lacks_folder = errno == ENOENT;
-        throw failure("write", path, errno, lacks_folder ? "Create the folder " + quoted(folder) + " first." : "");
+        throw failure("write", path, errno, lacks_folder ? "Create the folder " + in_quotes(folder) + " first." : "");
     }
 }
 
@@ -138,7 +77,7 @@ std::pair<int, std::string> open_temporary(const std::string& folder, const std:
 
 std::string read_file(const std::string& path) {
     if (path == standard_input) return read_all(STDIN_FILENO, "standard input");
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    const storage::Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!file.is_open()) throw failure("read", path, errno);
     return read_all(file.number(), path);
 }
@@ -167,7 +106,7 @@ public:
         if (exists && ::fchmod(descriptor, status.st_mode & 07777U) != 0) throw failure("write", path_, errno);
     }
 
-    void write(std::string_view bytes) const { write_all(file_->number(), bytes, path_); }
+    void write(std::string_view bytes) const { storage::write_all(file_->number(), bytes, in_quotes(path_)); }
 
     void overwrite(std::uint64_t offset, std::string_view bytes) const {
         while (!bytes.empty()) {
@@ -187,23 +126,21 @@ public:
     }
 
     void commit() {
-        if (temporary_) flush(file_->number(), path_);
-        close(*file_, path_);
+        if (temporary_) storage::flush(file_->number(), in_quotes(path_));
+        file_->close(in_quotes(path_));
         if (!temporary_) return;
         if (::rename(temporary_->path().c_str(), path_.c_str()) != 0) throw failure("write", path_, errno);
         temporary_->keep();
 
         // the name itself is on the disk only once its folder is
-        const Descriptor directory(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-        if (!directory.is_open()) throw failure("write", path_, errno);
-        flush(directory.number(), path_);
+        storage::flush_folder(folder_, in_quotes(path_));
     }
 
 private:
     std::string path_;
     std::string folder_;
     std::optional<Temporary> temporary_;  // nothing: straight into the device
-    std::optional<Descriptor> file_;
+    std::optional<storage::Descriptor> file_;
 };
 
 PiecewiseFile::PiecewiseFile(const std::string& path) : target_(std::make_unique<Target>(path)) {}

@@ -120,9 +120,9 @@ TarReader::TarReader(const std::filesystem::path& file, TarProgress progress)
     std::error_code error;
     const bool is_regular = std::filesystem::is_regular_file(file, error);
     if (!error && is_regular) left_in_file_ = std::filesystem::file_size(file, error);
-    if (error) storage::throw_system_failure("read", file.string(), error.value());
+    if (error) throw storage::system_failure("read", file.string(), error.value());
     if (!is_regular) refuse("it is no file");
-    if (!*stream_) storage::throw_system_failure("read", file.string(), EACCES);
+    if (!*stream_) throw storage::system_failure("read", file.string(), EACCES);
     size_ = left_in_file_;
 }
 
@@ -140,7 +140,7 @@ void TarReader::refuse(const std::string& why) const {
 void TarReader::fill(char* bytes, std::uint64_t count) {
     if (count > left_in_file_) refuse("its end is missing");
     stream_->read(bytes, static_cast<std::streamsize>(count));
-    if (!*stream_) storage::throw_system_failure("read", file_.string(), EIO);
+    if (!*stream_) throw storage::system_failure("read", file_.string(), EIO);
     left_in_file_ -= count;
     if (progress_) progress_(size_ - left_in_file_, size_);
 }

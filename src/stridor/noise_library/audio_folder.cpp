@@ -31,8 +31,8 @@ fs::path incoming(const fs::path& audio_folder) {
 void make_folder(const fs::path& folder) {
     std::error_code error;
     const bool is_new = fs::create_directory(folder, error);
-    if (error) storage::throw_system_failure("make the folder", folder.string(), error.value());
-    if (is_new) storage::flush_folder(folder.parent_path());
+    if (error) throw storage::system_failure("make the folder", folder.string(), error.value());
+    if (is_new) storage::flush_folder(folder.parent_path(), folder.string());
 }
 
 /// A marker that was locked without waiting: its owner is dead.
@@ -137,7 +137,7 @@ Marker::Marker(const fs::path& audio_folder) {
         file_ = incoming(audio_folder) / (std::to_string(::getpid()) + "-" + std::to_string(number) + marker_extension);
         descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor_ < 0 && errno == EEXIST) continue;
-        if (descriptor_ < 0) storage::throw_system_failure("write", incoming(audio_folder).string(), errno);
+        if (descriptor_ < 0) throw storage::system_failure("write", incoming(audio_folder).string(), errno);
         while (::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR)
             continue;
         // somebody may have taken it for a dead one before it was locked
@@ -145,7 +145,7 @@ Marker::Marker(const fs::path& audio_folder) {
         if (::fstat(descriptor_, &status) == 0 && status.st_nlink > 0) break;
         ::close(descriptor_);
     }
-    storage::flush_folder(incoming(audio_folder));
+    storage::flush_folder(incoming(audio_folder), incoming(audio_folder).string());
 }
 
 Marker::~Marker() {
@@ -158,7 +158,8 @@ void Marker::announce(const std::set<AudioName>& names) {
     for (const AudioName& name : names)
         text += name.hash + " " + name.format + "\n";
     is_held_ = true;
-    storage::write_and_flush(descriptor_, text, file_.parent_path().string());
+    storage::write_all(descriptor_, text, file_.parent_path().string());
+    storage::flush(descriptor_, file_.parent_path().string());
 }
 
 fs::path Marker::temporary() {
@@ -219,7 +220,7 @@ FilePieces::FilePieces(const fs::path& file)
     : file_(file),
       descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)),
       block_(std::size_t{1} << 20U) {
-    if (descriptor_ < 0) storage::throw_system_failure("read", file.string(), errno);
+    if (descriptor_ < 0) throw storage::system_failure("read", file.string(), errno);
 }
 
 FilePieces::~FilePieces() {
@@ -230,7 +231,7 @@ std::string_view FilePieces::operator()() {
     while (true) {
         const ssize_t count = ::read(descriptor_, block_.data(), block_.size());
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) storage::throw_system_failure("read", file_.string(), errno);
+        if (count < 0) throw storage::system_failure("read", file_.string(), errno);
         return {block_.data(), static_cast<std::size_t>(count)};
     }
 }

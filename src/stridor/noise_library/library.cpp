@@ -358,7 +358,7 @@ void Library::remove(std::span<const std::int64_t> ids) {
         if (is_used(name)) continue;
         std::error_code error;
         fs::remove(audio_folder_ / path_of(name), error);
-        if (error) storage::throw_system_failure("remove", (audio_folder_ / path_of(name)).string(), error.value());
+        if (error) throw storage::system_failure("remove", (audio_folder_ / path_of(name)).string(), error.value());
     }
     marker.release();
 }

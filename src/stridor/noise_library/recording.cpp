@@ -17,7 +17,7 @@ namespace {
 // changes with every write to the file
 auto state_of(const std::filesystem::path& file) {
     struct stat status {};
-    if (::stat(file.c_str(), &status) != 0) storage::throw_system_failure("read", file.string(), errno);
+    if (::stat(file.c_str(), &status) != 0) throw storage::system_failure("read", file.string(), errno);
     if (!S_ISREG(status.st_mode))
         throw Error(ErrorKind::input, {file.string() + " is no file", "a recording is copied into the library", ""});
     return std::tuple(status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_ino);

@@ -11,22 +11,21 @@ namespace stridor::parameters {
 /// Where one category ends and the next begins for the ear: thresholds of the figures of a sound, as `Thresholds` are of those
 /// of contact states. No part of a case: a recording has none. Reasons and sources: docs/methods/sound.md.
 struct SoundThresholds {
-    double least_clearness = -20.0;  // [dB] sound over background from which there is anything to judge
-    double quiet_depth = 25.0;       // [dB] what lies this far below the loudest stretch is background
-    double decay = 7.0;              // [dB/s] fall of the level from which a sound dies away by itself ...
-    double decay_straightness =
-        0.03;                         // [1] ... if what deviates from a straight line is at most this share of the fall
-    double creak_rest = 0.7;          // [1] share of time at rest between impulses from which a sound is `creak`
-    double creak_kurtosis = 20.0;     // [1] kurtosis from which its impulses alone make a sound `creak`
-    double creak_periodicity = 0.3;   // [1] likeness of the envelope's cycles from which rubbing is `creak`
-    double rubbing_tonality = 0.4;    // [1] share of the strongest line below which ...
-    double rubbing_repetition = 0.5;  // [1] ... and likeness of cycles below which a sound is mere rubbing
-    double least_frequency = 100.0;   // [Hz] a line below it is the rumble of rubbing and no tone
-    double squeal_regularity = 0.8;   // [1] likeness of neighbouring cycles from which a tone is `squeal`
-    double squeal_movement = 0.12;    // [1] most movement of the strongest frequency in a `squeal`
-    double least_impulses = 3.0;      // [1] fewest impulses of a creak; fewer are a knock
-    double least_duration = 0.05;     // [s] shortest noise that can be judged
-    double majority = 0.5;            // [1] share of the energy that the category of a whole recording must have
+    double least_clearness = -20.0;     // [dB] sound over background from which there is anything to judge
+    double quiet_depth = 25.0;          // [dB] what lies this far below the loudest stretch is background
+    double decay = 7.0;                 // [dB/s] fall of the level from which a sound dies away by itself ...
+    double decay_straightness = 0.025;  // [1] ... if at most this share of the fall deviates from a straight line
+    double creak_rest = 0.7;            // [1] share of time at rest between impulses from which a sound is `creak`
+    double creak_kurtosis = 20.0;       // [1] kurtosis from which its impulses alone make a sound `creak`
+    double creak_periodicity = 0.3;     // [1] likeness of the envelope's cycles from which rubbing is `creak`
+    double rubbing_tonality = 0.4;      // [1] share of the strongest line below which ...
+    double rubbing_repetition = 0.5;    // [1] ... and likeness of cycles below which a sound is mere rubbing
+    double least_frequency = 100.0;     // [Hz] a line below it is the rumble of rubbing and no tone
+    double squeal_regularity = 0.8;     // [1] likeness of neighbouring cycles from which a tone is `squeal`
+    double squeal_movement = 0.12;      // [1] most movement of the strongest frequency in a `squeal`
+    double least_impulses = 3.0;        // [1] fewest impulses of a creak; fewer are a knock
+    double least_duration = 0.05;       // [s] shortest noise that can be judged
+    double majority = 0.5;              // [1] share of the energy that the category of a whole recording must have
 };
 
 /// One threshold of the table, as `Field` is one parameter of a case.

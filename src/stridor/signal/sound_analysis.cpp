@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <thread>
 #include <utility>
 
 namespace stridor::signal {
@@ -251,7 +250,12 @@ void check(const Layout& layout) {
 
 }  // namespace
 
-std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress) {
+void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work) {
+    for (std::size_t k = 0; k < count; ++k)
+        work(k);
+}
+
+std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress, const Runner& run) {
     const Layout layout = source.layout();
     check(layout);
     const std::size_t width = layout.channels.size();
@@ -274,11 +278,7 @@ std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress) {
                 channels[channel][frame] = x;
             }
         }
-        std::vector<std::jthread> others;
-        for (std::size_t channel = 1; channel < width; ++channel)
-            others.emplace_back([&, channel] { analysers[channel].push(channels[channel]); });
-        analysers.front().push(channels.front());
-        others.clear();
+        run(width, [&](std::size_t channel) { analysers[channel].push(channels[channel]); });
         done += count;
         if (progress) progress(done);
     }

@@ -69,10 +69,15 @@ private:
 /// Called as a recording is read, with the frames that are done.
 using Progress = std::function<void(std::uint64_t frames)>;
 
-/// Reads a recording to its end and analyses all channels, each by a thread of its own; shape [channel].
+/// Does the pieces of work 0 ... count - 1, which do not touch each other, and returns when all are done: the place to bring threads.
+using Runner = std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
+void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// Reads a recording to its end and analyses all channels, each a piece of work for `run`; shape [channel].
 ///
 /// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite
 /// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.
-std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress = {});
+std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress = {},
+                                   const Runner& run = one_after_the_other);
 
 }  // namespace stridor::signal

@@ -156,6 +156,11 @@ double largest_dwell(std::span<const double> samples, double width) {
     return static_cast<double>(most) / static_cast<double>(samples.size());
 }
 
+// Width of the band in which a sound rests, in effective values; `widening` times what is left of the floor widens it.
+double resting_width(double left, double widening) {
+    return std::sqrt(0.0625 + widening * widening * left * left);
+}
+
 // mean squares of half overlapped parts, each weighted by a Hann window: beats and cycles within a part leave no ripple
 std::vector<double> parts_of(std::span<const double> samples, std::size_t length) {
     const std::vector<double> weights = window(Window::hann, length);
@@ -464,10 +469,15 @@ SoundStretch FeatureFinder::find(std::span<const double> samples) {
     double power = 0.0;
     double kept = 0.0;
     double kept_floor = 0.0;
+    double kept_slope = 0.0;  // the same of the sound's slope
+    double kept_slope_floor = 0.0;
     for (std::size_t k = picture.lowest; k < picture.power.size(); ++k) {
         if (picture.gain[k] > 0.0) power += picture.power[k] - picture.floor;
         kept += picture.power[k] * picture.gain[k] * picture.gain[k];
         kept_floor += picture.floor * picture.gain[k] * picture.gain[k];
+        const auto square = static_cast<double>(k) * static_cast<double>(k) * picture.gain[k] * picture.gain[k];
+        kept_slope += square * picture.power[k];
+        kept_slope_floor += square * picture.floor;
     }
     const double background = picture.floor * static_cast<double>(picture.power.size() - picture.lowest);
     features.clearness = power > 0.0 ? 10.0 * std::log10(power / background) : -infinity;
@@ -484,7 +494,7 @@ SoundStretch FeatureFinder::find(std::span<const double> samples) {
     features.crest = moments.peak / effective;
     // what is left of the floor widens the place where the sound rests
     const double left = std::sqrt(kept_floor / kept);
-    features.rest = largest_dwell(sound, effective * std::sqrt(0.0625 + 16.0 * left * left));
+    features.rest = largest_dwell(sound, effective * resting_width(left, 4.0));
     describe_level(sound, rate_, features);
     // and makes the level unsteady by so many decibels
     features.unsteadiness = std::max(0.0, features.unsteadiness - 5.0 * left);
@@ -492,6 +502,8 @@ SoundStretch FeatureFinder::find(std::span<const double> samples) {
     std::vector<double> slope(sound.size() - 1);
     for (std::size_t n = 0; n < slope.size(); ++n)
         slope[n] = sound[n + 1] - sound[n];
+    const double slope_width = resting_width(std::sqrt(kept_slope_floor / kept_slope), 1.5);
+    features.rest = std::max(features.rest, largest_dwell(slope, std::sqrt(moments_of(slope).second) * slope_width));
     const std::vector<double> envelope = smoothed(envelope_of(slope, rate_));
     stretch.impulses = rises_of(envelope);
     features.impulses = stretch.impulses.size();

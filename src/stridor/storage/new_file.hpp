@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/storage/system_io.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -32,17 +34,8 @@ public:
 private:
     std::filesystem::path temporary_;  // empty once it is renamed
     std::string shown_;
-    int descriptor_ = -1;
+    Descriptor descriptor_;
     std::uint64_t size_ = 0;
 };
-
-/// Writes to an open file and brings it to the disk; errors call it `shown`.
-void write_and_flush(int descriptor, std::string_view bytes, const std::string& shown);
-
-/// Brings the names in a folder to the disk; throws `Error` (io). Some file systems cannot, which is no error.
-void flush_folder(const std::filesystem::path& folder);
-
-/// Throws `Error` (io): "cannot write library.sqlite (the disk is full)" from a number of the system's (errno).
-[[noreturn]] void throw_system_failure(const std::string& doing, const std::string& what, int code);
 
 }  // namespace stridor::storage

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stridor::classification {
@@ -71,8 +72,10 @@ TEST(SoundRules, AVerdictListsEveryMarginAndAReason) {
     const SoundVerdict verdict = classify_sound(squeal(), {});
     EXPECT_EQ(verdict.margins.size(), 11u);
     EXPECT_FALSE(verdict.reasons.empty());
-    for (const Margin& margin : verdict.margins)
-        if (margin.threshold_name == "squeal_regularity") EXPECT_NEAR(margin.distance, 0.15, 1e-12);
+    const auto found = std::find_if(verdict.margins.begin(), verdict.margins.end(),
+                                    [](const Margin& margin) { return margin.threshold_name == "squeal_regularity"; });
+    ASSERT_NE(found, verdict.margins.end());
+    EXPECT_NEAR(found->distance, 0.15, 1e-12);
 }
 
 SoundStretch stretch(SoundFeatures f, double from) {

@@ -1,36 +1,17 @@
 #include "stridor/io/atomic_file.hpp"
 
 #include "io_support.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
-#include <csignal>
 #include <fstream>
 
 namespace stridor::io {
 namespace {
 
-/// Files may grow to so many bytes only, as on a disk that is almost full; lifted on the way out.
-class SmallDisk {
-public:
-    explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        getrlimit(RLIMIT_FSIZE, &limit_);
-        const rlimit small{bytes, limit_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &small);
-    }
-    SmallDisk(const SmallDisk&) = delete;
-    SmallDisk& operator=(const SmallDisk&) = delete;
-    ~SmallDisk() {
-        setrlimit(RLIMIT_FSIZE, &limit_);
-        std::signal(SIGXFSZ, handler_);
-    }
-
-private:
-    void (*handler_)(int);
-    rlimit limit_{};
-};
+using support::FullDisk;
 
 TEST(AtomicFile, GivesBackWhatWasWritten) {
     const Scratch scratch;
@@ -85,7 +66,7 @@ TEST(AtomicFile, LeavesTheOldFileWhenTheDiskIsFull) {
     write_file(path, "old");
     std::optional<Error> error;
     {
-        const SmallDisk disk(4096);
+        const FullDisk disk(4096);
         error = error_of([&] { write_file(path, std::string(100000, 'x')); });
     }
     ASSERT_TRUE(error);
@@ -112,7 +93,7 @@ TEST(AtomicFile, GivesAnotherWriterATemporaryName) {
 TEST(AtomicFile, GivesNoNameWhereTheRoomIsMissing) {
     const Scratch scratch;
     {
-        const SmallDisk disk(4096);
+        const FullDisk disk(4096);
         const auto error = error_of([&] { PiecewiseFile(scratch.path("f")).temporary_name(10000); });
         ASSERT_TRUE(error);
         EXPECT_EQ(error->kind(), ErrorKind::io);

@@ -461,7 +461,7 @@ TEST_F(LibraryFile, CanBeReadAndNotWrittenOnReadOnlyMedia) {
     EXPECT_EQ(library.find(whole()).size(), 1U);
     const Thrown added = thrown_by([&] { add_recording(library, {sound_, {}, Twins::accept}, probe_bytes); });
     EXPECT_EQ(added.kind, ErrorKind::io);
-    EXPECT_TRUE(added.says("cannot write") && added.says("Permission denied")) << added.message;
+    EXPECT_TRUE(added.says("cannot write") && added.says("permission denied")) << added.message;
     const std::vector<std::int64_t> ids{1};
     EXPECT_EQ(thrown_by([&] { library.remove(ids); }).kind, ErrorKind::io);
     const Thrown edited = thrown_by([&] { library.edit(ids, [](Entry& entry) { entry.preload = 1.0; }); });

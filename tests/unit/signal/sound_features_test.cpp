@@ -88,7 +88,7 @@ TEST(SoundFeatures, ImpulsesThatRepeatAreFound) {
     }));
     EXPECT_NEAR(f.impulse_interval, 0.02, 0.0006);
     EXPECT_GT(f.impulse_periodicity, 0.9);
-    EXPECT_NEAR(static_cast<double>(f.impulses), 25.0, 2.0);
+    EXPECT_NEAR(static_cast<double>(f.impulses), 24.0, 2.0);  // the ends fade out under the window
 }
 
 TEST(SoundFeatures, SilenceHasNoFigures) {
