@@ -61,8 +61,7 @@ Extent extent_of(const ListOptions& options) {
 constexpr std::size_t screenful = 100;  // rows that a person reads on a terminal
 
 std::size_t limit_of(const ListOptions& options) {
-    if (options.limit.empty())
-        return options.json || options.csv || ::isatty(STDOUT_FILENO) == 0 ? 0 : screenful;
+    if (options.limit.empty()) return options.json || options.csv || ::isatty(STDOUT_FILENO) == 0 ? 0 : screenful;
     if (options.limit == "all") return 0;
     std::size_t limit = 0;
     const char* end = options.limit.data() + options.limit.size();
@@ -224,7 +223,8 @@ void add_list(CLI::App& library) {
         ->type_name("FIELD");
     command->add_option("--columns", options->columns, "fields and figures to show, with commas between")
         ->type_name("A,B,...");
-    command->add_option("--limit", options->limit, "at most so many, or all (default: 100 on a terminal, all elsewhere)")
+    command
+        ->add_option("--limit", options->limit, "at most so many, or all (default: 100 on a terminal, all elsewhere)")
         ->type_name("N");
     CLI::Option* json =
         command->add_flag("--json", options->json, "print one JSON document (schema stridor.library/1)");

@@ -192,7 +192,8 @@ void take_case(Entry& entry) {
     try {
         c = io::read_case(io::TomlSource{entry.case_text, "the case", {}});
     } catch (const Error&) {
-        say("stridor: note: the case that came with " + entry.file + " cannot be simulated by this program; it is kept");
+        say("stridor: note: the case that came with " + entry.file +
+            " cannot be simulated by this program; it is kept");
         return;
     }
     Filler filler(entry);
@@ -210,8 +211,7 @@ void expect_simulation(Entry& entry) {
     if (!entry.recorded.empty() && entry.recorded != "simulation")
         throw Error(ErrorKind::input,
                     {entry.file + " was not recorded in a " + entry.recorded + " but simulated",
-                     "it says so itself, and a library that mixes the two proves nothing",
-                     "Leave --recorded out."});
+                     "it says so itself, and a library that mixes the two proves nothing", "Leave --recorded out."});
     entry.recorded = "simulation";
 }
 

@@ -93,9 +93,8 @@ void add_missing(Entry& entry, const std::vector<Figure>& figures) {
 void forget_verdict(Entry& entry) {
     if (const std::optional<io::KeptVerdict> kept = io::kept_verdict(entry.verdict))
         for (const Figure& old : kept->figures)
-            std::erase_if(entry.figures, [&](const Figure& figure) {
-                return figure.name == old.name && figure.value == old.value;
-            });
+            std::erase_if(entry.figures,
+                          [&](const Figure& figure) { return figure.name == old.name && figure.value == old.value; });
     entry.category.clear();
     entry.verdict.clear();
 }

@@ -71,8 +71,8 @@ std::vector<std::size_t> audible_channels(const signal::Layout& layout) {
             places_of(layout, [&](const signal::Channel& channel) { return channel.unit == unit; });
         if (!places.empty()) return places;
     }
-    const std::vector<std::size_t> velocities = places_of(
-        layout, [](const signal::Channel& channel) { return channel.unit == "m/s" && !is_imposed(channel); });
+    const std::vector<std::size_t> velocities =
+        places_of(layout, [](const signal::Channel& channel) { return channel.unit == "m/s" && !is_imposed(channel); });
     // beside a friction force a lone velocity is the drive's
     const bool is_drive = velocities.size() == 1 && !forces_of(layout).rubbing.empty();
     if (!velocities.empty() && !is_drive) return velocities;

@@ -64,11 +64,11 @@ FrictionChannels channels_of(const signal::Layout& layout, const FrictionOptions
     else if (forces.rubbing.size() == 1)
         channels.force = forces.rubbing.front();
     else
-        refuse(forces.rubbing.empty() ? "no channel is a friction force in newtons"
-                                      : "several channels may be the friction force",
-               "the file has " + channel_list(layout),
-               forces.rubbing.empty() ? "If it is not calibrated, say --full-scale \"50 N\"."
-                                      : "Name it with --channel.");
+        refuse(
+            forces.rubbing.empty() ? "no channel is a friction force in newtons"
+                                   : "several channels may be the friction force",
+            "the file has " + channel_list(layout),
+            forces.rubbing.empty() ? "If it is not calibrated, say --full-scale \"50 N\"." : "Name it with --channel.");
     channels.velocity = options.velocity_channel.empty() ? imposed_velocity(layout)
                                                          : channel_in(layout, options.velocity_channel, "m/s");
     if (!options.normal_channel.empty())

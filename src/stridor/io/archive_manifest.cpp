@@ -138,7 +138,8 @@ std::string archive_member(const AudioName& audio) {
 }
 
 std::string manifest_opening(std::size_t entries) {
-    return line_of({{"schema", schema}, {"version", base::version()}, {"commit", base::commit()}, {"entries", entries}});
+    return line_of(
+        {{"schema", schema}, {"version", base::version()}, {"commit", base::commit()}, {"entries", entries}});
 }
 
 std::string manifest_line(Entry entry, std::uint64_t bytes) {

@@ -92,8 +92,7 @@ std::string verdict_json(const SoundReport& report, std::size_t channel,
                                {"margins", margins_array(*loudest)}};
     }
     document["segments"] = segments_array(verdict, signal::reference_of(analysis.unit));
-    document["segments_left_out"] =
-        verdict.segments.size() - std::min(verdict.segments.size(), most_kept_segments);
+    document["segments_left_out"] = verdict.segments.size() - std::min(verdict.segments.size(), most_kept_segments);
     document["thresholds"] = thresholds_object(report.thresholds);
     return document.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

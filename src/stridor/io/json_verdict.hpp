@@ -18,12 +18,13 @@ inline constexpr std::size_t most_kept_segments = 200;
 
 /// "stridor.verdict/1": who judged, by which thresholds, and the verdict of the report's loudest channel, whose number in
 /// the file is `channel`, from 1; with the figures that went into the entry beside it.
-std::string verdict_json(const SoundReport& report, std::size_t channel, std::span<const noise_library::Figure> figures);
+std::string verdict_json(const SoundReport& report, std::size_t channel,
+                         std::span<const noise_library::Figure> figures);
 
 /// What must be known of a verdict before another takes its place.
 struct KeptVerdict {
-    bool is_current = false;  // this very program judged
-    std::size_t channel = 0;  // of the file, from 1; 0: unknown
+    bool is_current = false;                       // this very program judged
+    std::size_t channel = 0;                       // of the file, from 1; 0: unknown
     std::vector<noise_library::Figure> figures{};  // without units
 };
 

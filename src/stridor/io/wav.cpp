@@ -100,8 +100,7 @@ Head head_of(const signal::Layout& layout, const WavOptions& options, const std:
     if (is_float) format += little_endian(0, 2);
     Head head;
     head.text = "RIFF" + little_endian(0, 4) + "WAVE" + chunk("JUNK", std::string(28, '\0')) + chunk("fmt ", format);
-    if (!description.empty() || !options.history.empty())
-        head.text += broadcast_chunk(description, options.history);
+    if (!description.empty() || !options.history.empty()) head.text += broadcast_chunk(description, options.history);
     if (is_float) {
         head.fact_offset = head.text.size() + 8;
         head.text += chunk("fact", little_endian(0, 4));

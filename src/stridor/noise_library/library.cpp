@@ -193,7 +193,8 @@ std::vector<Entry> Library::read(const Query& query) {
     std::map<std::int64_t, Entry*> by_id;
     for (Entry& entry : entries)
         by_id.emplace(entry.id, &entry);
-    const std::string of_these = " WHERE entry IN (SELECT e.id" + selection.rows + (query.limit == 0 ? "" : selection.order) + ") ORDER BY entry, name";
+    const std::string of_these = " WHERE entry IN (SELECT e.id" + selection.rows +
+                                 (query.limit == 0 ? "" : selection.order) + ") ORDER BY entry, name";
     if (query.extent == Extent::whole) {
         Statement documents = database_.prepare("SELECT entry, name, text FROM document" + of_these);
         bind(documents, selection);

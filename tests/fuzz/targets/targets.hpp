@@ -20,9 +20,10 @@ struct Target {
     void (*run)(std::string_view bytes);
 };
 
-inline constexpr std::array targets{Target{"signal_csv", signal_csv}, Target{"uff58", uff58},
-                                    Target{"sidecar", sidecar}, Target{"calibration", calibration},
-                                    Target{"riff", riff}, Target{"tar", tar}, Target{"manifest", manifest}};
+inline constexpr std::array targets{
+    Target{"signal_csv", signal_csv},   Target{"uff58", uff58}, Target{"sidecar", sidecar},
+    Target{"calibration", calibration}, Target{"riff", riff},   Target{"tar", tar},
+    Target{"manifest", manifest}};
 
 /// Stops the program where a promise is broken, in every build.
 void require(bool promise);
