@@ -1,5 +1,6 @@
 #include "chart_run.hpp"
 #include "commands.hpp"
+#include "compare.hpp"
 #include "figures.hpp"
 #include "interrupt.hpp"
 #include "stridor/chart/contact_states.hpp"
@@ -142,11 +143,13 @@ void add_figure(CLI::App& program) {
     add_one(*figure, "contact-states", "Contact states over time (Figure 7).", states)->callback([states] {
         draw_states(*states);
     });
+    add_figure_compare(*figure);
     figure->footer(
         "A time history (Figure 5) is drawn by `stridor simulate CASE --figure`, a chart (Figures 6, 8) by `stridor "
         "chart`, modes by\n"
         "`stridor stability CASE --over ... --figure`.\n"
-        "Examples:\n  stridor figure paper --out figures\n  stridor figure contact-states creak.toml -o creak.svg");
+        "Examples:\n  stridor figure paper --out figures\n  stridor figure contact-states creak.toml -o creak.svg\n"
+        "  stridor figure compare vehicle.wav rig.wav squeal.toml -o figure-4.png");
 }
 
 }  // namespace stridor::app

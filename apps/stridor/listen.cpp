@@ -1,3 +1,4 @@
+#include "cell_choice.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "player.hpp"
@@ -21,7 +22,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -32,6 +32,7 @@ namespace stridor::app {
 namespace {
 
 using parameters::Direction;
+using parameters::direction_names;
 using parameters::DriveKind;
 using signal::MotionQuantity;
 
@@ -91,61 +92,14 @@ void set_duration(io::TomlSource& source, const parameters::Case& c, const std::
     if (is_whole) source.overrides.push_back("run.window=" + base::shortest(*seconds));
 }
 
-double distance(const sweep::Axis& axis, int index, double value) {
-    const double point = sweep::value_at(axis, index);
-    return axis.scale == sweep::Scale::linear ? std::abs(point - value) : std::abs(std::log(point / value));
-}
-
-int nearest_index(const sweep::Axis& axis, const std::string& text, char name) {
-    const auto& quantity = std::get<parameters::Quantity>(parameters::find_field(axis.parameter)->kind);
-    const double value = base::parse_quantity(text, quantity.unit);
-    // so much beyond an end is still meant to be the end
-    const double slack = 1e-9 * (std::abs(axis.from) + std::abs(axis.to));
-    if (!(value >= axis.from - slack && value <= axis.to + slack))
-        refuse(fmt::format("--cell {}={} lies outside the chart", name, text),
-               fmt::format("its {} axis, {}, goes from {:g} to {:g} {}", name, axis.parameter, axis.from, axis.to,
-                           quantity.unit),
-               "");
-    int nearest = 0;
-    for (int index = 1; index < axis.points; ++index)
-        if (distance(axis, index, value) < distance(axis, nearest, value)) nearest = index;
-    return nearest;
-}
-
-// "x=20 N,y=0.6" -> the texts of x and y
-std::array<std::string, 2> coordinates(const std::string& cell) {
-    std::array<std::string, 2> texts;
-    std::size_t begin = 0;
-    while (begin <= cell.size()) {
-        const std::size_t end = std::min(cell.find(',', begin), cell.size());
-        const std::string part(base::trimmed(cell.substr(begin, end - begin)));
-        const bool is_known = part.size() > 2 && (part[0] == 'x' || part[0] == 'y') && part[1] == '=';
-        if (!is_known || !texts[part[0] == 'x' ? 0 : 1].empty())
-            refuse("--cell \"" + cell + "\" cannot be read", "it names both of the chart's axes once",
-                   "For example --cell \"x=20 N,y=0.6\".");
-        texts[part[0] == 'x' ? 0 : 1] = part.substr(2);
-        begin = end + 1;
-    }
-    if (texts[0].empty() || texts[1].empty())
-        refuse("--cell \"" + cell + "\" names one axis only", "a cell is a place on both", "");
-    return texts;
-}
-
 Choice chosen_cell(const ListenOptions& options, io::TomlSource source) {
     set_duration(source, io::read_study(source).base, seconds_of(options));
     const sweep::Study study = io::read_study(source);
-    const std::array<std::string, 2> texts = coordinates(options.cell);
-    const Direction direction = direction_of(options).value_or(study.directions.front());
-    sweep::CellPlace place{0, nearest_index(study.y, texts[1], 'y'), nearest_index(study.x, texts[0], 'x'), 0};
-    while (place.direction < study.directions.size() && study.directions[place.direction] != direction)
-        ++place.direction;
-    if (place.direction == study.directions.size())
-        refuse("the chart has no direction " + options.direction, "chart.directions leaves it out", "");
+    CellChoice cell = parse_cell(options.cell);
+    if (const std::optional<Direction> direction = direction_of(options)) cell.direction = direction;
+    const sweep::CellPlace place = nearest_cell(study, cell);
     Choice choice{sweep::case_at(study, place), {}};
-    const auto words = [&](const sweep::Axis& axis) {
-        return axis.parameter + " = " + parameters::value_text(choice.c, *parameters::find_field(axis.parameter));
-    };
-    choice.info.cell = words(study.x) + ", " + words(study.y);
+    choice.info.cell = cell_words(study, place);
     return choice;
 }
 
@@ -308,8 +262,10 @@ std::string description(const io::SoundInfo& info, const parameters::Case& c) {
                        info.component, c.title);
 }
 
-void listen(const ListenOptions& options) {
+void listen(ListenOptions options) {
     require_destination(options);
+    const std::optional<Direction> of_cell = options.cell.empty() ? std::nullopt : parse_cell(options.cell).direction;
+    if (options.direction.empty() && of_cell) options.direction = direction_names[static_cast<std::size_t>(*of_cell)];
     Choice choice = choose(options);
     const signal::AuralisationSettings settings = settings_for(options, choice.c);
     std::unique_ptr<Spool> sound;

@@ -20,17 +20,6 @@ namespace {
     throw Error(ErrorKind::io, {what, std::strerror(errno), "Set TMPDIR to a folder with more space?"});
 }
 
-void require_fine_steps(const parameters::Case& c, double rate) {
-    if (c.run.engine != parameters::Engine::beta_2) return;
-    // engines sample at their own steps
-    const double interval = std::max(1.0, std::round(1.0 / (rate * signal::trace_density * c.run.step))) * c.run.step;
-    if (4.0 * interval * rate > 1.0)
-        throw Error(ErrorKind::input, {fmt::format("run.step = {} s is too long for a sound of {:g} Hz",
-                                                   base::shortest(c.run.step), rate),
-                                       "at least four steps must fall on each of its samples",
-                                       fmt::format("Use at most {:.1g} s, or run.engine = \"exact\".", 0.25 / rate)});
-}
-
 void require_result(const integration::Outcome& outcome) {
     if (outcome.reason == integration::Reason::cancelled)
         throw Error(ErrorKind::interrupted, {fmt::format("stopped at {:.6g} s of the motion", outcome.time),
@@ -43,6 +32,17 @@ void require_result(const integration::Outcome& outcome) {
 }
 
 }  // namespace
+
+void require_fine_steps(const parameters::Case& c, double rate) {
+    if (c.run.engine != parameters::Engine::beta_2) return;
+    // engines sample at their own steps
+    const double interval = std::max(1.0, std::round(1.0 / (rate * signal::trace_density * c.run.step))) * c.run.step;
+    if (4.0 * interval * rate > 1.0)
+        throw Error(ErrorKind::input, {fmt::format("run.step = {} s is too long for a sound of {:g} Hz",
+                                                   base::shortest(c.run.step), rate),
+                                       "at least four steps must fall on each of its samples",
+                                       fmt::format("Use at most {:.1g} s, or run.engine = \"exact\".", 0.25 / rate)});
+}
 
 Spool::Spool(double rate, std::string unit) : layout_{rate, {{"", std::move(unit)}}, 0}, file_(std::tmpfile()) {
     if (!file_) fail("no temporary file could be made");
@@ -72,22 +72,28 @@ std::size_t Spool::read(std::span<double> frames) {
     return count;
 }
 
-std::unique_ptr<Spool> render(const parameters::Case& c, const signal::AuralisationSettings& settings,
-                              const std::stop_token& stop, const RenderProgress& progress) {
+Rendering render(const parameters::Case& c, const signal::AuralisationSettings& settings, record::KeepHistory history,
+                 const std::stop_token& stop, const RenderProgress& progress) {
     require_fine_steps(c, settings.rate);
     auto sound = std::make_unique<Spool>(settings.rate, signal::unit_of(settings.pickup.quantity));
     signal::Auralisation auralisation(settings);
     record::Request request;
+    request.history = history;
     request.trace = auralisation.request(c.run.duration, [&](std::span<const double> block) { sound->append(block); });
     request.trace.taker = [&progress, taker = request.trace.taker](const record::Trace& trace) {
         taker(trace);
-        progress(trace.time.back());
+        if (progress) progress(trace.time.back());
     };
-    const integration::Motion motion = integration::simulate(c, request, stop);
+    integration::Motion motion = integration::simulate(c, request, stop);
     require_result(motion.outcome);
     sound->append(auralisation.finish());
     sound->rewind();
-    return sound;
+    return {std::move(sound), std::move(motion.record)};
+}
+
+std::unique_ptr<Spool> render(const parameters::Case& c, const signal::AuralisationSettings& settings,
+                              const std::stop_token& stop, const RenderProgress& progress) {
+    return render(c, settings, record::KeepHistory::no, stop, progress).sound;
 }
 
 }  // namespace stridor::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/parameters/case.hpp"
+#include "stridor/record/recorder.hpp"
 #include "stridor/signal/auralisation.hpp"
 #include "stridor/signal/source.hpp"
 
@@ -45,9 +46,20 @@ private:
 /// Is told how much of the run [s] is rendered.
 using RenderProgress = std::function<void(double)>;
 
+/// Throws `Error` (input) for a beta_2 step too long to be heard at this rate [Hz].
+void require_fine_steps(const parameters::Case& c, double rate);
+
+/// A sound with the rest of what its run left.
+struct Rendering {
+    std::unique_ptr<Spool> sound;
+    record::Record record;
+};
+
 /// Simulates a case and makes the sound of it [m/s or m/s^2].
 ///
 /// Throws `Error` for a run that has no result or was stopped, and for a beta_2 step too long to be heard.
+Rendering render(const parameters::Case& c, const signal::AuralisationSettings& settings, record::KeepHistory history,
+                 const std::stop_token& stop, const RenderProgress& progress);
 std::unique_ptr<Spool> render(const parameters::Case& c, const signal::AuralisationSettings& settings,
                               const std::stop_token& stop, const RenderProgress& progress);
 

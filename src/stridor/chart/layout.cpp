@@ -172,7 +172,10 @@ private:
             area.bottom = room.to - parts[scene_.panels[i].row].to;
             layout_.panels[i].y = ticks(scene_.panels[i].y, height_of(area), 1.6 * mm_.em);
         }
-        if (scene_.colour_bar) place_bar_rows({room.to - parts.back().to, room.to});
+        if (!scene_.colour_bar) return;
+        const std::optional<std::size_t> row = scene_.colour_bar->row;
+        const Range along = row ? parts[*row] : Range{0.0, parts.back().to};
+        place_bar_rows({room.to - along.to, room.to - along.from});
     }
 
     Needs horizontal_needs(const Panel& panel, const PlacedPanel& placed) const {

@@ -189,11 +189,12 @@ struct LegendEntry {
     std::variant<Fill, Stroke, Points> sample;  // of points one is shown, wherever they stand
 };
 
-/// The scale of a quantity's colours, right of all panels.
+/// The scale of a quantity's colours, right of all panels or of one row of them.
 struct ColourBar {
     Text label;
     std::string unit;
     ColourScale colours;
+    std::optional<std::size_t> row{};  // beside this row of panels only
 };
 
 struct Scene {

@@ -1,0 +1,293 @@
+#include "cell_choice.hpp"
+#include "commands.hpp"
+#include "compare.hpp"
+#include "compare_input.hpp"
+#include "figures.hpp"
+#include "interrupt.hpp"
+#include "sound.hpp"
+#include "stridor/chart/side_by_side.hpp"
+#include "stridor/io/atomic_file.hpp"
+#include "stridor/io/json_compare.hpp"
+#include "stridor/io/toml_study.hpp"
+#include "stridor/io/wav.hpp"
+#include "stridor/sweep/store.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+namespace stridor::app {
+
+namespace {
+
+using classification::Category;
+using classification::ComparedSound;
+using sweep::SoundMatch;
+
+constexpr double least_rate = 8000.0;       // [Hz] of a rendered cell
+constexpr double most_rate = 192000.0;      // [Hz]
+constexpr std::size_t drawn = 3;            // [1] matches beside the recording in the figure
+constexpr double normal_peak = 0.89125094;  // [1] of full scale: -1 dB
+
+struct MatchOptions {
+    std::string recording;
+    CaseOptions chart;
+    LibraryOption library;
+    MotionOptions motion;
+    std::string store;
+    std::string out;
+    std::size_t best = 5;
+    int threads = 0;
+    bool every = false;
+    bool with_level = false;
+    bool json = false;
+};
+
+[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
+    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
+}
+
+// says how far the search is: a line that is redrawn in a terminal, a line per 10 % anywhere else
+class SearchDisplay {
+public:
+    void show(std::size_t done, std::size_t known) {
+        if (has_terminal()) {
+            constexpr std::size_t bar_width = 20;
+            const std::string bar(bar_width * done / known, '=');
+            fmt::print(stderr, "\r\033[K[{:<20}] listened to {} of {} cells", bar, done, known);
+            std::fflush(stderr);
+            has_line_ = true;
+            return;
+        }
+        if (10 * done / known <= 10 * said_ / known || known < 50) return;
+        said_ = done;
+        say(fmt::format("listened to {} of {} cells", done, known));
+    }
+
+    void finish() {
+        if (has_line_) say("");
+    }
+
+private:
+    std::size_t said_ = 0;
+    bool has_line_ = false;
+};
+
+// --- what is searched
+
+// cells that a store knows to be failed, or quiet where the recording is not
+std::vector<bool> ruled_out(const MatchOptions& options, const sweep::Study& study, Category heard) {
+    std::vector<bool> cells;
+    if (options.store.empty()) return cells;
+    if (!std::filesystem::exists(options.store))
+        throw Error(ErrorKind::io, {"there is no store " + options.store, "", "`stridor chart` makes it."});
+    cells.assign(sweep::cell_count(study), false);
+    sweep::Store store(options.store, study);
+    const bool is_noise = heard == Category::squeal || heard == Category::squeak || heard == Category::creak;
+    store.visit(0, cells.size(), [&](sweep::IndexedCell& cell) {
+        const bool is_quiet = cell.cell.status == sweep::Status::done && cell.cell.category == Category::none;
+        cells[cell.index] = cell.cell.status != sweep::Status::done || (is_noise && is_quiet);
+    });
+    return cells;
+}
+
+void require_sound(const ComparedSound& recording) {
+    if (recording.analysis.stretches.empty())
+        refuse(fmt::format("{} is too short to be matched, {:.3g} s", recording.name, recording.length),
+               "nothing shorter than 20 ms can be described", "");
+    if (is_silent(recording.profile))
+        refuse("nothing can be heard in " + recording.name, "silence sounds like every quiet cell", "");
+}
+
+double cell_rate(const ComparedSound& recording) {
+    return std::clamp(std::round(recording.rate), least_rate, most_rate);
+}
+
+void require_level(const MatchOptions& options, const ComparedSound& recording) {
+    const std::string unit = signal::unit_of(pickup_of(options.motion).quantity);
+    if (!options.with_level || recording.analysis.unit == unit) return;
+    refuse("the level of " + recording.name + " cannot be compared",
+           "it is in " + recording.analysis.unit + ", the model's motion in " + unit +
+               ": a sound pressure would need a model of radiation",
+           "Leave --with-level out, or choose --quantity.");
+}
+
+sweep::SoundSearchResult searched(const MatchOptions& options, const io::MatchReport& report,
+                                  const sweep::CellListening& listening) {
+    sweep::SoundSearch settings;
+    settings.extent = report.extent;
+    settings.keep = options.best;
+    settings.level = report.level;
+    settings.threads = options.threads;
+    settings.ruled_out = ruled_out(options, report.study, report.recording.heard.category);
+    const Interrupt interrupt;
+    SearchDisplay display;
+    settings.stop = interrupt.token();
+    settings.progress = [&](std::size_t done, std::size_t known) { display.show(done, known); };
+    sweep::SoundSearchResult result = sweep::search(report.study, report.recording.profile, listening, settings);
+    display.finish();
+    if (result.is_stopped)
+        throw Error(ErrorKind::interrupted, {fmt::format("stopped after {} cells", result.heard),
+                                             "half a search is not kept", "Run the same command again."});
+    if (result.best.empty())
+        throw Error(ErrorKind::numerical, {"no cell of the chart has a sound", "all failed or were ruled out",
+                                           "`stridor chart` says why cells fail."});
+    return result;
+}
+
+// --- what is told
+
+std::string name_of(const sweep::Study& study, const SoundMatch& match) {
+    const sweep::CellPlace place = sweep::place_of(study, match.cell.index);
+    const auto direction = static_cast<std::size_t>(study.directions[place.direction]);
+    return cell_name(study, place) + ",direction=" + std::string(parameters::direction_names[direction]);
+}
+
+// "dominant frequency 425 -> 431 Hz"
+std::string difference_words(const classification::FigureDifference& each) {
+    std::string name(each.name);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    const std::string unit = each.unit == "1" ? "" : " " + std::string(each.unit);
+    return fmt::format("{} {:.3g} -> {:.3g}{}", name, each.first, each.second, unit);
+}
+
+std::string differences(const classification::Likeness& likeness) {
+    std::string text;
+    for (std::size_t k = 0; k < std::min<std::size_t>(3, likeness.differences.size()); ++k)
+        if (likeness.differences[k].share >= 0.1)
+            text += (text.empty() ? "" : ", ") + difference_words(likeness.differences[k]);
+    return text.empty() ? "nothing" : text;
+}
+
+std::string search_words(const io::MatchReport& report) {
+    const sweep::SoundSearchResult& result = report.result;
+    std::string text = fmt::format("listened to {} of {} cells", result.heard, sweep::cell_count(report.study));
+    if (result.ruled_out > 0) text += fmt::format("; {} ruled out by the store", result.ruled_out);
+    if (result.without_result > 0) text += fmt::format("; {} without a result", result.without_result);
+    return text + "\n";
+}
+
+std::string report_text(const io::MatchReport& report) {
+    const sweep::Study& study = report.study;
+    std::string text = fmt::format("{}: {} by ear\n{}: x is {}, y is {}; {}\n{}\n", report.recording.name,
+                                   classification::name(report.recording.heard.category), report.chart,
+                                   study.x.parameter, study.y.parameter, report.motion, search_words(report));
+    text += fmt::format("{:>3} {:>9}  {:<9}{:<9}{:<40}  what differs\n", "", "distance", "by ear", "contact", "cell");
+    for (std::size_t k = 0; k < report.result.best.size(); ++k) {
+        const SoundMatch& match = report.result.best[k];
+        text += fmt::format("{:>3} {:>9.3f}  {:<9}{:<9}{:<40}  {}\n", k + 1, match.likeness.distance,
+                            classification::name(match.cell.heard), classification::name(match.cell.contact),
+                            name_of(study, match), differences(match.likeness));
+    }
+    return text;
+}
+
+// --- what is left in the folder
+
+SimulatedSound simulated(const io::MatchReport& report, const SoundMatch& match) {
+    const sweep::CellPlace place = sweep::place_of(report.study, match.cell.index);
+    SimulatedSound sound{name_of(report.study, match), sweep::case_at(report.study, place), {}, report.rate};
+    sound.stretches = sweep::heard_stretches(sound.c, report.study.directions[place.direction]);
+    return sound;
+}
+
+void write_cell(const SimulatedSound& cell, const MatchOptions& options, const std::string& file) {
+    signal::AuralisationSettings settings;
+    settings.pickup = pickup_of(options.motion);
+    settings.rate = cell.rate;
+    settings.stretches = cell.stretches;
+    const Interrupt interrupt;
+    const std::unique_ptr<Spool> sound = render(cell.c, settings, interrupt.token(), [](double) {});
+    const std::string unit = signal::unit_of(settings.pickup.quantity);
+    const double full_scale = sound->peak() > 0.0 ? sound->peak() / normal_peak : 1.0;
+    io::write_wav(
+        file, *sound,
+        {io::WavSamples::pcm_24, {{full_scale, unit}}, "simulated by stridor: " + motion_words(options.motion)});
+}
+
+void write_folder(const MatchOptions& options, const io::MatchReport& report) {
+    const std::filesystem::path folder(options.out);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw Error(ErrorKind::io, {"cannot make the folder " + options.out, error.message(), "Choose another --out."});
+    io::write_file((folder / "match.json").string(), io::match_json(report) + "\n");
+    std::vector<ComparedSound> sounds{report.recording};
+    for (std::size_t k = 0; k < report.result.best.size(); ++k) {
+        const SimulatedSound cell = simulated(report, report.result.best[k]);
+        write_cell(cell, options, (folder / fmt::format("match-{}.wav", k + 1)).string());
+        if (k >= drawn) continue;
+        sounds.push_back(simulate_sound(cell, options.motion, 0.05));
+        sounds.back().name = cell.name;
+        sounds.back().label = fmt::format("match {}", k + 1);
+        sounds.back().origin = "simulation at " + cell.name;
+    }
+    draw_both(chart::side_by_side(sounds), folder / "match");
+}
+
+void match(const MatchOptions& options) {
+    io::MatchReport report;
+    report.chart = options.chart.file;
+    report.study = io::read_study(io::load_toml(options.chart.file, options.chart.overrides));
+    report.recording = load_recording(options.recording, options.library);
+    require_sound(report.recording);
+    require_level(options, report.recording);
+    report.motion = motion_words(options.motion);
+    report.rate = cell_rate(report.recording);
+    report.level = options.with_level ? classification::LevelUse::counted : classification::LevelUse::ignored;
+    report.extent = options.every ? sweep::Extent::every : sweep::Extent::search;
+    require_fine_steps(report.study.base, report.rate);
+    sweep::CellListening listening;
+    listening.sound.pickup = pickup_of(options.motion);
+    listening.sound.rate = report.rate;
+    report.result = searched(options, report, listening);
+    if (!options.out.empty()) write_folder(options, report);
+    print(options.json ? io::match_json(report) + "\n" : report_text(report));
+    if (!options.out.empty() && !options.json)
+        print(fmt::format("\n{0}/match.png {0}/match.svg {0}/match.json {0}/match-1.wav ...\n", options.out));
+    if (!options.json && has_terminal()) {
+        const sweep::CellPlace place = sweep::place_of(report.study, report.result.best.front().cell.index);
+        say(styled("next: " + sweep::reproduce_command(report.study, place, report.chart), Style::dim, 2));
+    }
+}
+
+}  // namespace
+
+void add_match(CLI::App& program) {
+    auto options = std::make_shared<MatchOptions>();
+    CLI::App* command = program.add_subcommand("match", "Which cells of a chart sound most like this recording?");
+    command->add_option("recording", options->recording, "FILE, FILE:channel=N or library:ID")->required();
+    command->add_option("--chart", options->chart.file, "the chart file")->type_name("FILE")->required();
+    command->add_option("--set", options->chart.overrides, "another value for a key of the chart file (repeatable)")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command->add_option("--best", options->best, "how many cells are told")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str();
+    command->add_flag("--every", options->every,
+                      "listen to every cell; otherwise a large chart is searched from a coarse grid on");
+    command
+        ->add_option("--store", options->store,
+                     "chart.sqlite of this chart: cells it knows to be quiet or failed are left out")
+        ->type_name("FILE");
+    command->add_option("--out", options->out, "folder for the best cells as WAV, a figure beside the recording, JSON")
+        ->type_name("DIR");
+    command->add_flag("--with-level", options->with_level,
+                      "count the level, too; only for a recorded velocity or acceleration");
+    command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
+        ->check(CLI::Range(0, 4096));
+    add_library_option(*command, options->library);
+    add_motion_options(*command, options->motion);
+    command->add_flag("--json", options->json, "print one JSON document (schema stridor.match/1)");
+    command->footer(
+        "Examples:\n  stridor match squeal.wav --chart pair.toml\n"
+        "  stridor match library:3 --chart pair.toml --store pair/chart.sqlite --best 3 --out matches");
+    command->callback([options] { match(*options); });
+}
+
+}  // namespace stridor::app
