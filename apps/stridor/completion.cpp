@@ -80,7 +80,7 @@ constexpr const char* library_words =
     "            --system|--parts|--materials|--operation|--recorded|--denomination|--sensor|--author|--licence) "
     "field=${previous#--} ;;\n"
     "            --*) ;;\n"
-    "            *) [[ ${COMP_WORDS[2]} == @(show|edit|remove) ]] && field=id ;;\n"
+    "            *) [[ ${COMP_WORDS[2]} == @(show|edit|judge|remove) ]] && field=id ;;\n"
     "        esac\n"
     "        if [[ -n $field ]]; then\n"
     "            COMPREPLY=()\n"

@@ -9,8 +9,10 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <memory>
 #include <sstream>
 
@@ -31,6 +33,7 @@ struct ListOptions {
     LibraryOption library;
     SelectionOptions selection;
     std::string columns = usual_columns;
+    std::string limit;  // empty: what a screen is good for, everything elsewhere
     bool json = false;
     bool csv = false;
 };
@@ -43,26 +46,59 @@ std::vector<std::string> parted_at_commas(const std::string& text) {
     return parts;
 }
 
-// does the table show more than the plain fields?
+// no more than the table shows
 Extent extent_of(const ListOptions& options) {
-    const auto is_plain = [](const std::string& name) {
+    if (options.csv) return Extent::figures;
+    Extent extent = Extent::summary;
+    for (const std::string& name : parted_at_commas(options.columns)) {
         const Field* field = noise_library::find_field(name);
-        return name == "id" || (field != nullptr && !is_document(*field));
-    };
-    const std::vector<std::string> columns = parted_at_commas(options.columns);
-    const bool is_summary = !options.json && !options.csv && std::all_of(columns.begin(), columns.end(), is_plain);
-    return is_summary ? Extent::summary : Extent::whole;
+        if (field != nullptr && is_document(*field)) return Extent::whole;
+        if (field == nullptr && name != "id") extent = Extent::figures;
+    }
+    return extent;
+}
+
+constexpr std::size_t screenful = 100;  // rows that a person reads on a terminal
+
+std::size_t limit_of(const ListOptions& options) {
+    if (options.limit.empty()) return options.json || options.csv || ::isatty(STDOUT_FILENO) == 0 ? 0 : screenful;
+    if (options.limit == "all") return 0;
+    std::size_t limit = 0;
+    const char* end = options.limit.data() + options.limit.size();
+    const auto [stop, problem] = std::from_chars(options.limit.data(), end, limit);
+    if (problem != std::errc() || stop != end || limit == 0)
+        throw Error(ErrorKind::input,
+                    {"--limit " + options.limit + " is no number of entries", "it is a whole number, or all", ""});
+    return limit;
+}
+
+// in pieces: what is listed may be larger than memory should be
+void print_json(Library& library, const noise_library::Query& query) {
+    constexpr std::size_t piece = std::size_t{1} << 16U;
+    io::LibraryJson document;
+    std::string text = document.opening(library.file());
+    library.visit(query, [&](const Entry& entry) {
+        text += document.entry(entry);
+        if (text.size() < piece) return;
+        print(text);
+        text.clear();
+    });
+    print(text + document.closing() + "\n");
 }
 
 void list(const ListOptions& options) {
     Library library = open_library(options.library, Access::read);
     noise_library::Query query = query_of(options.selection);
     query.extent = extent_of(options);
+    query.limit = limit_of(options);
+    if (options.json) return print_json(library, query);
     const std::vector<Entry> entries = library.find(query);
-    if (options.json) return print(io::library_json(library.file(), entries) + "\n");
     if (options.csv) return print(io::library_csv(entries));
     if (entries.empty()) return say("no entry meets the conditions");
     print(entry_table(entries, parted_at_commas(options.columns), library.figures()));
+    if (query.limit == 0 || entries.size() < query.limit) return;
+    if (const std::int64_t left = library.count(query) - static_cast<std::int64_t>(entries.size()); left > 0)
+        say(fmt::format("... and {} more: --limit all shows them, --where and --search narrow the list", left));
 }
 
 struct ShowOptions {
@@ -187,6 +223,9 @@ void add_list(CLI::App& library) {
         ->type_name("FIELD");
     command->add_option("--columns", options->columns, "fields and figures to show, with commas between")
         ->type_name("A,B,...");
+    command
+        ->add_option("--limit", options->limit, "at most so many, or all (default: 100 on a terminal, all elsewhere)")
+        ->type_name("N");
     CLI::Option* json =
         command->add_flag("--json", options->json, "print one JSON document (schema stridor.library/1)");
     command->add_flag("--csv", options->csv, "print CSV: names, units, a row per entry")->excludes(json);
@@ -257,6 +296,7 @@ void add_library(CLI::App& program) {
         program.add_subcommand("library", "The noise library: recordings with all that is known of them.");
     library->require_subcommand(1);
     add_library_add(*library);
+    add_library_judge(*library);
     add_list(*library);
     add_show(*library);
     add_edit(*library);

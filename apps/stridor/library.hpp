@@ -59,11 +59,9 @@ std::string entry_page(const noise_library::Library& library, const noise_librar
 /// "12  squeal.wav  3.2 s, 48000 Hz, 2 channels"
 std::string entry_line(const noise_library::Entry& entry);
 
-/// Duration, rate and channels of a sound file; throws `Error` (input) for what is none.
-void probe_sound(const std::filesystem::path& file, noise_library::Entry& entry);
-
 /// The subcommands that put entries in and out.
 void add_library_add(CLI::App& library);
+void add_library_judge(CLI::App& library);
 void add_library_export(CLI::App& library);
 void add_library_import(CLI::App& library);
 

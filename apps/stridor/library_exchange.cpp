@@ -1,14 +1,12 @@
 #include "library.hpp"
+#include "progress.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/json_library.hpp"
 #include "stridor/io/library_archive.hpp"
-#include "stridor/noise_library/recording.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <array>
 #include <memory>
 
 namespace stridor::app {
@@ -18,29 +16,6 @@ namespace {
 using noise_library::Access;
 using noise_library::Entry;
 using noise_library::Library;
-
-struct AddOptions {
-    LibraryOption library;
-    std::vector<std::string> files;
-    EntryOptions entry;
-    bool again = false;
-    bool json = false;
-};
-
-void add(const AddOptions& options) {
-    noise_library::Recording recording;
-    apply(options.entry, recording.given);
-    recording.twins = options.again ? noise_library::Twins::accept : noise_library::Twins::refuse_same_audio;
-    Library library = open_library(options.library, Access::fill);
-    std::vector<Entry> entries;
-    for (const std::string& file : options.files) {
-        recording.file = file;
-        entries.push_back(noise_library::add_recording(library, recording, probe_sound));
-        // what is in is said at once, whatever becomes of the next
-        if (!options.json) print(entry_line(entries.back()));
-    }
-    if (options.json) print(io::library_json(library.file(), entries) + "\n");
-}
 
 struct ExportOptions {
     LibraryOption library;
@@ -76,7 +51,13 @@ struct ImportOptions {
 
 void import_entries(const ImportOptions& options) {
     Library library = open_library(options.library, Access::fill);
-    const io::Import result = io::import_library(library, options.archive);
+    constexpr std::uint64_t large = 100'000'000;  // [bytes] what takes a second or so
+    ShareDisplay display("imported");
+    const auto show = [&](std::uint64_t done, std::uint64_t total) {
+        if (total >= large) display.show(static_cast<double>(done) / static_cast<double>(total));
+    };
+    const io::Import result = io::import_library(library, options.archive, show);
+    display.clear();
     const std::string ids = result.added.empty() ? ""
                             : result.added.size() == 1
                                 ? fmt::format(", id {}", result.added.front())
@@ -85,21 +66,6 @@ void import_entries(const ImportOptions& options) {
 }
 
 }  // namespace
-
-void add_library_add(CLI::App& library) {
-    auto options = std::make_shared<AddOptions>();
-    CLI::App* command = library.add_subcommand("add", "Add recordings, with what is known of them.");
-    command->add_option("files", options->files, "sound files; what is said of them holds for all")->required();
-    add_library_option(*command, options->library);
-    add_entry_options(*command, options->entry);
-    command->add_flag("--again", options->again, "add a sound even if an entry has it already");
-    command->add_flag("--json", options->json, "print the new entries as one JSON document (schema stridor.library/1)");
-    command->footer(
-        "Example:\n  stridor library add squeal.wav --system brake --recorded rig --preload \"40 N\" --velocity \"4 "
-        "mm/s\" "
-        "--temperature \"23 degC\"");
-    command->callback([options] { add(*options); });
-}
 
 void add_library_export(CLI::App& library) {
     auto options = std::make_shared<ExportOptions>();

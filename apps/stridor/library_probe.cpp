@@ -1,15 +1,263 @@
-#include "library.hpp"
+#include "library_hearing.hpp"
+#include "rig_channels.hpp"
+#include "stridor/analysis/friction_trace.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/open_signal.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/classification/sound_rules.hpp"
+#include "stridor/io/json_verdict.hpp"
+#include "stridor/noise_library/field.hpp"
+#include "terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 namespace stridor::app {
 
-void probe_sound(const std::filesystem::path& file, noise_library::Entry& entry) {
-    const std::unique_ptr<io::SignalFile> sound = io::open_signal(file.string());
-    const signal::Layout& layout = sound->layout();
-    entry.rate = layout.rate;
-    entry.channels = static_cast<int>(layout.channels.size());
-    if (layout.frames) entry.duration = static_cast<double>(*layout.frames) / layout.rate;
+namespace {
+
+using noise_library::Entry;
+using noise_library::Figure;
+using signal::SoundFeatures;
+
+constexpr std::uint64_t most_friction_samples = 30'000'000;  // of all channels: ten minutes at 16 kHz of three
+constexpr std::size_t most_channels = 64;
+constexpr double lowest_rate = 1e3;   // [Hz] what is slower is no sound
+constexpr double highest_rate = 1e7;  // [Hz]
+
+struct FeatureFigure {
+    const char* name;
+    const char* unit;
+    double SoundFeatures::*member;
+};
+
+// as `classify --json` calls them
+constexpr std::array features{FeatureFigure{"clearness", "dB", &SoundFeatures::clearness},
+                              FeatureFigure{"prominence", "dB", &SoundFeatures::prominence},
+                              FeatureFigure{"tonality", "1", &SoundFeatures::tonality},
+                              FeatureFigure{"regularity", "1", &SoundFeatures::regularity},
+                              FeatureFigure{"repetition", "1", &SoundFeatures::repetition},
+                              FeatureFigure{"movement", "1", &SoundFeatures::movement},
+                              FeatureFigure{"unsteadiness", "dB", &SoundFeatures::unsteadiness},
+                              FeatureFigure{"abruptness", "dB", &SoundFeatures::abruptness},
+                              FeatureFigure{"rest", "1", &SoundFeatures::rest},
+                              FeatureFigure{"kurtosis", "1", &SoundFeatures::kurtosis},
+                              FeatureFigure{"crest", "1", &SoundFeatures::crest}};
+
+// six digits are more than any recording has, and print the same everywhere
+double six_digits(double value) {
+    return base::parse_quantity(fmt::format("{:.6g}", value), "1");
+}
+
+void add_figure(std::vector<Figure>& figures, const char* name, const std::string& unit, double value) {
+    if (std::isfinite(value)) figures.push_back({name, unit, six_digits(value)});
+}
+
+// of the loudest segment of the recording's category
+std::vector<Figure> figures_of(const io::SoundReport& report) {
+    std::vector<Figure> figures;
+    const classification::SoundSegment* segment = report.verdicts[report.loudest].loudest();
+    if (segment == nullptr) return figures;
+    const std::string& unit = report.channels[report.loudest].unit;
+    add_figure(figures, noise_library::level_figure, signal::level_unit(unit),
+               signal::level_of(segment->mean_square, signal::reference_of(unit)));
+    const SoundFeatures& found = segment->verdict.features;
+    if (found.frequency > 0.0) add_figure(figures, noise_library::frequency_figure, "Hz", found.frequency);
+    // silence has no features
+    if (!(segment->mean_square > 0.0)) return figures;
+    for (const FeatureFigure& feature : features)
+        add_figure(figures, feature.name, feature.unit, found.*(feature.member));
+    if (segment->impulse_interval > 0.0) {
+        add_figure(figures, "impulses", "1", static_cast<double>(segment->impulses.size()));
+        add_figure(figures, "impulse_interval", "s", segment->impulse_interval);
+        add_figure(figures, "impulse_regularity", "1", segment->impulse_regularity);
+    }
+    return figures;
+}
+
+bool has_figure(const Entry& entry, const std::string& name) {
+    return std::any_of(entry.figures.begin(), entry.figures.end(),
+                       [&](const Figure& figure) { return figure.name == name; });
+}
+
+void add_missing(Entry& entry, const std::vector<Figure>& figures) {
+    for (const Figure& figure : figures)
+        if (!has_figure(entry, figure.name)) noise_library::set_figure(entry, figure);
+}
+
+// those an earlier verdict brought; one that was changed since is the user's
+void forget_verdict(Entry& entry) {
+    if (const std::optional<io::KeptVerdict> kept = io::kept_verdict(entry.verdict))
+        for (const Figure& old : kept->figures)
+            std::erase_if(entry.figures,
+                          [&](const Figure& figure) { return figure.name == old.name && figure.value == old.value; });
+    entry.category.clear();
+    entry.verdict.clear();
+}
+
+io::OpenOptions open_options(const std::string& calibration, const std::vector<std::string>& full_scales) {
+    io::OpenOptions open;
+    for (const std::string& text : full_scales)
+        open.full_scales.push_back(io::parse_full_scale(text));
+    if (full_scales.empty()) open.full_scales = full_scales_in(calibration);
+    return open;
+}
+
+// empty, and said why, where nothing is a sound
+std::vector<std::size_t> channels_to_hear(const signal::Layout& layout, const std::string& named, const Entry& entry) {
+    if (!named.empty()) return {named_channel(layout, named)};
+    std::vector<std::size_t> places = audible_channels(layout);
+    const auto without_verdict = [&](const std::string& why) {
+        say("stridor: note: " + entry.file + " has no verdict: " + why);
+        places.clear();
+    };
+    if (places.empty())
+        without_verdict("no channel is a sound or a vibration (" + channel_list(layout) +
+                        "); --channel names one to listen to");
+    else if (!(layout.rate >= lowest_rate && layout.rate <= highest_rate))
+        without_verdict(fmt::format("at {:g} Hz it is no sound", layout.rate));
+    else if (places.size() > most_channels)
+        without_verdict(fmt::format("{} channels are too many; --channel names one", places.size()));
+    return places;
+}
+
+void choose_loudest(io::SoundReport& report) {
+    double greatest = -1.0;
+    for (std::size_t k = 0; k < report.channels.size(); ++k) {
+        const double reference = signal::reference_of(report.channels[k].unit);
+        const double square = report.channels[k].mean_square / (reference * reference);
+        if (square > greatest) report.loudest = k;
+        greatest = std::max(greatest, square);
+    }
+}
+
+signal::Progress progress_of(const signal::Layout& layout, const Heard& heard) {
+    if (!heard || !layout.frames) return {};
+    const double whole = std::max(1.0, static_cast<double>(*layout.frames));
+    return [whole, heard](std::uint64_t frames) { heard(static_cast<double>(frames) / whole); };
+}
+
+// the entry keeps what the sidecar says: the sidecar does not come along
+void keep_calibration(const io::SignalFacts& facts, Entry& entry) {
+    if (!entry.calibration.empty()) return;
+    bool is_given = false;
+    bool is_one = true;
+    std::string all;
+    for (std::size_t k = 0; k < facts.full_scales.size(); ++k) {
+        const io::Calibration origin = facts.calibrations[k];
+        is_given |= origin == io::Calibration::option || origin == io::Calibration::sidecar ||
+                    origin == io::Calibration::description;
+        is_one = is_one && facts.full_scales[k] == facts.full_scales.front();
+        all += fmt::format("{}full scale = {} {}", k > 0 ? "; " : "", base::shortest(facts.full_scales[k].value),
+                           facts.full_scales[k].unit);
+    }
+    if (is_given) entry.calibration = is_one ? all.substr(0, all.find(';')) : all;
+}
+
+}  // namespace
+
+std::vector<io::FullScale> full_scales_in(const std::string& calibration) {
+    std::vector<io::FullScale> scales;
+    constexpr std::string_view mark = "full scale = ";
+    std::size_t begin = 0;
+    try {
+        while (calibration.compare(begin, mark.size(), mark) == 0) {
+            const std::size_t end = std::min(calibration.find(';', begin), calibration.size());
+            scales.push_back(io::parse_full_scale(
+                base::trimmed(calibration.substr(begin + mark.size(), end - begin - mark.size()))));
+            begin = std::min(end + 2, calibration.size());
+        }
+    } catch (const Error&) {
+        scales.clear();  // words of a person
+    }
+    if (scales.empty())
+        if (const std::optional<io::FullScale> scale = io::calibration_in(calibration)) scales.push_back(*scale);
+    return scales;
+}
+
+void judge(const io::SignalInput& input, const HearingOptions& options, Entry& entry, const Heard& heard) {
+    const std::unique_ptr<io::SignalFile> file =
+        io::open_signal(input, open_options(entry.calibration, options.full_scales));
+    const std::vector<std::size_t> places = channels_to_hear(file->layout(), options.channel, entry);
+    if (places.empty()) return;
+    io::SoundReport report;
+    report.file = entry.file;
+    PickedChannels picked(*file, places);
+    report.channels = signal::analyse(picked, progress_of(file->layout(), heard));
+    for (const signal::SoundAnalysis& analysis : report.channels)
+        report.verdicts.push_back(classification::classify_recording(analysis.stretches, report.thresholds));
+    choose_loudest(report);
+
+    forget_verdict(entry);
+    const std::vector<Figure> figures = figures_of(report);
+    entry.category = classification::name(report.verdicts[report.loudest].category);
+    entry.verdict = io::verdict_json(report, places[report.loudest] + 1, figures);
+    add_missing(entry, figures);
+    if (std::isnan(entry.duration)) entry.duration = report.channels[report.loudest].duration;
+}
+
+void measure_friction(const io::SignalInput& input, Entry& entry) {
+    const std::unique_ptr<io::SignalFile> file = io::open_signal(input, open_options(entry.calibration, {}));
+    const signal::Layout& layout = file->layout();
+    const std::optional<FrictionChannels> channels = friction_channels(layout);
+    if (!channels || !(entry.preload > 0.0)) return;
+    std::vector<std::size_t> places{channels->force};
+    if (channels->velocity) places.push_back(*channels->velocity);
+    if (channels->normal) places.push_back(*channels->normal);
+    const auto left_out = [&](const std::string& why) {
+        say(fmt::format("stridor: note: {} has no friction figures: {}", entry.file, why));
+    };
+    if (layout.frames && *layout.frames * places.size() > most_friction_samples)
+        return left_out("it is too long; `stridor rig friction` reads a part of it");
+    try {
+        PickedChannels picked(*file, places);
+        const std::vector<signal::Signal> signals = signal::read_all(picked, most_friction_samples);
+        analysis::FrictionMeasurement measurement;
+        measurement.rate = layout.rate;
+        measurement.preload = entry.preload;
+        measurement.force = signals[0].samples;
+        if (channels->velocity) measurement.velocity = signals[1].samples;
+        if (channels->normal) measurement.normal_force = signals.back().samples;
+        const analysis::FrictionFigures found = analysis::friction_trace(measurement).all;
+        std::vector<Figure> figures;
+        add_figure(figures, "static_friction", "1", found.static_friction.value);
+        add_figure(figures, "kinetic_friction", "1", found.kinetic_friction.value);
+        add_figure(figures, "mean_friction", "1", found.mean_friction);
+        add_figure(figures, "force_drops", "1", static_cast<double>(found.drops));
+        add_figure(figures, "drop_rate", "1/s", found.drop_rate);
+        add_figure(figures, "mean_drop", "N", found.mean_drop);
+        add_figure(figures, "largest_drop", "N", found.largest_drop);
+        add_missing(entry, figures);
+        if (std::isnan(entry.velocity) && channels->velocity) {
+            entry.velocity = base::parse_quantity(fmt::format("{:.4g}", usual_speed(measurement.velocity)), "1");
+            say(fmt::format("stridor: note: {} shows a velocity of {:g} m/s", entry.file, entry.velocity));
+        }
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::input) throw;
+        left_out(error.problem().what + (error.problem().why.empty() ? "" : " (" + error.problem().why + ")"));
+    }
+}
+
+noise_library::Probe probe_of(const HearingOptions& options, const Heard& heard) {
+    return [options, heard](const std::filesystem::path& path, Entry& entry) {
+        const io::SignalInput input = io::open_input(path.string());
+        const std::unique_ptr<io::SignalFile> file =
+            io::open_signal(input, open_options(entry.calibration, options.full_scales));
+        const signal::Layout& layout = file->layout();
+        entry.rate = layout.rate;
+        entry.channels = static_cast<double>(layout.channels.size());
+        if (layout.frames) entry.duration = static_cast<double>(*layout.frames) / layout.rate;
+        for (const std::string& note : file->facts().notes)
+            say("stridor: note: " + entry.file + ": " + note);
+        take_facts(file->facts(), entry);
+        keep_calibration(file->facts(), entry);
+        measure_friction(input, entry);
+        if (options.judging == Judging::by_ear) judge(input, options, entry, heard);
+    };
 }
 
 }  // namespace stridor::app

@@ -50,9 +50,17 @@ Column column_of(const std::string& name, const std::vector<Entry>& entries, con
                      noise_library::did_you_mean(name, names, "`stridor library fields` lists them.")});
     }
     Column column;
+    // levels of recordings that were calibrated differently do not compare
+    const auto unit_of_figure = [&] {
+        std::string unit;
+        for (const Entry& entry : entries)
+            for (const noise_library::Figure& each : entry.figures)
+                if (each.name == name && each.unit != unit) unit = unit.empty() ? each.unit : "mixed";
+        return unit;
+    };
     const bool is_words = field != nullptr && !std::holds_alternative<noise_library::Quantity>(field->kind);
     column.is_number = !is_words;
-    const std::string unit(field != nullptr ? noise_library::unit_of(*field) : name == "id" ? "" : figure->unit);
+    const std::string unit(field != nullptr ? noise_library::unit_of(*field) : name == "id" ? "" : unit_of_figure());
     column.cells = {name, unit == "1" ? "" : unit};
     for (const Entry& entry : entries) {
         std::string cell = name == "id" ? std::to_string(entry.id)

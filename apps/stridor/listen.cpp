@@ -11,6 +11,7 @@
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_document.hpp"
 #include "stridor/io/toml_study.hpp"
+#include "stridor/io/toml_writer.hpp"
 #include "stridor/io/wav.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/record/schedule.hpp"
@@ -290,7 +291,9 @@ void listen(ListenOptions options) {
     info.full_scale = full_scale_for(options, *sound);
     info.player = options.out.empty() ? find_player() : "";
 
-    const io::WavOptions file{io::WavSamples::pcm_24, {{info.full_scale, info.unit}}, description(info, choice.c)};
+    const std::string case_text = io::case_toml(choice.c, {io::Comments::none, ""});
+    const io::WavOptions file{
+        io::WavSamples::pcm_24, {{info.full_scale, info.unit}}, description(info, choice.c), io::case_mark + case_text};
     if (!options.out.empty()) io::write_wav(options.out, *sound, file);
     print(options.json ? io::listen_json(choice.c, info) + "\n" : report(info));
     if (!options.out.empty()) return;

@@ -79,4 +79,28 @@ void ProgressDisplay::finish() {
     has_line_ = false;
 }
 
+void ShareDisplay::show(double share, const std::string& detail) {
+    const int percent = static_cast<int>(100.0 * share);
+    const std::string line = fmt::format("{} {} %{}{}", what_, percent, detail.empty() ? "" : ", ", detail);
+    if (has_terminal()) {
+        if (percent == said_ && has_line_) return;
+        said_ = percent;
+        const auto width = static_cast<std::size_t>(terminal_columns() > 1 ? terminal_columns() - 1 : 1);
+        std::fprintf(stderr, "\r\033[K%s", line.substr(0, width).c_str());
+        std::fflush(stderr);
+        has_line_ = true;
+        return;
+    }
+    if (percent / 10 <= said_ / 10) return;
+    said_ = percent;
+    say(line);
+}
+
+void ShareDisplay::clear() {
+    if (!has_line_) return;
+    std::fprintf(stderr, "\r\033[K");
+    std::fflush(stderr);
+    has_line_ = false;
+}
+
 }  // namespace stridor::app

@@ -3,6 +3,7 @@
 #include "stridor/sweep/run.hpp"
 
 #include <string>
+#include <utility>
 
 namespace stridor::app {
 
@@ -24,6 +25,27 @@ private:
     std::size_t last_done_ = 0;  // [1] cells when it last said something
     std::size_t last_total_ = 0;
     bool is_started_ = false;
+    bool has_line_ = false;
+};
+
+/// Shows on stderr how far a long piece of work is: a line that is redrawn in a terminal, a line per 10 % anywhere else.
+class ShareDisplay {
+public:
+    /// `what` begins the line: "analysed".
+    explicit ShareDisplay(std::string what) : what_(std::move(what)) {}
+    ~ShareDisplay() { clear(); }
+    ShareDisplay(const ShareDisplay&) = delete;
+    ShareDisplay& operator=(const ShareDisplay&) = delete;
+
+    /// `share` [1] is done; `detail` ends the line.
+    void show(double share, const std::string& detail = "");
+
+    /// Takes the line off the screen, before anything else is written.
+    void clear();
+
+private:
+    std::string what_;
+    int said_ = 0;  // [%]
     bool has_line_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "rig.hpp"
+#include "rig_channels.hpp"
 #include "stridor/analysis/friction_trace.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
@@ -13,11 +14,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace stridor::app {
@@ -43,89 +42,40 @@ struct FrictionOptions {
     bool json = false;
 };
 
-struct Channels {
-    std::size_t force = 0;
-    std::optional<std::size_t> velocity, normal;
-};
-
 [[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
     throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
 }
 
-std::string listed(const signal::Layout& layout) {
-    std::string text;
-    for (std::size_t k = 0; k < layout.channels.size(); ++k)
-        text +=
-            fmt::format("{}{} \"{}\" [{}]", k > 0 ? ", " : "", k + 1, layout.channels[k].name, layout.channels[k].unit);
-    return text;
-}
-
 // by its name or its number from 1
-std::size_t named_channel(const signal::Layout& layout, const std::string& name, const std::string& unit) {
-    std::size_t found = layout.channels.size();
-    for (std::size_t k = 0; k < layout.channels.size(); ++k)
-        if (layout.channels[k].name == name || std::to_string(k + 1) == name) {
-            found = k;
-            if (layout.channels[k].name == name) break;
-        }
-    if (found == layout.channels.size())
-        refuse("there is no channel \"" + name + "\"", "the file has " + listed(layout), "");
+std::size_t channel_in(const signal::Layout& layout, const std::string& name, const std::string& unit) {
+    const std::size_t found = named_channel(layout, name);
     if (layout.channels[found].unit != unit)
         refuse("channel \"" + name + "\" is in " + layout.channels[found].unit, "it must be in " + unit,
                unit == "N" ? "If it is not calibrated, say --full-scale \"50 N\"." : "");
     return found;
 }
 
-bool says(const signal::Channel& channel, const char* word) {
-    std::string name = channel.name;
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return name.find(word) != std::string::npos;
-}
-
-// forces that say "normal", "preload" or "load" press, the others rub
-Channels channels_of(const signal::Layout& layout, const FrictionOptions& options) {
-    std::vector<std::size_t> rubbing, normal, velocities;
-    for (std::size_t k = 0; k < layout.channels.size(); ++k) {
-        const signal::Channel& channel = layout.channels[k];
-        if (channel.unit == "m/s") velocities.push_back(k);
-        if (channel.unit != "N") continue;
-        const bool presses = says(channel, "normal") || says(channel, "load");
-        (presses ? normal : rubbing).push_back(k);
-    }
-    Channels channels;
+// what is named, else what the channels say themselves
+FrictionChannels channels_of(const signal::Layout& layout, const FrictionOptions& options) {
+    const Forces forces = forces_of(layout);
+    FrictionChannels channels;
     if (!options.channel.empty())
-        channels.force = named_channel(layout, options.channel, "N");
-    else if (rubbing.size() == 1)
-        channels.force = rubbing.front();
+        channels.force = channel_in(layout, options.channel, "N");
+    else if (forces.rubbing.size() == 1)
+        channels.force = forces.rubbing.front();
     else
-        refuse(rubbing.empty() ? "no channel is a friction force in newtons"
-                               : "several channels may be the friction force",
-               "the file has " + listed(layout),
-               rubbing.empty() ? "If it is not calibrated, say --full-scale \"50 N\"." : "Name it with --channel.");
-    // one that is named, or the plate's own of a simulated trace, or the only one
-    const auto surface = std::find_if(velocities.begin(), velocities.end(),
-                                      [&](std::size_t k) { return says(layout.channels[k], "surface_velocity"); });
-    if (!options.velocity_channel.empty())
-        channels.velocity = named_channel(layout, options.velocity_channel, "m/s");
-    else if (surface != velocities.end())
-        channels.velocity = *surface;
-    else if (velocities.size() == 1)
-        channels.velocity = velocities.front();
+        refuse(
+            forces.rubbing.empty() ? "no channel is a friction force in newtons"
+                                   : "several channels may be the friction force",
+            "the file has " + channel_list(layout),
+            forces.rubbing.empty() ? "If it is not calibrated, say --full-scale \"50 N\"." : "Name it with --channel.");
+    channels.velocity = options.velocity_channel.empty() ? imposed_velocity(layout)
+                                                         : channel_in(layout, options.velocity_channel, "m/s");
     if (!options.normal_channel.empty())
-        channels.normal = named_channel(layout, options.normal_channel, "N");
-    else if (normal.size() == 1)
-        channels.normal = normal.front();
+        channels.normal = channel_in(layout, options.normal_channel, "N");
+    else if (forces.pressing.size() == 1)
+        channels.normal = forces.pressing.front();
     return channels;
-}
-
-// the usual speed of a measured velocity
-double typical(std::vector<double> velocity) {
-    for (double& v : velocity)
-        v = std::abs(v);
-    const auto place = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(velocity.size() - 1));
-    std::nth_element(velocity.begin(), velocity.begin() + place, velocity.end());
-    return velocity[static_cast<std::size_t>(place)];
 }
 
 std::string coefficient_text(const MeasuredCoefficient& c) {
@@ -198,7 +148,7 @@ void friction(const FrictionOptions& options) {
     if (!options.full_scale.empty()) open.full_scales = {io::parse_full_scale(options.full_scale)};
     const std::unique_ptr<io::SignalFile> file = io::open_signal(options.file, open);
     const signal::Layout layout = file->layout();
-    const Channels places = channels_of(layout, options);
+    const FrictionChannels places = channels_of(layout, options);
     for (const std::string& note : file->facts().notes)
         say("stridor: note: " + note);
     const std::vector<signal::Signal> channels = signal::read_all(*file, most_samples);
@@ -223,7 +173,7 @@ void friction(const FrictionOptions& options) {
     test.duration = signal::duration(channels[places.force]);
     test.preload = measurement.preload;
     test.velocity = !options.velocity.empty() ? base::parse_quantity(options.velocity, "m/s")
-                    : places.velocity         ? typical(channels[*places.velocity].samples)
+                    : places.velocity         ? usual_speed(channels[*places.velocity].samples)
                                               : std::numeric_limits<double>::quiet_NaN();
     test.condition = analysis::vda_condition(test.preload, test.velocity);
     for (const std::string& note : trace.notes)

@@ -80,9 +80,10 @@ std::size_t widest(const Sensitivity& result) {
 
 std::string bins_table(const Sensitivity& result) {
     const std::size_t width = widest(result);
+    const std::size_t level_width = std::max<std::size_t>(10, result.level_unit.size());
     const auto line = [&](const std::string& range, const std::string& records, const std::string& level,
                           const std::string& frequency) {
-        return fmt::format("{:>{}}  {:>7}  {:>10}  {:>10}", range, width, records, level, frequency);
+        return fmt::format("{:>{}}  {:>7}  {:>{}}  {:>10}", range, width, records, level, level_width, frequency);
     };
     std::string names = line(result.quantity, "records", "level", "frequency");
     std::string units = line(result.unit == "1" ? "" : result.unit, "", result.level_unit, "Hz");
@@ -122,13 +123,16 @@ std::string correlation_line(const char* what, const RankCorrelation& correlatio
 }
 
 std::string records_table(const Sensitivity& result) {
-    std::string text =
-        fmt::format("{:>6}  {:>12}  {:<12}  {:>10}  {:>10}\n", "id", result.quantity, "category", "level", "frequency");
-    text += fmt::format("{:>6}  {:>12}  {:<12}  {:>10}  {:>10}\n", "", result.unit == "1" ? "" : result.unit, "",
-                        result.level_unit, "Hz");
+    const std::size_t width = std::max<std::size_t>(10, result.level_unit.size());
+    const auto line = [&](const std::string& id, const std::string& quantity, const std::string& category,
+                          const std::string& level, const std::string& frequency) {
+        return fmt::format("{:>6}  {:>12}  {:<12}  {:>{}}  {:>10}\n", id, quantity, category, level, width, frequency);
+    };
+    std::string text = line("id", result.quantity, "category", "level", "frequency");
+    text += line("", result.unit == "1" ? "" : result.unit, "", result.level_unit, "Hz");
     for (const noise_library::Observation& record : result.records)
-        text += fmt::format("{:>6}  {:>12}  {:<12}  {:>10}  {:>10}\n", record.id, number(record.quantity),
-                            name_of(record.category), number(record.level), number(record.frequency));
+        text += line(std::to_string(record.id), number(record.quantity), name_of(record.category), number(record.level),
+                     number(record.frequency));
     return text;
 }
 
@@ -145,7 +149,7 @@ std::string report(const Sensitivity& result, const SensitivityCommand& command)
 void run_sensitivity(const SensitivityCommand& command) {
     noise_library::Library library = open_library(command.library, noise_library::Access::read);
     noise_library::Query query = query_of(command.selection);
-    query.extent = noise_library::Extent::whole;
+    query.extent = noise_library::Extent::figures;
     noise_library::SensitivityOptions options;
     options.quantity = command.over;
     options.unit = unit_over(command.over, library);

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <numbers>
 #include <thread>
 
 using stridor::noise_library::Entry;
@@ -135,6 +137,98 @@ TEST_F(LibraryProgram, DrawsAndPrintsASensitivity) {
     EXPECT_TRUE(read_text(folder_ / "s.png").starts_with("\x89PNG"));
     const auto document = nlohmann::json::parse(stridor(with_file({"rig", "sensitivity", "--json"})).out);
     EXPECT_EQ(document["level"]["spearman"], -1.0);
+}
+
+namespace {
+
+// a rig's run of two seconds: a force that sticks and slips between 8 and 6 N, the drive, and a tone of 740 Hz
+std::string rig_run(const std::string& comments) {
+    std::string text = comments + "time,friction force,imposed velocity,sound\ns,N,m/s,Pa\n";
+    for (int k = 0; k < 8000; ++k) {
+        const double time = k / 4000.0;
+        text += std::to_string(time) + "," + std::to_string(6.0 + 0.01 * (k % 200)) + ",0.004," +
+                std::to_string(0.1 * std::sin(2.0 * std::numbers::pi * 740.0 * time)) + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST_F(LibraryProgram, ListensToWhatASimulationSoundsLikeAndKnowsItForOne) {
+    for (const std::string kind : {"squeal", "creak"}) {
+        write_text(folder_ / (kind + ".toml"), stridor({"init", kind}).out);
+        expect_done({"listen", kind + ".toml", "--out", kind + ".wav", "--seconds", "0.6"});
+    }
+    expect_refused(with_file({"library", "add", "squeal.wav", "--recorded", "vehicle"}), 2, {"simulated", "vehicle"});
+    const Finished added = stridor(with_file({"library", "add", "squeal.wav", "creak.wav", "--system", "seal"}));
+    EXPECT_NE(added.out.find("1 channel: squeal\n"), std::string::npos) << added.out;
+    EXPECT_NE(added.err.find("squeal.wav is a simulation; its case says preload 20 N"), std::string::npos) << added.err;
+
+    const auto document = nlohmann::json::parse(stridor(with_file({"library", "list", "--json"})).out);
+    const auto& squeal = document["entries"][0];
+    EXPECT_EQ(squeal["recorded"], "simulation");
+    EXPECT_EQ(squeal["category"], "squeal");
+    EXPECT_EQ(squeal["preload"], 20.0);
+    // peak of 4 mm at 5 Hz
+    EXPECT_NEAR(squeal["velocity"].get<double>(), 2.0 * std::numbers::pi * 5.0 * 0.004, 1e-6);
+    EXPECT_EQ(squeal["verdict"]["schema"], "stridor.verdict/1");
+    EXPECT_EQ(document["units"]["figures.level"], "dB re 1e-9 m/s");
+    EXPECT_GT(squeal["figures"]["regularity"].get<double>(), 0.8);
+    // the case came along, and makes the same sound again
+    write_text(folder_ / "again.toml", stridor(with_file({"library", "show", "1", "--field", "case"})).out);
+    expect_done({"listen", "again.toml", "--out", "again.wav", "--seconds", "0.6"});
+    EXPECT_EQ(read_text(folder_ / "again.wav").substr(1000), read_text(folder_ / "squeal.wav").substr(1000));
+
+    const auto moved = nlohmann::json::parse(stridor(with_file({"rig", "sensitivity", "--json"})).out);
+    EXPECT_EQ(moved["records"][0]["category"], "squeal");
+    EXPECT_EQ(moved["records"][1]["category"], "creak");
+    EXPECT_EQ(moved["records"][1]["preload"], 2000.0);
+    EXPECT_EQ(broken_promise(), "");
+}
+
+TEST_F(LibraryProgram, ReadsFromARunWhatTheUserDidNotSay) {
+    write_text(folder_ / "run.csv",
+               rig_run("# Normal load [N]: 20\n# temperature: 23 °C\n# rh: 50 %\n# speed: slow\n"));
+    const Finished added =
+        stridor(with_file({"library", "add", "run.csv", "--recorded", "rig", "--temperature", "25", "--json"}));
+    ASSERT_EQ(added.exit_code, 0) << added.err;
+    EXPECT_NE(added.err.find("run.csv says preload 20 N, humidity 50 %"), std::string::npos) << added.err;
+    EXPECT_NE(added.err.find("velocity is \"slow\""), std::string::npos) << added.err;
+    const auto entry = nlohmann::json::parse(added.out)["entries"][0];
+    EXPECT_EQ(entry["preload"], 20.0);
+    EXPECT_EQ(entry["temperature"], 25.0);
+    EXPECT_EQ(entry["humidity"], 50.0);
+    EXPECT_EQ(entry["velocity"], 0.004);
+    EXPECT_EQ(entry["verdict"]["channel"], 3);
+    EXPECT_EQ(entry["category"], "squeal");
+    const auto& figures = entry["figures"];
+    EXPECT_NEAR(figures["dominant_frequency"].get<double>(), 740.0, 1.0);
+    // a sine of 0.1 Pa: 70.97 dB
+    EXPECT_NEAR(figures["level"].get<double>(), 70.97, 0.1);
+    // the force lets go at 7.99 N of 20 N, and comes back to 6 N
+    EXPECT_NEAR(figures["static_friction"].get<double>(), 0.4, 0.001);
+    EXPECT_NEAR(figures["kinetic_friction"].get<double>(), 0.35, 0.002);
+    EXPECT_NEAR(figures["drop_rate"].get<double>(), 20.0, 1.0);
+
+    expect_done(with_file({"library", "add", "run.csv", "--no-verdict", "--again"}));
+    const auto silent = nlohmann::json::parse(stridor(with_file({"library", "show", "2", "--json"})).out)["entries"][0];
+    EXPECT_FALSE(silent.contains("category"));
+    EXPECT_FALSE(silent["figures"].contains("level"));
+}
+
+TEST_F(LibraryProgram, JudgesAgainWhatHasNoVerdictAndKeepsTheUsersFigures) {
+    write_text(folder_ / "run.csv", rig_run(""));
+    expect_done(with_file({"library", "add", "run.csv", "--no-verdict", "--figure", "kurtosis=3"}));
+    EXPECT_EQ(stridor(with_file({"library", "judge"})).out, "   1  run.csv  squeal\n");
+    EXPECT_NE(stridor(with_file({"library", "judge"})).err.find("nothing to judge"), std::string::npos);
+    expect_done(with_file({"library", "edit", "1", "--figure", "level=60 dB"}));
+    expect_done(with_file({"library", "judge", "1"}));
+    const auto entry = nlohmann::json::parse(stridor(with_file({"library", "show", "1", "--json"})).out)["entries"][0];
+    EXPECT_EQ(entry["figures"]["kurtosis"], 3.0);
+    EXPECT_EQ(entry["figures"]["level"], 60.0);
+    EXPECT_NEAR(entry["figures"]["dominant_frequency"].get<double>(), 740.0, 1.0);
+    expect_refused(with_file({"library", "judge", "1", "--channel", "sond"}), 2, {"no channel", "sound"});
+    expect_refused(with_file({"library", "judge", "7"}), 2, {"no entry 7"});
 }
 
 // a process of `arguments` that dies at an instant spread over its life, and a little beyond

@@ -3,6 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/io/riff.hpp"
+#include "stridor/io/wav.hpp"
 
 #include <sndfile.h>
 
@@ -10,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <optional>
 
 namespace stridor::io {
@@ -149,11 +151,18 @@ std::string format_name(int format) {
     return name;
 }
 
-std::string broadcast_description(SNDFILE* file) {
-    SF_BROADCAST_INFO info{};
-    if (sf_command(file, SFC_GET_BROADCAST_INFO, &info, sizeof info) != SF_TRUE) return "";
-    const std::string_view text(std::begin(info.description), sizeof info.description);
+using Broadcast = SF_BROADCAST_INFO_VAR(longest_history + 1);
+
+// text of a field that may fill it to its end
+std::string text_in(const char* field, std::size_t size) {
+    const std::string_view text(field, size);
     return std::string(text.substr(0, text.find('\0')));
+}
+
+// libsndfile adds a line of its own behind a history it reads
+std::string case_in(const std::string& history) {
+    const std::size_t mark = history.find(case_mark);
+    return mark == std::string::npos ? "" : history.substr(mark + std::string_view(case_mark).size());
 }
 
 std::vector<std::pair<std::string, std::string>> tags(SNDFILE* file) {
@@ -207,8 +216,15 @@ RawSignal open_audio(const SignalInput& input) {
     if (mark == "RIFF" || mark == "RF64") raw.notes = check_riff(input);
     auto audio = std::make_unique<Audio>(input);
     raw.format = format_name(audio->format());
-    raw.description = broadcast_description(audio->handle());
     raw.metadata = tags(audio->handle());
+    if (auto info = std::make_unique<Broadcast>();
+        sf_command(audio->handle(), SFC_GET_BROADCAST_INFO, info.get(), sizeof(Broadcast)) == SF_TRUE) {
+        raw.description = text_in(std::begin(info->description), sizeof info->description);
+        if (!raw.description.empty()) raw.metadata.emplace_back("description", raw.description);
+        const std::size_t length = std::min<std::size_t>(info->coding_history_size, longest_history);
+        if (std::string text = case_in(text_in(std::begin(info->coding_history), length)); !text.empty())
+            raw.metadata.emplace_back("case", std::move(text));
+    }
     for (const auto& [key, text] : raw.metadata)
         if (raw.description.empty() && key == "comment") raw.description = text;
     raw.source = std::move(audio);

@@ -2,6 +2,8 @@
 
 #include "stridor/io/json_entry.hpp"
 
+#include <utility>
+
 namespace stridor::io {
 
 namespace {
@@ -36,15 +38,14 @@ Json verdict_of(const std::string& text) {
     return verdict.is_discarded() ? Json(text) : verdict;
 }
 
-Json units_of(std::span<const Entry> entries) {
-    Json units = Json::object();
-    for (const noise_library::Field& field : noise_library::fields())
-        if (const std::string_view unit = noise_library::unit_of(field); !unit.empty())
-            units[std::string(field.name)] = unit;
-    for (const Entry& entry : entries)
-        for (const Figure& figure : entry.figures)
-            units["figures." + figure.name] = figure.unit;
-    return units;
+// a document as a part of another: its lines moved to the right
+std::string moved(const std::string& text, std::size_t columns) {
+    std::string result;
+    for (const char c : text) {
+        result += c;
+        if (c == '\n') result.append(columns, ' ');
+    }
+    return result;
 }
 
 Json correlation_object(const RankCorrelation& correlation) {
@@ -75,18 +76,37 @@ Json records_array(const Sensitivity& sensitivity) {
 
 }  // namespace
 
+std::string LibraryJson::opening(const std::filesystem::path& library) {
+    std::string text = json_parts::text_of(opening_of("library", library));
+    text.erase(text.find_last_not_of("\n}") + 1);
+    return text + ",\n  \"entries\": [";
+}
+
+std::string LibraryJson::entry(const Entry& entry) {
+    Json object = json_parts::entry_object(entry);
+    if (!entry.verdict.empty()) object["verdict"] = verdict_of(entry.verdict);
+    object["figures"] = figures_object(entry.figures);
+    for (const Figure& figure : entry.figures)
+        units_["figures." + figure.name] = figure.unit;
+    return (std::exchange(is_first_, false) ? "\n    " : ",\n    ") + moved(json_parts::text_of(object), 4);
+}
+
+std::string LibraryJson::closing() const {
+    Json units = Json::object();
+    for (const noise_library::Field& field : noise_library::fields())
+        if (const std::string_view unit = noise_library::unit_of(field); !unit.empty())
+            units[std::string(field.name)] = unit;
+    for (const auto& [name, unit] : units_)
+        units[name] = unit;
+    return std::string(is_first_ ? "]" : "\n  ]") + ",\n  \"units\": " + moved(json_parts::text_of(units), 2) + "\n}";
+}
+
 std::string library_json(const std::filesystem::path& library, std::span<const Entry> entries) {
-    Json document = opening_of("library", library);
-    Json list = Json::array();
-    for (const Entry& entry : entries) {
-        Json object = json_parts::entry_object(entry);
-        if (!entry.verdict.empty()) object["verdict"] = verdict_of(entry.verdict);
-        object["figures"] = figures_object(entry.figures);
-        list.push_back(std::move(object));
-    }
-    document["entries"] = std::move(list);
-    document["units"] = units_of(entries);
-    return json_parts::text_of(document);
+    LibraryJson document;
+    std::string text = document.opening(library);
+    for (const Entry& entry : entries)
+        text += document.entry(entry);
+    return text + document.closing();
 }
 
 std::string sensitivity_json(const std::filesystem::path& library, const Sensitivity& sensitivity) {

@@ -4,6 +4,7 @@
 #include "stridor/noise_library/sensitivity.hpp"
 
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 
@@ -13,6 +14,18 @@ namespace stridor::io {
 /// "stridor.library/1": entries that were read whole, as objects of what is known of them, the figures of each by name,
 /// and a table of units. `library` is the file they stand in.
 std::string library_json(const std::filesystem::path& library, std::span<const noise_library::Entry> entries);
+
+/// The same document in pieces, one after the other: an opening, an entry each, a closing. Memory does not grow with them.
+class LibraryJson {
+public:
+    std::string opening(const std::filesystem::path& library);
+    std::string entry(const noise_library::Entry& entry);
+    std::string closing() const;
+
+private:
+    std::map<std::string, std::string> units_{};  // of figures
+    bool is_first_ = true;
+};
 
 /// "stridor.sensitivity/1": records, bins, ranges of the categories and rank correlations.
 std::string sensitivity_json(const std::filesystem::path& library, const noise_library::Sensitivity& sensitivity);

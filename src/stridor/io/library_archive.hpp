@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/io/tar.hpp"
 #include "stridor/noise_library/library.hpp"
 
 #include <cstddef>
@@ -28,7 +29,8 @@ struct Import {
 /// Adds the entries of an archive; all or none.
 ///
 /// Throws `Error` (input) for an archive that is damaged or not what it says: nothing of it then stays. No name in it is
-/// ever used as a path. Memory grows with the manifest, not with the audio.
-Import import_library(noise_library::Library& library, const std::filesystem::path& archive);
+/// ever used as a path. Memory grows with the number of audio files alone.
+Import import_library(noise_library::Library& library, const std::filesystem::path& archive,
+                      const TarProgress& progress = {});
 
 }  // namespace stridor::io

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 #include <system_error>
+#include <utility>
 
 namespace stridor::io {
 
@@ -109,17 +112,26 @@ void TarWriter::finish() {
     file_->write(std::string(2 * block_size, '\0'));
 }
 
-TarReader::TarReader(const std::filesystem::path& file)
+TarReader::TarReader(const std::filesystem::path& file, TarProgress progress)
     : file_(file),
-      stream_(file, std::ios::binary),
+      stream_(std::make_unique<std::ifstream>(file, std::ios::binary)),
+      progress_(std::move(progress)),
       block_(std::size_t{1} << 18U) {
     std::error_code error;
     const bool is_regular = std::filesystem::is_regular_file(file, error);
     if (!error && is_regular) left_in_file_ = std::filesystem::file_size(file, error);
     if (error) throw storage::system_failure("read", file.string(), error.value());
     if (!is_regular) refuse("it is no file");
-    if (!stream_) throw storage::system_failure("read", file.string(), EACCES);
+    if (!*stream_) throw storage::system_failure("read", file.string(), EACCES);
+    size_ = left_in_file_;
 }
+
+TarReader::TarReader(std::string_view bytes, const std::string& name)
+    : file_(name),
+      stream_(std::make_unique<std::istringstream>(std::string(bytes))),
+      size_(bytes.size()),
+      left_in_file_(bytes.size()),
+      block_(std::size_t{1} << 12U) {}
 
 void TarReader::refuse(const std::string& why) const {
     throw Error(ErrorKind::input, {file_.string() + " is no whole archive of a noise library", why, ""});
@@ -127,9 +139,10 @@ void TarReader::refuse(const std::string& why) const {
 
 void TarReader::fill(char* bytes, std::uint64_t count) {
     if (count > left_in_file_) refuse("its end is missing");
-    stream_.read(bytes, static_cast<std::streamsize>(count));
-    if (!stream_) throw storage::system_failure("read", file_.string(), EIO);
+    stream_->read(bytes, static_cast<std::streamsize>(count));
+    if (!*stream_) throw storage::system_failure("read", file_.string(), EIO);
     left_in_file_ -= count;
+    if (progress_) progress_(size_ - left_in_file_, size_);
 }
 
 std::optional<TarMember> TarReader::next() {

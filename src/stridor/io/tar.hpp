@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <functional>
+#include <istream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,11 +43,17 @@ private:
     std::uint64_t written_ = 0;  // [bytes] of the file begun last
 };
 
+/// Is told how many bytes of an archive are read, of how many.
+using TarProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
+
 /// Reads an archive file by file, a block at a time. What is no such archive, is cut short or lies about its sizes throws
 /// `Error` (input).
 class TarReader {
 public:
-    explicit TarReader(const std::filesystem::path& file);
+    explicit TarReader(const std::filesystem::path& file, TarProgress progress = {});
+
+    /// Bytes in memory as an archive; `name` is for messages.
+    TarReader(std::string_view bytes, const std::string& name);
 
     /// Goes to the next file; nothing at the end.
     std::optional<TarMember> next();
@@ -58,7 +66,9 @@ private:
     void fill(char* bytes, std::uint64_t count);
 
     std::filesystem::path file_;
-    std::ifstream stream_;
+    std::unique_ptr<std::istream> stream_;
+    TarProgress progress_{};
+    std::uint64_t size_ = 0;            // [bytes]
     std::uint64_t left_in_file_ = 0;    // [bytes] after what was read
     std::uint64_t left_in_member_ = 0;  // [bytes]
     std::uint64_t padding_ = 0;         // [bytes] after the member

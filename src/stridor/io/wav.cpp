@@ -75,11 +75,13 @@ std::string description_of(const WavOptions& options, const std::vector<FullScal
     return options.description.substr(0, room) + separator + calibration;
 }
 
-std::string broadcast_chunk(const std::string& description) {
+// what is too long is left out: half a case is none
+std::string broadcast_chunk(const std::string& description, const std::string& history) {
     constexpr std::size_t rest = 10 + 8 + 8;  // date, time, reference: not known, and the same bytes every time
     return chunk("bext", padded(description, description_bytes) +
                              padded("Stridor " + std::string(base::version()), 32) + padded("", 32) + padded("", rest) +
-                             little_endian(1, 2) + padded("", 64 + 190));
+                             little_endian(1, 2) + padded("", 64 + 190) +
+                             (history.size() <= longest_history ? history : ""));
 }
 
 struct Head {
@@ -98,7 +100,7 @@ Head head_of(const signal::Layout& layout, const WavOptions& options, const std:
     if (is_float) format += little_endian(0, 2);
     Head head;
     head.text = "RIFF" + little_endian(0, 4) + "WAVE" + chunk("JUNK", std::string(28, '\0')) + chunk("fmt ", format);
-    if (!description.empty()) head.text += broadcast_chunk(description);
+    if (!description.empty() || !options.history.empty()) head.text += broadcast_chunk(description, options.history);
     if (is_float) {
         head.fact_offset = head.text.size() + 8;
         head.text += chunk("fact", little_endian(0, 4));

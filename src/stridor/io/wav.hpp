@@ -3,11 +3,18 @@
 #include "stridor/io/calibration.hpp"
 #include "stridor/signal/source.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace stridor::io {
+
+/// The longest coding history that other programs still read [bytes].
+inline constexpr std::size_t longest_history = 15'000;
+
+/// Before the case (TOML) that a simulated sound came from, in the coding history of its file.
+inline constexpr const char* case_mark = "# case of stridor\n";
 
 enum class WavSamples { pcm_16, pcm_24, float_32 };
 
@@ -15,6 +22,7 @@ struct WavOptions {
     WavSamples samples = WavSamples::pcm_24;
     std::vector<FullScale> full_scales{};  // what 1 stands for, of every channel or one each; empty: 1 of its unit
     std::string description{};             // goes into the bext text before the calibration; 256 bytes hold both
+    std::string history{};  // how the sound came to be: bext's coding history; at most `longest_history` bytes
 };
 
 /// What became of the samples.

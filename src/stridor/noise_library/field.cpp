@@ -180,8 +180,11 @@ double parse_value(std::string_view text, std::string_view unit) {
     if (is_unknown(given)) return unknown;
     if (unit == "degC") return celsius(given);
     if (is_known_unit(unit)) return base::parse_quantity(given, unit);
-    const bool has_unit = given.ends_with(unit);
-    return base::parse_quantity(has_unit ? given.substr(0, given.size() - unit.size()) : given, "1");
+    // "dB" for "dB re 20 uPa", too
+    const std::string_view short_unit = unit.substr(0, unit.find(" re "));
+    for (const std::string_view each : {unit, short_unit})
+        if (given.ends_with(each)) return base::parse_quantity(given.substr(0, given.size() - each.size()), "1");
+    return base::parse_quantity(given, "1");
 }
 
 void set_quantity(Entry& entry, const Field& field, double value) {

@@ -151,6 +151,30 @@ std::vector<Entry> Library::find(const Query& query) {
     return read(query);
 }
 
+void Library::visit(const Query& query, const std::function<void(const Entry&)>& take) {
+    constexpr std::size_t at_once = 256;
+    const Transaction snapshot(database_, Transaction::Purpose::read);
+    const Selection selection = select(query, figures());
+    Statement rows = database_.prepare("SELECT e.id" + selection.rows + selection.order);
+    bind(rows, selection);
+    std::vector<std::int64_t> ids;
+    while (rows.step())
+        ids.push_back(rows.integer(0));
+    for (std::size_t from = 0; from < ids.size(); from += at_once) {
+        const auto some = std::span(ids).subspan(from, std::min(at_once, ids.size() - from));
+        for (const Entry& entry : read(some))
+            take(entry);
+    }
+}
+
+std::int64_t Library::count(const Query& query) {
+    const Transaction snapshot(database_, Transaction::Purpose::read);
+    const Selection selection = select(query, figures());
+    Statement rows = database_.prepare("SELECT count(*)" + selection.rows);
+    bind(rows, selection);
+    return rows.step() ? rows.integer(0) : 0;
+}
+
 std::vector<Entry> Library::get(std::span<const std::int64_t> ids) {
     const Transaction snapshot(database_, Transaction::Purpose::read);
     return read(ids);
@@ -169,14 +193,17 @@ std::vector<Entry> Library::read(const Query& query) {
     std::map<std::int64_t, Entry*> by_id;
     for (Entry& entry : entries)
         by_id.emplace(entry.id, &entry);
-    const std::string of_these = " WHERE entry IN (SELECT e.id" + selection.rows + ") ORDER BY entry, name";
-    Statement documents = database_.prepare("SELECT entry, name, text FROM document" + of_these);
-    bind(documents, selection);
-    while (documents.step()) {
-        const Field* field = find_field(documents.text(1));
-        const auto found = by_id.find(documents.integer(0));
-        if (found != by_id.end() && field != nullptr && is_document(*field))
-            words_in(*found->second, *field) = documents.text(2);
+    const std::string of_these = " WHERE entry IN (SELECT e.id" + selection.rows +
+                                 (query.limit == 0 ? "" : selection.order) + ") ORDER BY entry, name";
+    if (query.extent == Extent::whole) {
+        Statement documents = database_.prepare("SELECT entry, name, text FROM document" + of_these);
+        bind(documents, selection);
+        while (documents.step()) {
+            const Field* field = find_field(documents.text(1));
+            const auto found = by_id.find(documents.integer(0));
+            if (found != by_id.end() && field != nullptr && is_document(*field))
+                words_in(*found->second, *field) = documents.text(2);
+        }
     }
     Statement values = database_.prepare("SELECT entry, name, unit, value FROM figure" + of_these);
     bind(values, selection);
@@ -193,8 +220,10 @@ std::vector<Entry> Library::read(std::span<const std::int64_t> ids) {
     const std::vector<Entry> found = ids.empty() ? std::vector<Entry>() : read(query);
     std::vector<Entry> entries;
     for (const std::int64_t id : ids) {
-        const auto place = std::find_if(found.begin(), found.end(), [&](const Entry& entry) { return entry.id == id; });
-        if (place == found.end()) refuse_id(id);
+        // a query without an order gives them by id
+        const auto place = std::lower_bound(found.begin(), found.end(), id,
+                                            [](const Entry& entry, std::int64_t sought) { return entry.id < sought; });
+        if (place == found.end() || place->id != id) refuse_id(id);
         entries.push_back(*place);
     }
     return entries;
@@ -263,10 +292,19 @@ std::int64_t Library::write(const Entry& entry) {
 
 std::vector<std::int64_t> Library::add(Intake& intake, std::span<Staged> staged, std::span<const Entry> entries,
                                        Twins twins) {
+    const auto next = [place = entries.begin(), end = entries.end()]() mutable {
+        return place == end ? std::nullopt : std::optional(*place++);
+    };
+    return add(intake, staged, next, twins);
+}
+
+std::vector<std::int64_t> Library::add(Intake& intake, std::span<Staged> staged,
+                                       const std::function<std::optional<Entry>()>& next, Twins twins) {
     Transaction transaction(database_);
     std::vector<std::int64_t> ids;
     std::set<AudioName> needed;
-    for (Entry entry : entries) {
+    while (const std::optional<Entry> given = next()) {
+        Entry entry = *given;
         const std::optional<std::int64_t> twin = twin_of(entry, twins);
         if (twin && twins == Twins::refuse_same_audio)
             throw Error(ErrorKind::input, {entry.file + " is in the library already",

@@ -55,6 +55,12 @@ public:
     /// The entries a query asks for.
     std::vector<Entry> find(const Query& query);
 
+    /// The same one by one, some hundred of them in memory at a time, all of one moment.
+    void visit(const Query& query, const std::function<void(const Entry&)>& take);
+
+    /// How many entries a query asks for, whatever its limit.
+    std::int64_t count(const Query& query);
+
     /// Entries by their ids, in this order, whole. Throws `Error` (input) for an id that is not there.
     std::vector<Entry> get(std::span<const std::int64_t> ids);
 
@@ -67,6 +73,11 @@ public:
     /// Throws `Error` (input) for a twin that is refused.
     std::vector<std::int64_t> add(Intake& intake, std::span<Staged> staged, std::span<const Entry> entries,
                                   Twins twins);
+
+    /// The same for more entries than memory should hold: `next` gives them one by one, and nothing after the last. What
+    /// it throws undoes all.
+    std::vector<std::int64_t> add(Intake& intake, std::span<Staged> staged,
+                                  const std::function<std::optional<Entry>()>& next, Twins twins);
 
     /// Changes entries; all or none. Their ids and audio stay what they are. Gives them as they are now.
     std::vector<Entry> edit(std::span<const std::int64_t> ids, const std::function<void(Entry&)>& change);

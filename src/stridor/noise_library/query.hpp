@@ -18,8 +18,8 @@ struct Condition {
     std::string value;
 };
 
-/// How much of each entry is read: `summary` leaves documents and figures empty.
-enum class Extent { summary, whole };
+/// How much of each entry is read: `summary` leaves documents and figures empty, `figures` the documents.
+enum class Extent { summary, figures, whole };
 
 enum class Direction { rising, falling };
 
@@ -30,6 +30,7 @@ struct Query {
     std::vector<std::string> words{};     // each stands somewhere in the text of the entry, in either case
     std::string sort{};                   // a field or a figure; empty: by id
     Direction direction = Direction::rising;
+    std::size_t limit = 0;  // [1] so many, the first in that order; 0: all
     Extent extent = Extent::summary;
 };
 

@@ -126,14 +126,15 @@ Selection select(const Query& query, std::span<const FigureKind> figures) {
         selection.values.emplace_back(word);
     }
     const std::string order = query.direction == Direction::falling ? " DESC" : "";
+    const std::string limit = query.limit == 0 ? "" : " LIMIT " + std::to_string(query.limit);
     if (query.sort.empty()) {
-        selection.order = " ORDER BY e.id" + order;
+        selection.order = " ORDER BY e.id" + order + limit;
         return selection;
     }
     const Target target = target_of(query.sort, figures);
     const std::string unknown_last = target.expression + (target.is_number ? " IS NULL" : " = ''");
     selection.order = " ORDER BY " + unknown_last + ", " + target.expression +
-                      (target.is_number ? "" : " COLLATE NOCASE") + order + ", e.id";
+                      (target.is_number ? "" : " COLLATE NOCASE") + order + ", e.id" + limit;
     return selection;
 }
 

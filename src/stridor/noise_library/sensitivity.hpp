@@ -82,7 +82,7 @@ struct SensitivityOptions {
     Judge judge = Judge::stridor;
 };
 
-/// The sensitivity over entries that were read whole.
+/// The sensitivity over entries that were read with their figures.
 Sensitivity sensitivity(std::span<const Entry> entries, const SensitivityOptions& options);
 
 /// Spearman's coefficient of pairs, with its p-value; a pair in which a value is unknown is left out. Equal shapes.

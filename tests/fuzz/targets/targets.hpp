@@ -12,15 +12,18 @@ void uff58(std::string_view bytes);
 void sidecar(std::string_view bytes);
 void calibration(std::string_view bytes);
 void riff(std::string_view bytes);
+void tar(std::string_view bytes);
+void manifest(std::string_view bytes);
 
 struct Target {
     std::string_view name;  // of its folder in the corpus
     void (*run)(std::string_view bytes);
 };
 
-inline constexpr std::array targets{Target{"signal_csv", signal_csv}, Target{"uff58", uff58},
-                                    Target{"sidecar", sidecar}, Target{"calibration", calibration},
-                                    Target{"riff", riff}};
+inline constexpr std::array targets{
+    Target{"signal_csv", signal_csv},   Target{"uff58", uff58}, Target{"sidecar", sidecar},
+    Target{"calibration", calibration}, Target{"riff", riff},   Target{"tar", tar},
+    Target{"manifest", manifest}};
 
 /// Stops the program where a promise is broken, in every build.
 void require(bool promise);

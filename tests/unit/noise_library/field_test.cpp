@@ -41,6 +41,12 @@ TEST(NoiseFields, ReadQuantitiesWithUnits) {
     EXPECT_EQ(with("humidity", "45").humidity, 45.0);
 }
 
+TEST(NoiseFields, ReadLevelsWithAndWithoutTheirReference) {
+    for (const char* text : {"65 dB re 20 uPa", "65 dB", "65dB", "65"})
+        EXPECT_EQ(parse_value(text, "dB re 20 uPa"), 65.0) << text;
+    EXPECT_THROW(parse_value("65 dB re 1e-9 m/s", "dB re 20 uPa"), Error);
+}
+
 TEST(NoiseFields, ReadTemperaturesOnThreeScales) {
     EXPECT_EQ(with("temperature", "-10 degC").temperature, -10.0);
     EXPECT_EQ(with("temperature", "-10 °C").temperature, -10.0);

@@ -68,6 +68,31 @@ Entry full_entry() {
     return entry;
 }
 
+TEST_F(LibraryFile, VisitsWhatItFindsInTheSameOrder) {
+    Library library = open();
+    for (int k = 0; k < 600; ++k) {
+        Entry entry = full_entry();
+        entry.preload = (k * 37) % 101;
+        add_bytes(library, sound_, std::to_string(k), entry);
+    }
+    Query query = whole();
+    query.sort = "preload";
+    query.conditions = parse_conditions("preload < 90 N");
+    for (const std::size_t limit : {std::size_t{0}, std::size_t{300}}) {
+        query.limit = limit;
+        const std::vector<Entry> found = library.find(query);
+        EXPECT_EQ(found.size(), limit == 0 ? static_cast<std::size_t>(library.count(query)) : limit);
+        std::size_t place = 0;
+        library.visit(query, [&](const Entry& entry) {
+            ASSERT_LT(place, found.size());
+            EXPECT_EQ(entry.id, found[place].id);
+            EXPECT_EQ(digest(entry), digest(found[place]));
+            ++place;
+        });
+        EXPECT_EQ(place, found.size());
+    }
+}
+
 TEST_F(LibraryFile, GivesBackAnEntryInEveryWordAndBit) {
     Entry added;
     {

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "stridor/signal/source.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// What the channels of a rig's measurement are.
+namespace stridor::app {
+
+/// Places of the channels that a friction trace is made of.
+struct FrictionChannels {
+    std::size_t force = 0;
+    std::optional<std::size_t> velocity{};
+    std::optional<std::size_t> normal{};
+};
+
+/// Forces by what they do: those that say "normal", "preload" or "load" press, the others rub.
+struct Forces {
+    std::vector<std::size_t> rubbing{};
+    std::vector<std::size_t> pressing{};
+};
+
+Forces forces_of(const signal::Layout& layout);
+
+/// The imposed velocity: the channel that says "surface", or the only one in m/s.
+std::optional<std::size_t> imposed_velocity(const signal::Layout& layout);
+
+/// The channels of a file that has one friction force, as they say themselves; nothing for any other.
+std::optional<FrictionChannels> friction_channels(const signal::Layout& layout);
+
+/// The channels that may be heard: sound pressures; without any accelerations, then what is not calibrated, then velocities
+/// but the imposed one. A force is no sound.
+std::vector<std::size_t> audible_channels(const signal::Layout& layout);
+
+/// A channel by its name or its number from 1; throws `Error` (input) with those there are.
+std::size_t named_channel(const signal::Layout& layout, const std::string& name);
+
+/// 1 "force" [N], 2 "sound" [Pa]
+std::string channel_list(const signal::Layout& layout);
+
+/// The usual speed [m/s] of a measured velocity: its 95th percentile.
+double usual_speed(std::span<const double> velocity);
+
+/// Some channels of a source, in the order wanted.
+class PickedChannels final : public signal::Source {
+public:
+    /// The source must outlive it.
+    PickedChannels(signal::Source& source, std::vector<std::size_t> places);
+
+    const signal::Layout& layout() const override { return layout_; }
+    std::size_t read(std::span<double> frames) override;
+
+private:
+    signal::Source* source_;
+    std::vector<std::size_t> places_;
+    signal::Layout layout_;
+    std::vector<double> block_{};
+};
+
+}  // namespace stridor::app
