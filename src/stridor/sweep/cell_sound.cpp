@@ -92,11 +92,12 @@ std::optional<CellSound> sound_of_cell(const Study& study, std::size_t index, co
         if (error.kind() != ErrorKind::numerical) throw;
         return ended(Status::failed, error.what());
     }
-    const signal::SoundAnalysis analysis = analyser.finish();
+    signal::SoundAnalysis analysis = analyser.finish();
+    if (analysis.peak < least_motion) analysis.stretches.clear();
     const classification::RecordingVerdict verdict =
         classification::classify_recording(analysis.stretches, listening.thresholds);
     sound.status = Status::done;
-    sound.heard = verdict.category;
+    sound.heard = analysis.stretches.empty() ? classification::Category::none : verdict.category;
     sound.profile = classification::profile_of(analysis.stretches, verdict, listening.thresholds);
     return sound;
 }
