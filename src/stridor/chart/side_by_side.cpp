@@ -206,7 +206,7 @@ std::string caption_of(std::span<const ComparedSound> sounds) {
         text += fmt::format("{}{}) {}{}{}", k == 0 ? "" : "; ", static_cast<char>('a' + k), sound.origin,
                             sound.what.empty() ? "" : ", ", sound.what);
     }
-    return text + ". Each on its own scale of amplitude and time; colours below the strongest of each.";
+    return text + ". Each on its own scale of amplitude and time; levels re its own strongest.";
 }
 
 }  // namespace
