@@ -25,7 +25,7 @@ const TemporaryFolder& folder() {
     static const bool is_filled = [] {
         write_text(shared / "squeal.toml", run({"init", "squeal"}).out);
         write_text(shared / "pair.toml", run({"init", "noise-chart"}).out);
-        std::vector<std::string> listen{"listen", "pair.toml", "--cell", "x=20 N,y=0.6", "--out", "cell.wav"};
+        std::vector<std::string> listen{"listen", "pair.toml", "--cell", "x=20 N,y=0.7", "--out", "cell.wav"};
         listen.insert(listen.end(), coarse.begin(), coarse.end());
         EXPECT_EQ(run(listen, shared.path()).exit_code, 0);
         write_text(shared / "silence.csv", "time [s],sound [Pa]\n0,0\n0.001,0\n0.002,0\n0.003,0\n");
@@ -121,7 +121,7 @@ TEST(Match, FindsTheCellThatWasRecorded) {
     ASSERT_EQ(document["matches"].size(), 2U);
     const json& first = document["matches"][0];
     EXPECT_LT(first["distance"].get<double>(), document["matches"][1]["distance"].get<double>());
-    // the cell nearest to x=20 N, y=0.6 of 4 by 3
+    // the cell nearest to x=20 N, y=0.7 of 4 by 3
     EXPECT_EQ(first["x"]["index"], 1) << first.dump(2);
     EXPECT_EQ(first["y"]["index"], 2);
     EXPECT_EQ(first["direction"], "going");
