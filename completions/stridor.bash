@@ -2,7 +2,7 @@
 _stridor() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=""
     if ((COMP_CWORD == 1)); then
-        COMPREPLY=($(compgen -W "init check simulate stability chart figure listen rig convert library analyse classify verify completion --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "init check simulate stability chart figure listen rig convert library analyse classify compare match verify completion --help --version" -- "$word"))
         return
     fi
     if [[ $previous == --set ]]; then
@@ -27,18 +27,21 @@ _stridor() {
         library) options="--help" ;;
         analyse) options="--help --full-scale --channel --dataset --rate --set --a-weighting --figure --json" ;;
         classify) options="--help --full-scale --channel --dataset --rate --set --json" ;;
+        compare) options="--help --label --library --of --quantity --json" ;;
+        match) options="--help --chart --set --best --every --store --out --with-level --threads --library --of --quantity --json" ;;
         verify) options="--help" ;;
         completion) options="--help" ;;
     esac
     if [[ ${COMP_WORDS[1]} == figure ]]; then
         if ((COMP_CWORD == 2)); then
-            COMPREPLY=($(compgen -W "paper friction-law contact-states --help" -- "$word"))
+            COMPREPLY=($(compgen -W "paper friction-law contact-states compare --help" -- "$word"))
             return
         fi
         case ${COMP_WORDS[2]} in
             paper) options="--help --out --threads" ;;
             friction-law) options="--help --set --output" ;;
             contact-states) options="--help --set --output" ;;
+            compare) options="--help --label --library --of --quantity --detail --output" ;;
         esac
     fi
     if [[ ${COMP_WORDS[1]} == rig ]]; then
