@@ -2,7 +2,7 @@
 _stridor() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=""
     if ((COMP_CWORD == 1)); then
-        COMPREPLY=($(compgen -W "init check simulate stability chart figure listen rig convert library analyse classify compare match verify completion --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "init check simulate stability chart figure listen rig convert library analyse classify evaluate compare match verify completion --help --version" -- "$word"))
         return
     fi
     if [[ $previous == --set ]]; then
@@ -27,6 +27,7 @@ _stridor() {
         library) options="--help" ;;
         analyse) options="--help --full-scale --channel --dataset --rate --set --a-weighting --figure --json" ;;
         classify) options="--help --full-scale --channel --dataset --rate --set --json" ;;
+        evaluate) options="--help --set --of --perturb-every --recordings --csv --threads --json" ;;
         compare) options="--help --label --library --of --quantity --json" ;;
         match) options="--help --chart --set --best --every --store --out --with-level --threads --library --of --quantity --json" ;;
         verify) options="--help" ;;

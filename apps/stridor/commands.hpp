@@ -24,6 +24,7 @@ void add_convert(CLI::App& program);
 void add_library(CLI::App& program);
 void add_analyse(CLI::App& program);
 void add_classify(CLI::App& program);
+void add_evaluate(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_match(CLI::App& program);
 void add_verify(CLI::App& program);

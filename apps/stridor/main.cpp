@@ -42,6 +42,7 @@ void build(CLI::App& program) {
     add_library(program);
     add_analyse(program);
     add_classify(program);
+    add_evaluate(program);
     add_compare(program);
     add_match(program);
     add_verify(program);

@@ -42,4 +42,28 @@ double agreement_on(const Confusion& table, Category truth) {
     return share(table.counts[k][k], sum_of(table.counts[k]));
 }
 
+Confusion decided(Confusion table) {
+    table.counts[static_cast<std::size_t>(Category::undecided)] = {};
+    return table;
+}
+
+double mean_agreement(const Confusion& table) {
+    double total = 0.0;
+    double occurring = 0.0;
+    for (const Category truth : {Category::none, Category::squeal, Category::squeak, Category::creak}) {
+        const double of_it = agreement_on(table, truth);
+        if (!(of_it >= 0.0)) continue;  // NaN: it does not occur
+        total += of_it;
+        occurring += 1.0;
+    }
+    return total / occurring;
+}
+
+Confusion sum(Confusion a, const Confusion& b) {
+    for (std::size_t truth = 0; truth < a.counts.size(); ++truth)
+        for (std::size_t heard = 0; heard < a.counts.size(); ++heard)
+            a.counts[truth][heard] += b.counts[truth][heard];
+    return a;
+}
+
 }  // namespace stridor::classification

@@ -25,13 +25,6 @@ using parameters::Case;
 using parameters::Direction;
 using record::Phase;
 
-// one run of a case, and how it ended
-struct Attempt {
-    Status status = Status::done;
-    std::string message;
-    Motion motion;
-};
-
 Attempt ended(Motion motion, const Case& c) {
     const std::string time = base::shortest(motion.outcome.time) + " s";
     switch (motion.outcome.reason) {
@@ -50,21 +43,6 @@ Attempt ended(Motion motion, const Case& c) {
             break;
     }
     return {Status::done, "", std::move(motion)};
-}
-
-// nothing if the run was stopped
-std::optional<Attempt> attempt(const Case& c, std::stop_token stop, integration::Workspace& workspace) {
-    const std::vector<parameters::Finding> findings = parameters::findings(c);
-    if (!findings.empty())
-        return Attempt{Status::invalid, Error(ErrorKind::input, findings.front().problem).what(), {}};
-    try {
-        Motion motion = integration::simulate(c, {}, std::move(stop), workspace);
-        if (motion.outcome.reason == Reason::cancelled) return std::nullopt;
-        return ended(std::move(motion), c);
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::numerical) throw;
-        return Attempt{Status::failed, error.what(), {}};
-    }
 }
 
 // the tally of one direction; an empty one if the drive never moves that way, which is judged undecided
@@ -100,6 +78,23 @@ void set_figures(Cell& cell, const analysis::Evidence& evidence) {
     cell.plate_level = evidence.levels.plate.decibels;
 }
 
+}  // namespace
+
+std::optional<Attempt> attempt(const Case& c, const record::Request& request, std::stop_token stop,
+                               integration::Workspace& workspace) {
+    const std::vector<parameters::Finding> findings = parameters::findings(c);
+    if (!findings.empty())
+        return Attempt{Status::invalid, Error(ErrorKind::input, findings.front().problem).what(), {}};
+    try {
+        Motion motion = integration::simulate(c, request, std::move(stop), workspace);
+        if (motion.outcome.reason == Reason::cancelled) return std::nullopt;
+        return ended(std::move(motion), c);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::numerical) throw;
+        return Attempt{Status::failed, error.what(), {}};
+    }
+}
+
 Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     Cell cell;
     cell.status = attempt.status;
@@ -119,11 +114,13 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     return cell;
 }
 
+namespace {
+
 // the cells of one run from one start, in the order of the directions; none if it was stopped
 std::vector<Cell> evaluate_start(const Study& study, const CellPlace& first, const std::stop_token& stop,
                                  integration::Workspace& workspace) {
     const Case c = case_at(study, first);
-    const std::optional<Attempt> run = attempt(c, stop, workspace);
+    const std::optional<Attempt> run = attempt(c, {}, stop, workspace);
     if (!run) return {};
     std::vector<Cell> cells;
     for (std::size_t k = 0; k < directions_per_run(study); ++k)

@@ -5,10 +5,28 @@
 #include "stridor/sweep/study.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace stridor::sweep {
+
+/// One run of a case, and how it ended.
+struct Attempt {
+    Status status = Status::done;
+    std::string message;         // why it is not done
+    integration::Motion motion;  // of a done run only
+};
+
+/// Runs a case; nothing at all if it was stopped.
+///
+/// What goes wrong with the case, the physics or the numbers is a status; only what concerns every case throws `Error`.
+std::optional<Attempt> attempt(const parameters::Case& c, const record::Request& request, std::stop_token stop,
+                               integration::Workspace& workspace);
+
+/// What is kept of one direction of a run: its verdict by contact states and its figures.
+Cell cell_of(const parameters::Case& c, parameters::Direction direction, const Attempt& attempt);
 
 /// Computes the cells that one run gives, `directions_per_run` of them, the first having this index; none at all if it was
 /// stopped.

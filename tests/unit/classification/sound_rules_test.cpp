@@ -143,5 +143,22 @@ TEST(Confusion, CountsAndAgrees) {
     EXPECT_TRUE(std::isnan(agreement_on(table, Category::creak)));
 }
 
+TEST(Confusion, LeavesOutWhatIsUndecidedByTruthOnly) {
+    Confusion table;
+    EXPECT_TRUE(std::isnan(mean_agreement(table)));
+    for (int k = 0; k < 3; ++k)
+        table = counted(table, Category::none, Category::none);
+    table = counted(table, Category::creak, Category::undecided);
+    table = counted(table, Category::undecided, Category::undecided);
+    table = counted(table, Category::undecided, Category::squeal);
+    const Confusion left = decided(table);
+    EXPECT_EQ(total(left), 4u);
+    EXPECT_EQ(agreement(left), 0.75);
+    // none agrees always, creak never: rare categories weigh as much as frequent ones
+    EXPECT_EQ(mean_agreement(left), 0.5);
+    EXPECT_EQ(total(sum(table, left)), 10u);
+    EXPECT_EQ(agreement(sum(left, left)), 0.75);
+}
+
 }  // namespace
 }  // namespace stridor::classification

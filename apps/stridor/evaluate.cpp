@@ -1,0 +1,189 @@
+#include "commands.hpp"
+#include "evaluate_text.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "sound.hpp"
+#include "stridor/classification/sound_rules.hpp"
+#include "stridor/io/atomic_file.hpp"
+#include "stridor/io/hearing_report.hpp"
+#include "stridor/io/open_signal.hpp"
+#include "stridor/io/toml_document.hpp"
+#include "stridor/io/toml_study.hpp"
+#include "stridor/io/toml_writer.hpp"
+#include "stridor/parameters/paper_cases.hpp"
+#include "stridor/signal/sound_analysis.hpp"
+#include "stridor/sweep/paper_charts.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+namespace stridor::app {
+
+namespace {
+
+using parameters::Direction;
+
+struct EvaluateOptions {
+    std::vector<std::string> files;
+    std::vector<std::string> assignments;
+    std::string of = "joint";
+    std::size_t perturb_every = sweep::HearingOptions{}.perturb_every;
+    std::string recordings;
+    std::string csv;
+    int threads = 0;
+    bool json = false;
+};
+
+[[noreturn]] void interrupted(const std::string& where) {
+    throw Error(ErrorKind::interrupted, {"stopped in " + where, "half an evaluation is not kept", "Run it again."});
+}
+
+bool is_threshold(const std::string& assignment) {
+    const std::string name = assignment.substr(0, assignment.find('='));
+    const auto thresholds = parameters::sound_thresholds();
+    return std::any_of(thresholds.begin(), thresholds.end(), [&](const auto& known) { return known.name == name; });
+}
+
+sweep::HearingOptions hearing_options(const EvaluateOptions& options) {
+    sweep::HearingOptions hearing;
+    hearing.perturb_every = options.perturb_every;
+    hearing.threads = options.threads;
+    if (options.of == "plate") hearing.settings.pickup.dof = 2;
+    for (const std::string& assignment : options.assignments)
+        if (is_threshold(assignment)) parameters::set_sound_threshold(hearing.settings.thresholds, assignment);
+    return hearing;
+}
+
+// --- what is heard
+
+// the loudest channel, as `stridor classify` has it
+classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds) {
+    const std::vector<signal::SoundAnalysis> channels = signal::analyse(source);
+    const auto loudest = std::max_element(channels.begin(), channels.end(),
+                                          [](const auto& a, const auto& b) { return a.mean_square < b.mean_square; });
+    return classification::classify_recording(loudest->stretches, thresholds);
+}
+
+// the whole motion as `stridor listen` makes it audible
+classification::RecordingVerdict verdict_on_whole(const parameters::Case& c, const sweep::HearingOptions& options) {
+    signal::AuralisationSettings settings;
+    settings.pickup = options.settings.pickup;
+    settings.rate = options.settings.rate;
+    settings.stretches = {{0.0, c.run.duration}};
+    const std::unique_ptr<Spool> sound = render(c, settings, options.stop, [](double) {});
+    return verdict_on(*sound, options.settings.thresholds);
+}
+
+std::vector<io::HeardCase> hear_table_1(const sweep::HearingOptions& options) {
+    constexpr std::array directions{Direction::going, Direction::coming};
+    std::vector<io::HeardCase> cases;
+    integration::Workspace workspace;
+    for (std::size_t k = 0; k < parameters::paper_case_names.size(); ++k) {
+        const parameters::Case c = parameters::paper_case(static_cast<parameters::PaperCase>(k));
+        io::HeardCase& heard = cases.emplace_back();
+        heard.name = parameters::paper_case_names[k];
+        heard.phases = sweep::hear(c, directions, options.settings, options.stop, workspace);
+        if (heard.phases.empty()) interrupted("Table 1");
+        const classification::RecordingVerdict whole = verdict_on_whole(c, options);
+        heard.whole = whole.category;
+        heard.reason = whole.reasons.front();
+    }
+    return cases;
+}
+
+std::vector<io::HeardChart> charts_of(const EvaluateOptions& options) {
+    std::vector<std::string> overrides;
+    std::copy_if(options.assignments.begin(), options.assignments.end(), std::back_inserter(overrides),
+                 [](const std::string& assignment) { return !is_threshold(assignment); });
+    std::vector<io::HeardChart> charts;
+    for (const std::string& file : options.files)
+        charts.push_back({file, io::read_study(file, overrides), {}});
+    if (!charts.empty() || !options.recordings.empty()) return charts;
+    constexpr double paper_angle = 70.0;  // [deg]
+    charts.push_back({"", io::read_study({io::study_toml(sweep::figure_8()), "Figure 8", overrides}), {}});
+    charts.push_back({"", io::read_study({io::study_toml(sweep::figure_6(paper_angle)), "Figure 6", overrides}), {}});
+    return charts;
+}
+
+void hear_charts(std::vector<io::HeardChart>& charts, sweep::HearingOptions options) {
+    for (io::HeardChart& chart : charts) {
+        say(fmt::format("{} sounds: {}", sweep::cell_count(chart.study), chart.study.base.title));
+        ProgressDisplay display;
+        options.progress = [&](const sweep::Progress& progress) { display.show(progress); };
+        chart.sounds = sweep::hear(chart.study, options);
+        display.finish();
+        if (chart.sounds.empty()) interrupted(chart.study.base.title);
+    }
+}
+
+io::HeardRecording hear_recording(const io::Expectation& expectation, const parameters::SoundThresholds& thresholds) {
+    const std::unique_ptr<io::SignalFile> file = io::open_signal(expectation.file);
+    const classification::RecordingVerdict verdict = verdict_on(*file, thresholds);
+    return {expectation, verdict.category, verdict.reasons.front()};
+}
+
+void evaluate(const EvaluateOptions& options) {
+    if (!options.csv.empty() && !options.recordings.empty() && options.files.empty())
+        throw Error(ErrorKind::input, {"--csv has nothing to write", "it has a row per simulated sound",
+                                       "Name a chart, or leave --recordings out."});
+    io::HearingReport report;
+    report.options = hearing_options(options);
+    report.charts = charts_of(options);
+    std::vector<io::Expectation> expectations;
+    if (!options.recordings.empty()) expectations = io::read_expectations(options.recordings);
+    {
+        const Interrupt interrupt;
+        report.options.stop = interrupt.token();
+        if (!report.charts.empty()) report.cases = hear_table_1(report.options);
+        hear_charts(report.charts, report.options);
+        for (const io::Expectation& expectation : expectations)
+            report.recordings.push_back(hear_recording(expectation, report.options.settings.thresholds));
+    }
+    if (!options.csv.empty()) io::write_file(options.csv, io::hearing_csv(report));
+    print(options.json ? io::hearing_json(report) + "\n" : evaluation_text(report));
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& program) {
+    auto options = std::make_shared<EvaluateOptions>();
+    CLI::App* command = program.add_subcommand(
+        "evaluate", "How often the verdict by ear says what the contact states say, on thousands of simulated sounds.");
+    command->add_option("files", options->files,
+                        "chart files whose every cell is heard (default: the planes of Figures 8 and 6); - is stdin");
+    command
+        ->add_option("--set", options->assignments,
+                     "another threshold by ear (squeal_regularity=0.7) or key of the charts (joint.incidence_angle=50)")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--of", options->of, "whose velocity is heard: the joint's along, the plate's across the contact")
+        ->check(CLI::IsMember({"joint", "plate"}))
+        ->capture_default_str();
+    command
+        ->add_option("--perturb-every", options->perturb_every,
+                     "every so many sounds are also judged with noise, gains, rates and bands; 0: none")
+        ->check(CLI::Range(0, 1000000))
+        ->capture_default_str();
+    command
+        ->add_option("--recordings", options->recordings,
+                     "recordings instead, with what they are in expected.csv or the table of README.md")
+        ->type_name("FOLDER");
+    command->add_option("--csv", options->csv, "write a row per simulated sound, with the figures of both verdicts")
+        ->type_name("FILE");
+    command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
+        ->check(CLI::Range(0, 4096));
+    command->add_flag("--json", options->json, "print one JSON document (schema stridor.evaluate/1)");
+    command->footer(
+        "Examples:\n  stridor evaluate\n  stridor evaluate pair.toml --set joint.incidence_angle=50 --csv sounds.csv\n"
+        "  stridor evaluate pair.toml --set creak_rest=0.6 --perturb-every 0\n"
+        "  stridor evaluate --recordings clips");
+    command->callback([options] { evaluate(*options); });
+}
+
+}  // namespace stridor::app

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "stridor/classification/confusion.hpp"
+#include "stridor/io/expectations.hpp"
+#include "stridor/sweep/hearing_run.hpp"
+#include "stridor/sweep/study.hpp"
+
+#include <string>
+#include <vector>
+
+namespace stridor::io {
+
+/// One of Table 1's cases by ear.
+struct HeardCase {
+    std::string name;                                                      // "squeal"
+    std::vector<sweep::HeardSound> phases;                                 // going, coming
+    classification::Category whole = classification::Category::undecided;  // the whole second, all phases as they come
+    std::string reason;                                                    // why the whole sounds so
+};
+
+/// A chart by ear.
+struct HeardChart {
+    std::string file;  // its name; empty for a built-in one
+    sweep::Study study;
+    std::vector<sweep::HeardSound> sounds{};  // shape [cell]
+};
+
+/// A recording by ear.
+struct HeardRecording {
+    Expectation expectation;
+    classification::Category heard = classification::Category::undecided;
+    std::string reason;
+};
+
+/// How well the ear and what it is held against agree.
+struct HearingReport {
+    sweep::HearingOptions options{};
+    std::vector<HeardCase> cases{};
+    std::vector<HeardChart> charts{};
+    std::vector<HeardRecording> recordings{};
+};
+
+/// The sounds of all charts, one chart after the other, counted by their indices within each.
+classification::Confusion confusion(const HearingReport& report, sweep::Half half = sweep::Half::both);
+classification::Confusion perturbed_confusion(const HearingReport& report, std::optional<std::size_t> perturbation);
+
+bool is_right(const HeardRecording& recording);
+
+/// "stridor.evaluate/1": Table 1, the tables of each chart and of all together, of both halves and after each perturbation, and
+/// the recordings; thresholds.
+std::string hearing_json(const HearingReport& report);
+
+/// "stridor.evaluate/1": a row per sound of the charts: where it is, both verdicts, figures of both, why it sounds so, and the
+/// verdicts by ear after each perturbation (empty where it was not perturbed).
+std::string hearing_csv(const HearingReport& report);
+
+}  // namespace stridor::io

@@ -1,0 +1,207 @@
+// The evaluation of the verdict by ear from outside.
+
+#include "support/counter_random.hpp"
+#include "support/process.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <sstream>
+
+using nlohmann::json;
+using stridor::support::Finished;
+using stridor::support::run;
+using stridor::support::TemporaryFolder;
+using stridor::support::write_text;
+
+namespace {
+
+const std::vector<std::string> small_plane{
+    "evaluate",         "-",     "--set",           "chart.x.points=3", "--set", "chart.y.points=3", "--set",
+    "run.duration=0.3", "--set", "run.window=0.15", "--perturb-every",  "5"};
+
+Finished evaluated(std::vector<std::string> more, const std::filesystem::path& folder = {}) {
+    static const std::string plane = run({"init", "noise-chart"}).out;
+    more.insert(more.begin(), small_plane.begin(), small_plane.end());
+    return run(more, folder, plane);
+}
+
+std::size_t sum_of(const json& counts) {
+    std::size_t sum = 0;
+    for (const json& row : counts)
+        for (const json& count : row)
+            sum += count.get<std::size_t>();
+    return sum;
+}
+
+// a second of a sound as a table with a rate of 8 kHz
+void write_sound(const std::filesystem::path& file, const std::function<double(double)>& at) {
+    std::ostringstream text;
+    text << "time [s],sound\n";
+    for (int n = 0; n < 8000; ++n)
+        text << n / 8000.0 << "," << at(n / 8000.0) << "\n";
+    write_text(file, text.str());
+}
+
+double tone(double time) {
+    return std::sin(6.283185307179586 * 1000.0 * time);
+}
+
+// struck 20 times a second
+double impulses(double time) {
+    const double since = std::fmod(time, 0.05);
+    return std::exp(-since / 0.0008) * std::sin(6.283185307179586 * 1500.0 * since);
+}
+
+void make_sounds(const TemporaryFolder& folder) {
+    stridor::support::CounterRandom random(3);
+    write_sound(folder / "tone_01.csv", tone);
+    write_sound(folder / "tone_02.csv", [](double time) { return 0.01 * tone(time); });
+    write_sound(folder / "struck.csv", impulses);
+    write_sound(folder / "hiss.csv", [&](double) { return random.between(-1.0, 1.0); });
+}
+
+}  // namespace
+
+TEST(Evaluate, PrintsTablesThatAddUp) {
+    const Finished finished = evaluated({"--json"});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    const json document = json::parse(finished.out);
+    EXPECT_EQ(document["schema"], "stridor.evaluate/1");
+    ASSERT_EQ(document["table_1"].size(), 4u);
+    for (const json& heard : document["table_1"]) {
+        const json category = heard["case"] == "quiet" ? json("none") : heard["case"];
+        EXPECT_EQ(heard["whole"]["by_ear"], category) << heard;
+        EXPECT_EQ(heard["going"]["by_ear"], category) << heard;
+        EXPECT_EQ(heard["going"]["contact_states"], category) << heard;
+        EXPECT_EQ(heard["coming"]["by_ear"], heard["coming"]["contact_states"]) << heard;
+    }
+    ASSERT_EQ(document["charts"].size(), 1u);
+    const json& chart = document["charts"][0];
+    EXPECT_EQ(chart["cells"], 18);
+    EXPECT_EQ(chart["failed"], 0);
+    EXPECT_EQ(chart["x"]["parameter"], "contact.preload");
+    for (const char* part : {"all", "even", "odd"}) {
+        const json& table = document["tables"][part];
+        EXPECT_EQ(table["sounds"], std::string(part) == "all" ? 18 : 9);
+        EXPECT_EQ(sum_of(table["counts"]), table["sounds"].get<std::size_t>());
+        EXPECT_EQ(table, chart["tables"][part]);
+    }
+    EXPECT_EQ(document["unperturbed"]["sounds"], 4);  // cells 0, 5, 10, 15
+    ASSERT_EQ(document["perturbed"].size(), 12u);
+    for (const json& perturbed : document["perturbed"])
+        EXPECT_EQ(perturbed["table"]["sounds"], 4) << perturbed["name"];
+    EXPECT_EQ(document["thresholds"]["squeal_regularity"], 0.8);
+}
+
+TEST(Evaluate, IsTheSameForEveryNumberOfThreads) {
+    const TemporaryFolder folder;
+    const Finished one = evaluated({"--threads", "1", "--csv", "one.csv"}, folder.path());
+    const Finished four = evaluated({"--threads", "4", "--csv", "four.csv"}, folder.path());
+    EXPECT_EQ(one.exit_code, 0) << one.err;
+    EXPECT_EQ(one.out, four.out);
+    EXPECT_EQ(stridor::support::read_text(folder / "one.csv"), stridor::support::read_text(folder / "four.csv"));
+}
+
+TEST(Evaluate, WritesARowPerSound) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(evaluated({"--csv", "sounds.csv"}, folder.path()).exit_code, 0);
+    std::istringstream text(stridor::support::read_text(folder / "sounds.csv"));
+    std::vector<std::string> rows;
+    for (std::string line; std::getline(text, line);)
+        if (!line.starts_with('#')) rows.push_back(line);
+    ASSERT_EQ(rows.size(), 2u + 18u);
+    EXPECT_TRUE(rows[0].starts_with("chart,index,x,y,direction,status,contact_states,by_ear,agrees,slip"));
+    EXPECT_TRUE(rows[2].starts_with("1,0,2,0,going,done,none,none,1,")) << rows[2];
+}
+
+TEST(Evaluate, TakesOtherThresholdsAndOtherCases) {
+    const json deaf = json::parse(evaluated({"--json", "--set", "least_clearness=200"}).out);
+    EXPECT_EQ(deaf["thresholds"]["least_clearness"], 200.0);
+    EXPECT_EQ(deaf["tables"]["all"]["agreement_by_category"]["squeal"], 0.0);
+    const json other = json::parse(evaluated({"--json", "--set", "joint.incidence_angle=50"}).out);
+    EXPECT_EQ(other["charts"][0]["case"]["joint"]["incidence_angle"], 50.0);
+    EXPECT_EQ(evaluated({"--set", "squeal_regularty=0.7"}).exit_code, 2);
+    EXPECT_EQ(evaluated({"--set", "squeal_regularity=7"}).exit_code, 2);
+    EXPECT_EQ(evaluated({"--set", "joint.angle=7"}).exit_code, 2);
+}
+
+TEST(Evaluate, HearsRecordingsOfAFolder) {
+    const TemporaryFolder folder;
+    make_sounds(folder);
+    write_text(
+        folder / "README.md",
+        "# Sounds\n\n| what | file | expected |\n| --- | --- | --- |\n| two | tone_01 .. 02.csv | squeal, really |\n"
+        "| a | struck.csv | squeak or creak |\n| b | hiss.csv | squeal |\n\nMore.\n\n| file | expected |\n| x | y |\n");
+    const Finished finished = run({"evaluate", "--recordings", folder.path().string()});
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_NE(finished.out.find("3 of 4 as expected"), std::string::npos) << finished.out;
+    EXPECT_NE(finished.out.find("four clips are no statistic"), std::string::npos) << finished.out;
+    EXPECT_EQ(finished.out.find("Table 1"), std::string::npos);
+    // a table of its own comes first
+    write_text(folder / "expected.csv", "file;expected\nhiss.csv;none\n");
+    const json document =
+        json::parse(run({"evaluate", "--recordings", folder.path().string(), "--json"}).out)["recordings"];
+    ASSERT_EQ(document.size(), 1u);
+    EXPECT_EQ(document[0]["by_ear"], "none");
+    EXPECT_EQ(document[0]["is_right"], true);
+}
+
+TEST(Evaluate, RefusesAFolderWithoutAGoodTable) {
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& part) {
+        const Finished finished = run({"evaluate", "--recordings", folder.path().string()});
+        EXPECT_EQ(finished.exit_code, 2) << finished.out;
+        EXPECT_NE(finished.err.find(part), std::string::npos) << finished.err;
+    };
+    refused("has no table");
+    make_sounds(folder);
+    write_text(folder / "expected.csv", "name,expected\nhiss.csv,none\n");
+    refused("names no columns");
+    write_text(folder / "expected.csv", "file,expected\nhiss.csv,quiet\n");
+    refused("expected.csv:2");
+    write_text(folder / "expected.csv", "file,expected\nhiss.csv\n");
+    refused("no field for each column");
+    write_text(folder / "expected.csv", "file,expected\nhush.csv,none\n");
+    refused("is not there");
+    EXPECT_EQ(run({"evaluate", "--recordings", "/nowhere"}).exit_code, 2);
+}
+
+// eight clips that do not belong to the project: a smoke test where they lie beside the checkout, and the same path of the
+// program over sounds of our own where they do not
+TEST(Evaluate, HearsTheClipsBesideTheCheckoutAsLabelled) {
+    const std::filesystem::path clips = std::filesystem::path(STRIDOR_SOURCE_DIR) / ".." / "shared" / "recordings";
+    if (std::filesystem::is_directory(clips)) {
+        const json document = json::parse(run({"evaluate", "--recordings", clips.string(), "--json"}).out);
+        EXPECT_EQ(document["recordings"].size(), 8u);
+        for (const json& recording : document["recordings"])
+            EXPECT_EQ(recording["is_right"], true) << recording;
+        return;
+    }
+    std::cout
+        << "NOT TESTED: the eight clips; ../shared/recordings is not there. Sounds of our own are heard instead.\n";
+    const TemporaryFolder folder;
+    make_sounds(folder);
+    write_text(folder / "expected.csv",
+               "file,expected\ntone_01.csv,squeal\ntone_02.csv,squeal\nstruck.csv,creak\nhiss.csv,none\n");
+    const json document = json::parse(run({"evaluate", "--recordings", folder.path().string(), "--json"}).out);
+    ASSERT_EQ(document["recordings"].size(), 4u);
+    for (const json& recording : document["recordings"])
+        EXPECT_EQ(recording["is_right"], true) << recording;
+}
+
+TEST(Evaluate, EndsWithoutATableWhenInterrupted) {
+    stridor::support::Launch launch;
+    launch.arguments = {"evaluate", "--threads", "1"};
+    stridor::support::Process process(launch);
+    process.send(SIGINT);
+    // before its handler stands a program dies of the signal; after that it says so
+    const Finished finished = process.wait();
+    EXPECT_TRUE(finished.exit_code == 4 || finished.signal == SIGINT) << finished.exit_code;
+    EXPECT_TRUE(finished.out.empty());
+}
