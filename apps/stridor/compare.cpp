@@ -81,6 +81,7 @@ std::string text_of(const std::vector<Row>& rows) {
 }
 
 std::string distance_text(const ComparedSound& first, const ComparedSound& other) {
+    if (is_silent(first.profile) || is_silent(other.profile)) return "-";
     return fmt::format("{:.2f}", classification::likeness(first.profile, other.profile).distance);
 }
 

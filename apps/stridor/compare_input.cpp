@@ -366,6 +366,10 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const MotionOption
     const Rendering rendering = render(simulated.c, settings, record::KeepHistory::yes, interrupt.token(), {});
     ComparedSound sound;
     judge(sound, std::move(signal::analyse(*rendering.sound).front()));
+    if (sound.analysis.peak < sweep::least_motion) {
+        sound.profile = {};
+        sound.heard = {classification::Category::none, {}, {}, {"nothing moves but by rounding"}};
+    }
     sound.what = motion_words(motion);
     sound.rate = settings.rate;
     sound.length = sound.analysis.duration;

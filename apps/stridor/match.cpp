@@ -10,6 +10,7 @@
 #include "stridor/io/json_compare.hpp"
 #include "stridor/io/toml_study.hpp"
 #include "stridor/io/wav.hpp"
+#include "stridor/sweep/hearing.hpp"
 #include "stridor/sweep/store.hpp"
 #include "terminal.hpp"
 
@@ -241,7 +242,7 @@ void match(const MatchOptions& options) {
     report.rate = cell_rate(report.recording);
     report.level = options.with_level ? classification::LevelUse::counted : classification::LevelUse::ignored;
     report.extent = options.every ? sweep::Extent::every : sweep::Extent::search;
-    require_fine_steps(report.study.base, report.rate);
+    sweep::check_audible(report.study.base, {pickup_of(options.motion), report.rate});
     sweep::CellListening listening;
     listening.sound.pickup = pickup_of(options.motion);
     listening.sound.rate = report.rate;

@@ -20,6 +20,17 @@ namespace {
     throw Error(ErrorKind::io, {what, std::strerror(errno), "Set TMPDIR to a folder with more space?"});
 }
 
+void require_fine_steps(const parameters::Case& c, double rate) {
+    if (c.run.engine != parameters::Engine::beta_2) return;
+    // engines sample at their own steps
+    const double interval = std::max(1.0, std::round(1.0 / (rate * signal::trace_density * c.run.step))) * c.run.step;
+    if (4.0 * interval * rate > 1.0)
+        throw Error(ErrorKind::input, {fmt::format("run.step = {} s is too long for a sound of {:g} Hz",
+                                                   base::shortest(c.run.step), rate),
+                                       "at least four steps must fall on each of its samples",
+                                       fmt::format("Use at most {:.1g} s, or run.engine = \"exact\".", 0.25 / rate)});
+}
+
 void require_result(const integration::Outcome& outcome) {
     if (outcome.reason == integration::Reason::cancelled)
         throw Error(ErrorKind::interrupted, {fmt::format("stopped at {:.6g} s of the motion", outcome.time),
@@ -32,17 +43,6 @@ void require_result(const integration::Outcome& outcome) {
 }
 
 }  // namespace
-
-void require_fine_steps(const parameters::Case& c, double rate) {
-    if (c.run.engine != parameters::Engine::beta_2) return;
-    // engines sample at their own steps
-    const double interval = std::max(1.0, std::round(1.0 / (rate * signal::trace_density * c.run.step))) * c.run.step;
-    if (4.0 * interval * rate > 1.0)
-        throw Error(ErrorKind::input, {fmt::format("run.step = {} s is too long for a sound of {:g} Hz",
-                                                   base::shortest(c.run.step), rate),
-                                       "at least four steps must fall on each of its samples",
-                                       fmt::format("Use at most {:.1g} s, or run.engine = \"exact\".", 0.25 / rate)});
-}
 
 Spool::Spool(double rate, std::string unit) : layout_{rate, {{"", std::move(unit)}}, 0}, file_(std::tmpfile()) {
     if (!file_) fail("no temporary file could be made");

@@ -46,9 +46,6 @@ private:
 /// Is told how much of the run [s] is rendered.
 using RenderProgress = std::function<void(double)>;
 
-/// Throws `Error` (input) for a beta_2 step too long to be heard at this rate [Hz].
-void require_fine_steps(const parameters::Case& c, double rate);
-
 /// A sound with the rest of what its run left.
 struct Rendering {
     std::unique_ptr<Spool> sound;

@@ -25,7 +25,7 @@ const TemporaryFolder& folder() {
     static const bool is_filled = [] {
         write_text(shared / "squeal.toml", run({"init", "squeal"}).out);
         write_text(shared / "pair.toml", run({"init", "noise-chart"}).out);
-        std::vector<std::string> listen{"listen", "pair.toml", "--cell", "x=20 N,y=0.6", "--out", "cell.wav"};
+        std::vector<std::string> listen{"listen", "pair.toml", "--cell", "x=20 N,y=0.7", "--out", "cell.wav"};
         listen.insert(listen.end(), coarse.begin(), coarse.end());
         EXPECT_EQ(run(listen, shared.path()).exit_code, 0);
         write_text(shared / "silence.csv", "time [s],sound [Pa]\n0,0\n0.001,0\n0.002,0\n0.003,0\n");
@@ -35,13 +35,13 @@ const TemporaryFolder& folder() {
     return shared;
 }
 
-Finished stridor(const std::vector<std::string>& arguments) {
+Finished answer(const std::vector<std::string>& arguments) {
     return run(arguments, folder().path());
 }
 
 json document_of(std::vector<std::string> arguments) {
     arguments.emplace_back("--json");
-    const Finished finished = stridor(arguments);
+    const Finished finished = answer(arguments);
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
     return json::parse(finished.out);
 }
@@ -74,7 +74,7 @@ TEST(Compare, FindsNothingBetweenASoundAndItself) {
 }
 
 TEST(Compare, BringsMixedRatesToTheLowest) {
-    ASSERT_EQ(stridor({"listen", "squeal.toml", "--seconds", "0.3", "--rate", "16000", "--out", "low.wav"}).exit_code,
+    ASSERT_EQ(answer({"listen", "squeal.toml", "--seconds", "0.3", "--rate", "16000", "--out", "low.wav"}).exit_code,
               0);
     const json document = document_of({"compare", "low.wav", "cell.wav"});
     EXPECT_EQ(document["sounds"][1]["rate"], 48000.0);
@@ -82,7 +82,7 @@ TEST(Compare, BringsMixedRatesToTheLowest) {
 }
 
 TEST(Compare, DrawsAFigure) {
-    ASSERT_EQ(stridor({"figure", "compare", "cell.wav", "pair.toml:x=20 N,y=0.6", "-o", "compare.svg"}).exit_code, 0);
+    ASSERT_EQ(answer({"figure", "compare", "cell.wav", "pair.toml:x=20 N,y=0.6", "-o", "compare.svg"}).exit_code, 0);
     EXPECT_GT(std::filesystem::file_size(folder() / "compare.svg"), 10000U);
 }
 
@@ -101,7 +101,7 @@ TEST(Compare, RefusesWhatIsNoSoundWithAReason) {
     };
     for (auto [arguments, words] : wrong) {
         arguments.insert(arguments.begin(), "compare");
-        const Finished finished = stridor(arguments);
+        const Finished finished = answer(arguments);
         EXPECT_TRUE(finished.exit_code == 2 || finished.exit_code == 5) << words << ": " << finished.exit_code;
         EXPECT_NE(finished.err.find(words), std::string::npos) << words << " not in: " << finished.err;
         EXPECT_TRUE(finished.out.empty());
@@ -109,7 +109,7 @@ TEST(Compare, RefusesWhatIsNoSoundWithAReason) {
 }
 
 TEST(Compare, ShowsSilenceAndShortSoundsAsSuch) {
-    const Finished finished = stridor({"compare", "cell.wav", "silence.csv"});
+    const Finished finished = answer({"compare", "cell.wav", "silence.csv"});
     // 1 kHz is the lowest rate that can be analysed; the sound is shorter than any stretch
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
     EXPECT_NE(finished.out.find("undecided"), std::string::npos) << finished.out;
@@ -121,7 +121,7 @@ TEST(Match, FindsTheCellThatWasRecorded) {
     ASSERT_EQ(document["matches"].size(), 2U);
     const json& first = document["matches"][0];
     EXPECT_LT(first["distance"].get<double>(), document["matches"][1]["distance"].get<double>());
-    // the cell nearest to x=20 N, y=0.6 of 4 by 3
+    // the cell nearest to x=20 N, y=0.7 of 4 by 3
     EXPECT_EQ(first["x"]["index"], 1) << first.dump(2);
     EXPECT_EQ(first["y"]["index"], 2);
     EXPECT_EQ(first["direction"], "going");
@@ -132,7 +132,7 @@ TEST(Match, FindsTheCellThatWasRecorded) {
 TEST(Match, LeavesOutWhatTheStoreKnowsToBeQuiet) {
     std::vector<std::string> chart{"chart", "pair.toml", "--out", "pair"};
     chart.insert(chart.end(), coarse.begin(), coarse.end());
-    ASSERT_EQ(stridor(chart).exit_code, 0);
+    ASSERT_EQ(answer(chart).exit_code, 0);
     const json document = document_of(match({"--store", "pair/chart.sqlite"}));
     EXPECT_GT(document["chart"]["ruled_out"].get<int>(), 0);
     EXPECT_EQ(document["matches"][0]["x"]["index"], 1);
@@ -148,7 +148,7 @@ TEST(Match, RefusesWhatCannotBeMatched) {
     };
     for (auto [arguments, words] : wrong) {
         arguments.insert(arguments.begin(), "match");
-        const Finished finished = stridor(arguments);
+        const Finished finished = answer(arguments);
         EXPECT_TRUE(finished.exit_code == 2 || finished.exit_code == 5) << words << ": " << finished.exit_code;
         EXPECT_NE(finished.err.find(words), std::string::npos) << words << " not in: " << finished.err;
     }

@@ -65,6 +65,17 @@ Line scaled(Line line) {
     return line;
 }
 
+// in the middle of a panel that has nothing to show
+Note remark(const char* text) {
+    Note note;
+    note.text = text;
+    note.x = note.y = 0.5;
+    note.anchor = Anchor::panel;
+    note.align = Align::centre;
+    note.colour = quiet_ink;
+    return note;
+}
+
 void set_amplitude_axis(Panel& panel) {
     panel.grid = Grid::both;
     panel.y.label = "signal";
@@ -94,7 +105,10 @@ Panel spectrogram_panel(const ComparedSound& sound, std::size_t column, double h
     panel.y.label = "frequency";
     panel.y.unit = "Hz";
     panel.y.range = {0.0, highest};
-    if (sound.analysis.spectrogram.columns() == 0) return panel;
+    if (is_silent(sound.profile) || sound.analysis.spectrogram.columns() == 0) {
+        panel.layers.emplace_back(remark("nothing to be heard"));
+        return panel;
+    }
     ValueCells cells = spectrogram_cells(sound.analysis, highest);
     const double strongest = *std::max_element(cells.values.begin(), cells.values.end());
     for (double& value : cells.values)
@@ -146,13 +160,7 @@ Panel states_panel(const ComparedSound& sound, std::size_t column) {
     if (column > 0) panel.y.text = AxisText::hidden;
     if (!history.empty()) return panel;
     panel.layers.clear();
-    Note note;
-    note.text = "contact states not known";
-    note.x = note.y = 0.5;
-    note.anchor = Anchor::panel;
-    note.align = Align::centre;
-    note.colour = quiet_ink;
-    panel.layers.emplace_back(std::move(note));
+    panel.layers.emplace_back(remark("contact states not known"));
     return panel;
 }
 
@@ -206,7 +214,7 @@ std::string caption_of(std::span<const ComparedSound> sounds) {
         text += fmt::format("{}{}) {}{}{}", k == 0 ? "" : "; ", static_cast<char>('a' + k), sound.origin,
                             sound.what.empty() ? "" : ", ", sound.what);
     }
-    return text + ". Each on its own scale of amplitude and time; colours below the strongest of each.";
+    return text + ". Each on its own scale of amplitude and time; levels re its own strongest.";
 }
 
 }  // namespace
@@ -217,9 +225,9 @@ Scene side_by_side(std::span<const ComparedSound> sounds) {
     scene.caption = {Text(caption_of(sounds))};
     scene.row_heights.assign(heights.begin(), heights.end());
     scene.column_widths.assign(sounds.size(), 1.0);
-    double highest = 0.0;
+    double highest = 2000.0;
     for (const ComparedSound& sound : sounds)
-        highest = std::max(highest, highest_frequency(sound.analysis.spectrum));
+        if (!is_silent(sound.profile)) highest = std::max(highest, highest_frequency(sound.analysis.spectrum));
     const bool is_known = std::any_of(sounds.begin(), sounds.end(),
                                       [](const ComparedSound& sound) { return !sound.contact.history.empty(); });
     if (!is_known) scene.row_heights[states] = 0.01;

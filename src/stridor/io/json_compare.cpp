@@ -110,9 +110,10 @@ std::string compare_json(std::span<const ComparedSound> sounds) {
     for (std::size_t a = 0; a < sounds.size(); ++a)
         for (std::size_t b = a + 1; b < sounds.size(); ++b) {
             const Likeness likeness = classification::likeness(sounds[a].profile, sounds[b].profile);
+            const bool is_known = !is_silent(sounds[a].profile) && !is_silent(sounds[b].profile);
             pairs.push_back({{"first", a + 1},
                              {"second", b + 1},
-                             {"distance", likeness.distance},
+                             {"distance", is_known ? Json(likeness.distance) : Json()},
                              {"differences", differences_array(likeness)}});
         }
     document["sounds"] = std::move(list);

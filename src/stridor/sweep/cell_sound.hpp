@@ -15,6 +15,9 @@
 
 namespace stridor::sweep {
 
+/// A motion that nowhere exceeds this is rounding, and silence [m/s], [m/s^2].
+inline constexpr double least_motion = 1e-9;
+
 /// How the cells of a chart are made audible and judged by ear.
 struct CellListening {
     signal::AuralisationSettings sound{};  // its stretches follow from each cell
