@@ -57,12 +57,13 @@ _stridor() {
     fi
     if [[ ${COMP_WORDS[1]} == library ]]; then
         if ((COMP_CWORD == 2)); then
-            COMPREPLY=($(compgen -W "add list show edit remove export import fields words --help" -- "$word"))
+            COMPREPLY=($(compgen -W "add judge list show edit remove export import fields words --help" -- "$word"))
             return
         fi
         case ${COMP_WORDS[2]} in
-            add) options="--help --library --system --parts --materials --operation --recorded --denomination --preload --velocity --velocity-profile --temperature --humidity --sensor --calibration --date --author --licence --notes --case --figure --again --json" ;;
-            list) options="--help --library --where --search --sort --columns --json --csv" ;;
+            add) options="--help --library --system --parts --materials --operation --recorded --denomination --preload --velocity --velocity-profile --temperature --humidity --sensor --calibration --date --author --licence --notes --case --figure --channel --full-scale --no-verdict --again --json" ;;
+            judge) options="--help --library --where --search --channel --full-scale --all --json" ;;
+            list) options="--help --library --where --search --sort --columns --limit --json --csv" ;;
             show) options="--help --library --json --field --audio" ;;
             edit) options="--help --library --system --parts --materials --operation --recorded --denomination --preload --velocity --velocity-profile --temperature --humidity --sensor --calibration --date --author --licence --notes --case --figure" ;;
             remove) options="--help --library" ;;
@@ -80,7 +81,7 @@ _stridor() {
         case $previous in
             --system|--parts|--materials|--operation|--recorded|--denomination|--sensor|--author|--licence) field=${previous#--} ;;
             --*) ;;
-            *) [[ ${COMP_WORDS[2]} == @(show|edit|remove) ]] && field=id ;;
+            *) [[ ${COMP_WORDS[2]} == @(show|edit|judge|remove) ]] && field=id ;;
         esac
         if [[ -n $field ]]; then
             COMPREPLY=()
