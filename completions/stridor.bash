@@ -23,7 +23,7 @@ _stridor() {
         figure) options="--help" ;;
         listen) options="--help --set --cell --direction --judged --out --of --quantity --component --rate --seconds --level --full-scale --high-pass --fade --json" ;;
         rig) options="--help" ;;
-        convert) options="--help --full-scale --format --bits --channel --dataset --rate --json" ;;
+        convert) options="--help --full-scale --channel --dataset --rate --format --bits --json" ;;
         library) options="--help" ;;
         analyse) options="--help --full-scale --channel --dataset --rate --set --a-weighting --figure --json" ;;
         classify) options="--help --full-scale --channel --dataset --rate --set --json" ;;

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "input_options.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/open_signal.hpp"
@@ -26,26 +27,11 @@ namespace {
 struct ConvertOptions {
     std::string input;
     std::string output;  // empty: only say what the input holds
-    std::vector<std::string> full_scales;
+    InputOptions recording;
     std::string format;
     std::string bits;
-    std::string rate;
-    std::size_t channel = 0;
-    std::size_t dataset = 0;
     bool json = false;
 };
-
-io::OpenOptions open_options(const ConvertOptions& options) {
-    io::OpenOptions open;
-    for (const std::string& text : options.full_scales)
-        open.full_scales.push_back(io::parse_full_scale(text));
-    if (!options.rate.empty()) open.rate = base::parse_quantity(options.rate, "Hz");
-    if (open.rate && !(*open.rate > 0.0))
-        throw Error(ErrorKind::input, {"\"" + options.rate + "\" is no sampling rate", "it must be positive", ""});
-    if (options.channel > 0) open.channel = options.channel;
-    if (options.dataset > 0) open.dataset = options.dataset;
-    return open;
-}
 
 std::string format_of(const ConvertOptions& options) {
     if (!options.format.empty()) return options.format;
@@ -142,7 +128,7 @@ std::string report(const io::SignalSummary& summary) {
 }
 
 void convert(const ConvertOptions& options) {
-    const io::OpenOptions open = open_options(options);
+    const io::OpenOptions open = open_options(options.recording);
     if (!options.output.empty()) format_of(options);  // before hours are read
     const io::SignalInput input = io::open_input(options.input);
     const io::SignalSummary summary = io::summary_of(*io::open_signal(input, open));
@@ -170,20 +156,11 @@ void add_convert(CLI::App& program) {
         ->required();
     command->add_option("out", options->output,
                         "file to write (.wav, .csv, .uff); without it only the report is printed");
-    command
-        ->add_option("--full-scale", options->full_scales,
-                     "what the number 1 in the file stands for: \"2 Pa\"; once, or once per channel")
-        ->type_name("QUANTITY")
-        ->allow_extra_args(false);
+    add_input_options(*command, options->recording);
     command->add_option("--format", options->format, "of OUT, whatever its name")
         ->check(CLI::IsMember({"wav", "csv", "uff58", "uff58b"}));
     command->add_option("--bits", options->bits, "of a WAV's samples; by default as in IN, or float")
         ->check(CLI::IsMember({"16", "24", "float"}));
-    command->add_option("--channel", options->channel, "this channel alone, counted from 1")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--dataset", options->dataset, "this time history of a UFF file, counted from 1")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--rate", options->rate, "sampling rate of a CSV table that does not tell it")->type_name("HZ");
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.convert/1)");
     command->footer(
         "Without --full-scale the unit comes from NAME.json beside the recording, the text in its header, or its own "

@@ -17,18 +17,6 @@ namespace stridor::app {
 
 namespace {
 
-io::OpenOptions open_options(const SoundOptions& options) {
-    io::OpenOptions open;
-    for (const std::string& text : options.full_scales)
-        open.full_scales.push_back(io::parse_full_scale(text));
-    if (!options.rate.empty()) open.rate = base::parse_quantity(options.rate, "Hz");
-    if (open.rate && !(*open.rate > 0.0))
-        throw Error(ErrorKind::input, {"\"" + options.rate + "\" is no sampling rate", "it must be positive", ""});
-    if (options.channel > 0) open.channel = options.channel;
-    if (options.dataset > 0) open.dataset = options.dataset;
-    return open;
-}
-
 // a thread for each piece but the first
 void side_by_side(std::size_t count, const std::function<void(std::size_t)>& work) {
     std::vector<std::jthread> others;
@@ -59,15 +47,7 @@ signal::Progress progress_of(const signal::Layout& layout) {
 void add_sound_options(CLI::App& command, SoundOptions& options) {
     command.add_option("file", options.file, "WAV, FLAC, Ogg, AIFF, CSV or UFF 58 file; - for standard input")
         ->required();
-    command
-        .add_option("--full-scale", options.full_scales,
-                    "what the number 1 in the file stands for: \"2 Pa\"; once, or once per channel")
-        ->type_name("QUANTITY")
-        ->allow_extra_args(false);
-    command.add_option("--channel", options.channel, "this channel alone, counted from 1")->check(CLI::PositiveNumber);
-    command.add_option("--dataset", options.dataset, "this time history of a UFF file, counted from 1")
-        ->check(CLI::PositiveNumber);
-    command.add_option("--rate", options.rate, "sampling rate of a CSV table that does not tell it")->type_name("HZ");
+    add_input_options(command, options.recording);
     command.add_option("--set", options.thresholds, "another threshold: --set squeal_regularity=0.7 (repeatable)")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
@@ -77,7 +57,7 @@ io::SoundReport listen_to(const SoundOptions& options) {
     io::SoundReport report;
     for (const std::string& assignment : options.thresholds)
         parameters::set_sound_threshold(report.thresholds, assignment);
-    const std::unique_ptr<io::SignalFile> file = io::open_signal(options.file, open_options(options));
+    const std::unique_ptr<io::SignalFile> file = io::open_signal(options.file, open_options(options.recording));
     report.file = file->facts().name;
     report.format = file->facts().format;
     report.notes = file->facts().notes;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "input_options.hpp"
 #include "stridor/io/json_sound.hpp"
 
 #include <cstddef>
@@ -14,12 +15,9 @@ namespace stridor::app {
 
 /// What every command that listens to a recording takes.
 struct SoundOptions {
-    std::string file;                      // "-" is stdin
-    std::vector<std::string> full_scales;  // "2 Pa"
-    std::size_t channel = 0;               // from 1; 0: all
-    std::size_t dataset = 0;               // of a UFF file, from 1; 0: all
-    std::string rate;                      // of a CSV table
-    std::vector<std::string> thresholds;   // "squeal_regularity=0.7"
+    std::string file;  // "-" is stdin
+    InputOptions recording;
+    std::vector<std::string> thresholds;  // "squeal_regularity=0.7"
 };
 
 /// Adds the file, --full-scale, --channel, --dataset, --rate and --set.

@@ -60,6 +60,8 @@ private:
 
     Picture picture_of(std::span<const double> samples);
     void describe_tone(const Picture& picture, SoundFeatures& features);
+    void describe_movement(const Picture& picture, double place, SoundFeatures& features);
+    void describe_cycles(const Picture& picture, std::span<const double> kept, SoundFeatures& features);
     std::vector<double> above_floor(const Picture& picture, std::size_t size);
 
     double rate_;

@@ -8,6 +8,7 @@
 #include "stridor/signal/perturb.hpp"
 #include "stridor/signal/resample.hpp"
 #include "stridor/signal/sound_analysis.hpp"
+#include "stridor/sweep/cell_sound.hpp"
 #include "stridor/sweep/evaluate.hpp"
 
 #include <algorithm>
@@ -22,7 +23,6 @@ namespace {
 using classification::Category;
 using parameters::Case;
 using parameters::Direction;
-using record::Phase;
 using signal::Signal;
 
 constexpr double least_motion = 1e-9;  // [m/s, m/s²] what is smaller is rounding
@@ -44,17 +44,6 @@ constexpr std::array<Perturbation, 12> all_perturbations{{
     {.name = "100 Hz to 8 kHz", .low = 100.0, .high = 8000.0},
     {.name = "300 Hz to 3.4 kHz", .low = 300.0, .high = 3400.0},
 }};
-
-Phase phase_of(const Case& c, Direction direction) {
-    if (c.drive.kind == parameters::DriveKind::constant) return Phase::all;
-    return direction == Direction::going ? Phase::going : Phase::coming;
-}
-
-// What is heard of a direction: the window of a constant drive, else its whole phases, for their steady parts may be too short to
-// be described (two points of a level always lie on a line). None if the drive never moves that way.
-std::vector<signal::Stretch> heard_parts(const record::Schedule& schedule, const Case& c, Direction direction) {
-    return signal::stretches_of(schedule, phase_of(c, direction), record::Use::counted);
-}
 
 // the sound of a run from somewhat before its first part that is heard on
 class Recorder {
@@ -185,7 +174,7 @@ std::vector<HeardSound> hear(const Case& c, std::span<const Direction> direction
         heard.cell = cell_of(c, direction, *run);
         if (heard.cell.status != Status::done) continue;
         std::vector<Signal> parts;
-        for (const signal::Stretch& stretch : heard_parts(schedule, c, direction))
+        for (const signal::Stretch& stretch : heard_stretches(c, direction))
             parts.push_back(recorder.part(stretch));
         parts = audible(std::move(parts));
         judge(heard, parts, settings.thresholds);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "stridor/io/open_signal.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace stridor::app {
+
+/// What the user of a command knows better than the recording.
+struct InputOptions {
+    std::vector<std::string> full_scales;  // "2 Pa"
+    std::size_t channel = 0;               // from 1; 0: all
+    std::size_t dataset = 0;               // of a UFF file, from 1; 0: all
+    std::string rate;                      // of a CSV table
+};
+
+/// Adds --full-scale, --channel, --dataset and --rate.
+void add_input_options(CLI::App& command, InputOptions& options);
+
+/// Throws `Error` (input) for what is no full scale or no rate.
+io::OpenOptions open_options(const InputOptions& options);
+
+}  // namespace stridor::app
