@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace stridor::chart {
 
@@ -21,7 +23,8 @@ constexpr std::array<Rate, 3> rates{
     {{"slip", &sweep::Cell::slip}, {"stick", &sweep::Cell::stick}, {"separation", &sweep::Cell::separation}}};
 constexpr ColourScale percent{{0.0, 100.0}, AxisScale::linear};
 
-Panel map_panel(const sweep::SweepResult& result, std::size_t direction, const Rate& rate) {
+// `values` is a rate of every cell
+Panel map_panel(const sweep::SweepResult& result, std::size_t direction, std::span<const double> values) {
     const sweep::Study& study = result.study;
     const std::size_t count = static_cast<std::size_t>(study.x.points) * static_cast<std::size_t>(study.y.points);
     STRIDOR_EXPECT(result.cells.size() == count * study.directions.size());
@@ -30,7 +33,6 @@ Panel map_panel(const sweep::SweepResult& result, std::size_t direction, const R
     panel.x = field_axis(study.x);
     panel.y = field_axis(study.y);
     ValueCells cells{cell_edges(study.x), cell_edges(study.y), {}, percent, failed_fill()};
-    const std::vector<double> values = sweep::figure_values(result, rate.member);
     for (std::size_t i = direction * count; i < (direction + 1) * count; ++i) {
         const bool is_done = result.cells[i].status == sweep::Status::done;
         cells.values.push_back(is_done ? 100.0 * values[i] : sweep::Cell::unknown);
@@ -73,9 +75,12 @@ Scene rate_map(std::span<const sweep::SweepResult> results) {
     bool is_any_failed = false;
     for (const sweep::SweepResult& result : results) {
         is_any_failed = is_any_failed || has_failures(result);
+        std::array<std::vector<double>, rates.size()> values;
+        for (std::size_t column = 0; column < rates.size(); ++column)
+            values[column] = sweep::figure_values(result, rates[column].member);
         for (std::size_t d = 0; d < result.study.directions.size(); ++d) {
             for (std::size_t column = 0; column < rates.size(); ++column) {
-                Panel panel = map_panel(result, d, rates[column]);
+                Panel panel = map_panel(result, d, values[column]);
                 panel.row = scene.row_heights.size();
                 panel.column = column;
                 panel.title =

@@ -215,10 +215,7 @@ std::string hearing_json(const HearingReport& report) {
     for (const HeardRecording& recording : report.recordings)
         recordings.push_back(recording_object(recording));
     document["recordings"] = std::move(recordings);
-    Json thresholds = Json::object();
-    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
-        thresholds[std::string(threshold.name)] = report.options.settings.thresholds.*(threshold.member);
-    document["thresholds"] = std::move(thresholds);
+    document["thresholds"] = json_parts::thresholds_object(report.options.settings.thresholds);
     return json_parts::text_of(document);
 }
 

@@ -19,17 +19,6 @@ Json level_object(const analysis::Level& level) {
     return {{"rms", level.rms}, {"peak", level.peak}, {"level", level.decibels}, {"peak_level", level.peak_decibels}};
 }
 
-Json margins_array(const classification::Verdict& verdict) {
-    Json array = Json::array();
-    for (const classification::Margin& margin : verdict.margins)
-        array.push_back({{"threshold", margin.threshold_name},
-                         {"figure", margin.figure_name},
-                         {"value", margin.figure},
-                         {"threshold_value", margin.threshold},
-                         {"distance", margin.distance}});
-    return array;
-}
-
 Json verdict_object(const classification::Verdict& verdict) {
     const analysis::Evidence& evidence = verdict.evidence;
     const analysis::Alternation& alternation = evidence.alternation;
@@ -51,7 +40,7 @@ Json verdict_object(const classification::Verdict& verdict) {
              {{"joint", level_object(evidence.levels.joint)},
               {"plate", level_object(evidence.levels.plate)},
               {"reference", "1e-9 m/s"}}},
-            {"margins", margins_array(verdict)},
+            {"margins", margins_array(verdict.margins)},
             {"reasons", verdict.reasons}};
 }
 

@@ -3,7 +3,9 @@
 // What all JSON documents share. Private to this folder: nlohmann's types stay out of the headers others see.
 
 #include "stridor/base/version.hpp"
+#include "stridor/classification/verdict.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/sound_thresholds.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -48,6 +50,25 @@ inline Json case_units(const parameters::Case& c) {
             quantity != nullptr && field.belongs(c))
             units["case." + parameters::key_of(field)] = quantity->unit;
     return units;
+}
+
+// each figure beside its threshold
+inline Json margins_array(std::span<const classification::Margin> margins) {
+    Json array = Json::array();
+    for (const classification::Margin& margin : margins)
+        array.push_back({{"threshold", margin.threshold_name},
+                         {"figure", margin.figure_name},
+                         {"value", margin.figure},
+                         {"threshold_value", margin.threshold},
+                         {"distance", margin.distance}});
+    return array;
+}
+
+inline Json thresholds_object(const parameters::SoundThresholds& thresholds) {
+    Json object = Json::object();
+    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
+        object[std::string(threshold.name)] = thresholds.*(threshold.member);
+    return object;
 }
 
 inline Json opening(std::string_view what, const parameters::Case& c) {

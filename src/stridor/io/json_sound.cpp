@@ -1,9 +1,8 @@
 #include "stridor/io/json_sound.hpp"
 
 #include "stridor/base/version.hpp"
+#include "stridor/io/json_parts.hpp"
 #include "stridor/signal/bands.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <utility>
 
@@ -11,7 +10,8 @@ namespace stridor::io {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_parts::Json;
+using json_parts::text_of;
 using signal::SoundAnalysis;
 using signal::SoundFeatures;
 
@@ -19,10 +19,6 @@ Json opening(const char* schema, const SoundReport& report) {
     return {
         {"schema", schema},        {"version", base::version()}, {"commit", base::commit()},     {"file", report.file},
         {"format", report.format}, {"notes", report.notes},      {"channel", report.loudest + 1}};
-}
-
-std::string text_of(const Json& document) {
-    return document.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 Json features_object(const SoundFeatures& f, double reference) {
@@ -47,13 +43,6 @@ Json features_object(const SoundFeatures& f, double reference) {
 }
 
 Json segment_object(const classification::SoundSegment& segment, double reference) {
-    Json margins = Json::array();
-    for (const classification::Margin& margin : segment.verdict.margins)
-        margins.push_back({{"threshold", margin.threshold_name},
-                           {"figure", margin.figure_name},
-                           {"value", margin.figure},
-                           {"threshold_value", margin.threshold},
-                           {"distance", margin.distance}});
     return {{"from", segment.from},
             {"to", segment.to},
             {"category", classification::name(segment.verdict.category)},
@@ -65,7 +54,7 @@ Json segment_object(const classification::SoundSegment& segment, double referenc
              {{"from", segment.verdict.features.from},
               {"duration", segment.verdict.features.duration},
               {"features", features_object(segment.verdict.features, reference)}}},
-            {"margins", std::move(margins)},
+            {"margins", json_parts::margins_array(segment.verdict.margins)},
             {"reasons", segment.verdict.reasons}};
 }
 
@@ -88,13 +77,6 @@ Json channel_opening(const SoundAnalysis& analysis) {
             {"level_unit", signal::level_unit(analysis.unit)},
             {"rate", analysis.rate},
             {"duration", analysis.duration}};
-}
-
-Json thresholds_object(const parameters::SoundThresholds& thresholds) {
-    Json object = Json::object();
-    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
-        object[std::string(threshold.name)] = thresholds.*(threshold.member);
-    return object;
 }
 
 Json units_object() {
@@ -172,7 +154,7 @@ std::string classify_json(const SoundReport& report) {
         channels.push_back(std::move(channel));
     }
     document["channels"] = std::move(channels);
-    document["thresholds"] = thresholds_object(report.thresholds);
+    document["thresholds"] = json_parts::thresholds_object(report.thresholds);
     document["units"] = units_object();
     return text_of(document);
 }

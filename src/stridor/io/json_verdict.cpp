@@ -47,24 +47,6 @@ Json segments_array(const RecordingVerdict& verdict, double reference) {
     return segments;
 }
 
-Json margins_array(const SoundSegment& segment) {
-    Json margins = Json::array();
-    for (const classification::Margin& margin : segment.verdict.margins)
-        margins.push_back({{"threshold", margin.threshold_name},
-                           {"figure", margin.figure_name},
-                           {"value", margin.figure},
-                           {"threshold_value", margin.threshold},
-                           {"distance", margin.distance}});
-    return margins;
-}
-
-Json thresholds_object(const parameters::SoundThresholds& thresholds) {
-    Json object = Json::object();
-    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
-        object[std::string(threshold.name)] = thresholds.*(threshold.member);
-    return object;
-}
-
 }  // namespace
 
 std::string verdict_json(const SoundReport& report, std::size_t channel,
@@ -89,11 +71,11 @@ std::string verdict_json(const SoundReport& report, std::size_t channel,
         document["loudest"] = {{"from", loudest->from},
                                {"to", loudest->to},
                                {"reasons", loudest->verdict.reasons},
-                               {"margins", margins_array(*loudest)}};
+                               {"margins", json_parts::margins_array(loudest->verdict.margins)}};
     }
     document["segments"] = segments_array(verdict, signal::reference_of(analysis.unit));
     document["segments_left_out"] = verdict.segments.size() - std::min(verdict.segments.size(), most_kept_segments);
-    document["thresholds"] = thresholds_object(report.thresholds);
+    document["thresholds"] = json_parts::thresholds_object(report.thresholds);
     return document.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -1,8 +1,7 @@
 #include "stridor/io/signal_report.hpp"
 
 #include "stridor/base/version.hpp"
-
-#include <nlohmann/json.hpp>
+#include "stridor/io/json_parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,7 @@ namespace stridor::io {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_parts::Json;
 
 constexpr std::size_t block_frames = 1U << 14U;
 
@@ -72,7 +71,7 @@ std::string convert_json(const SignalSummary& summary, const std::optional<Signa
         document["metadata"][key] = value;
     if (output) document["output"] = {{"file", output->name}, {"format", output->format}, {"clipped", output->clipped}};
     document["units"] = {{"rate", "Hz"}, {"duration", "s"}};
-    return document.dump(2, ' ', false, Json::error_handler_t::replace);
+    return json_parts::text_of(document);
 }
 
 }  // namespace stridor::io

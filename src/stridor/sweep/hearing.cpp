@@ -25,8 +25,7 @@ using parameters::Case;
 using parameters::Direction;
 using signal::Signal;
 
-constexpr double least_motion = 1e-9;  // [m/s, m/s²] what is smaller is rounding
-constexpr double lead_in = 0.1;        // [s] before the sound begins, for the high pass at 20 Hz to forget its start
+constexpr double lead_in = 0.1;  // [s] before the sound begins, for the high pass at 20 Hz to forget its start
 // trace samples per sample of the sound: what folds back lies 92 dB below the tone (docs/methods/auralisation.md)
 constexpr int density = 8;
 

@@ -1,14 +1,20 @@
 #pragma once
 
+#include "stridor/base/sha256.hpp"
+#include "stridor/noise_library/field.hpp"
 #include "stridor/noise_library/library.hpp"
 #include "stridor/noise_library/recording.hpp"
 #include "support/scratch_folder.hpp"
 
+#include <gtest/gtest.h>
+
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 /// What the tests of the noise library share.
@@ -60,5 +66,43 @@ inline std::string broken_promise(Library& library, bool (*has_audio)(const Libr
         if (!expected.contains(name)) return name + " is an orphan";
     return {};
 }
+
+/// Are the bytes beside the library those that the entry names?
+inline bool has_its_bytes(const Library& library, const Entry& entry) {
+    return base::sha256_text(bytes_of(library.audio_file(entry))) == entry.audio;
+}
+
+inline Query whole(Query query = {}) {
+    query.extent = Extent::whole;
+    return query;
+}
+
+/// An entry with every field set to something.
+inline Entry full_entry() {
+    Entry entry;
+    double number = 0.5;
+    for (const Field& field : fields())
+        if (field.writer == Writer::stridor)
+            continue;
+        else if (std::holds_alternative<Quantity>(field.kind))
+            quantity_in(entry, field) = number += 1.25;
+        else
+            words_in(entry, field) = "words of " + std::string(field.name);
+    entry.recorded = "rig";
+    entry.date = "2026-11-21";
+    set_figure(entry, {"level", "dB", 62.5});
+    set_figure(entry, {"kurtosis", "1", 0.1});
+    return entry;
+}
+
+/// A library in a folder of its own, and a sound to add.
+class LibraryFile : public testing::Test {
+protected:
+    Library open(Access access = Access::fill) const { return Library(file_, {access, std::chrono::milliseconds(50)}); }
+
+    support::ScratchFolder folder_;
+    std::filesystem::path file_ = folder_ / "library.sqlite";
+    std::filesystem::path sound_ = folder_ / "sound.wav";
+};
 
 }  // namespace stridor::noise_library
