@@ -45,29 +45,29 @@ private:
     std::deque<Note> history_;
 };
 
-// the marks of the cells in the store; shape [cell]
-std::vector<int> stored_marks(const Study& study, Store& store) {
+// the marks of the cells that are kept; shape [cell]
+std::vector<int> stored_marks(const Study& study, CellKeeper& keeper) {
     std::vector<int> marks(cell_count(study), unknown_mark);
-    const std::vector<bool> stored = store.stored();
+    const std::vector<bool> stored = keeper.stored();
     STRIDOR_EXPECT(stored.size() == marks.size());
     if (study.refine == 0)
         std::transform(stored.begin(), stored.end(), marks.begin(),
                        [&](bool is_there) { return is_there ? 0 : unknown_mark; });
     else
-        store.visit(0, marks.size(),
-                    [&](const IndexedCell& indexed) { marks[indexed.index] = mark_of(study, indexed.cell); });
+        keeper.visit(0, marks.size(),
+                     [&](const IndexedCell& indexed) { marks[indexed.index] = mark_of(study, indexed.cell); });
     return marks;
 }
 
 // the one owner of finished cells: writes them in batches and says how far the sweep is
 class Ledger {
 public:
-    Ledger(const Study& study, Store& store, const RunOptions& options)
+    Ledger(const Study& study, CellKeeper& keeper, const RunOptions& options)
         : study_(study),
-          store_(store),
+          keeper_(keeper),
           options_(options),
-          marks_(stored_marks(study, store)) {
-        progress_.counts = store.counts();
+          marks_(stored_marks(study, keeper)) {
+        progress_.counts = keeper.counts();
     }
 
     std::size_t computed() const { return computed_; }
@@ -95,6 +95,11 @@ public:
         if (now - reported_ >= tick) report(now);
     }
 
+    void end_round() {
+        write();
+        options_.round();
+    }
+
     void finish() {
         write();
         report(Clock::now());
@@ -102,7 +107,7 @@ public:
 
 private:
     void write() {
-        if (!batch_.empty()) store_.write(batch_);
+        if (!batch_.empty()) keeper_.write(batch_);
         batch_.clear();
         written_ = Clock::now();
     }
@@ -119,7 +124,7 @@ private:
     }
 
     const Study& study_;
-    Store& store_;
+    CellKeeper& keeper_;
     const RunOptions& options_;
     std::vector<int> marks_;  // of the finished cells; shape [cell]
     Progress progress_;
@@ -132,9 +137,9 @@ private:
 
 }  // namespace
 
-RunReport run(const Study& study, Store& store, const RunOptions& options) {
+RunReport run(const Study& study, CellKeeper& keeper, const RunOptions& options) {
     STRIDOR_EXPECT(options.threads >= 0 && options.cells_per_commit > 0);
-    Ledger ledger(study, store, options);
+    Ledger ledger(study, keeper, options);
     std::vector<std::size_t> missing = refine(study, ledger.marks()).missing;
     ledger.expect(missing.size() * directions_per_run(study));
     // a complete chart has one round, a refined one as many as its boundaries take to be followed; cells are written when
@@ -151,7 +156,9 @@ RunReport run(const Study& study, Store& store, const RunOptions& options) {
             return {Ending::stopped, ledger.computed(), ledger.progress()};
         }
         missing = refine(study, ledger.marks()).missing;
-        if (!missing.empty()) ledger.expect(missing.size() * directions_per_run(study));
+        if (missing.empty()) break;
+        if (options.round) ledger.end_round();
+        ledger.expect(missing.size() * directions_per_run(study));
     }
     ledger.finish();
     return {Ending::completed, ledger.computed(), ledger.progress()};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <cstddef>
@@ -21,13 +21,14 @@ struct RunOptions {
     int threads = 0;                                // [1] 0: one per processor this process may use
     std::stop_token stop;                           // asks for an early end
     std::function<void(const Progress&)> progress;  // called from the caller's thread, at most ten times a second
-    std::size_t cells_per_commit = 256;             // [1] so many finished cells, or
-    double seconds_per_commit = 0.5;                // [s] so much time, may be lost to a kill
+    std::function<void()> round;  // called likewise whenever a round of refinement is done and kept and another follows
+    std::size_t cells_per_commit = 256;  // [1] so many finished cells, or
+    double seconds_per_commit = 0.5;     // [s] so much time, may be lost to a kill
 };
 
 enum class Ending {
-    completed,  // every cell that has to be computed is in the store
-    stopped,    // on request; the finished cells are in the store, and the next run goes on
+    completed,  // every cell that has to be computed is kept
+    stopped,    // on request; the finished cells are kept, and the next run goes on
 };
 
 /// How a run of a sweep ended.
@@ -37,13 +38,13 @@ struct RunReport {
     Progress progress;         // at its end
 };
 
-/// Computes the cells that a study's store lacks, on all processors, and keeps each there as it is finished. Of a refined
+/// Computes the cells that are not kept yet, on all processors, and has each kept as it is finished. Of a refined
 /// study only the cells that refinement asks for (refinement.hpp), in rounds.
 ///
 /// A stop request ends it within a fraction of a second with all finished points saved. The same study gives the same
 /// cells, bit for bit, for every number of threads and however often it was stopped or killed. Memory depends on the
-/// number of cells, never on the simulated time. What a worker, the store or the callback throws comes out of here,
+/// number of cells, never on the simulated time. What a worker, the keeper or a callback throws comes out of here,
 /// once the workers have ended.
-RunReport run(const Study& study, Store& store, const RunOptions& options = {});
+RunReport run(const Study& study, CellKeeper& keeper, const RunOptions& options = {});
 
 }  // namespace stridor::sweep

@@ -3,7 +3,6 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
-#include "stridor/sweep/refinement.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
@@ -158,11 +157,6 @@ std::optional<IndexedCell> cell_in(const Statement& row, std::size_t cells) {
 
 }  // namespace
 
-void count(Counts& counts, const CellVerdict& cell) {
-    ++counts.statuses[static_cast<std::size_t>(cell.status)];
-    if (cell.status == Status::done) ++counts.categories[static_cast<std::size_t>(cell.category)];
-}
-
 Store::Store(const std::filesystem::path& file, const Study& study)
     : database_(file, store_options()),
       study_text_(canonical_text(study)),
@@ -275,29 +269,6 @@ std::vector<IndexedCell> Store::read() {
     std::vector<IndexedCell> cells;
     visit(0, cells_, [&](IndexedCell& cell) { cells.push_back(std::move(cell)); });
     return cells;
-}
-
-SweepResult load(const Study& study, std::shared_ptr<Store> store) {
-    std::vector<CellVerdict> cells(cell_count(study));
-    std::vector<int> marks(cells.size(), unknown_mark);
-    std::size_t there = 0;
-    store->visit(0, cells.size(), [&](const IndexedCell& indexed) {
-        marks[indexed.index] = mark_of(study, indexed.cell);
-        cells[indexed.index] = verdict_of(indexed.cell);
-        ++there;
-    });
-    Refinement refinement = refine(study, marks);
-    if (!refinement.missing.empty()) {
-        const std::size_t known =
-            study.refine == 0 ? cells.size() : there + refinement.missing.size() * directions_per_run(study);
-        throw Error(ErrorKind::interrupted,
-                    {"the sweep is not finished",
-                     "the store " + store->file().string() + " holds " + std::to_string(there) + " of " +
-                         (study.refine == 0 ? "" : "at least ") + std::to_string(known) + " cells",
-                     "Run the same command again: it goes on where it stopped."});
-    }
-    cells = inferred(std::move(cells), refinement.sources);
-    return {study, std::move(cells), std::move(refinement.sources), std::move(store)};
 }
 
 }  // namespace stridor::sweep

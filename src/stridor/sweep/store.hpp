@@ -1,14 +1,12 @@
 #pragma once
 
 #include "stridor/storage/database.hpp"
-#include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/study.hpp"
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,14 +20,6 @@ inline constexpr int store_schema = 2;
 /// store begun before is then refused, for its cells and new ones would not fit together.
 inline constexpr int results_version = 2;
 
-/// How many cells there are of each kind.
-struct Counts {
-    std::array<std::size_t, status_names.size()> statuses{};                      // [1] by Status
-    std::array<std::size_t, classification::category_names.size()> categories{};  // [1] by Category, done cells only
-};
-
-void count(Counts& counts, const CellVerdict& cell);
-
 /// The finished cells of one study in one SQLite file, from the first cell on: the sweep's only memory.
 ///
 /// Tables: meta(key, value) with the study's canonical text, the results version, and program and commit for
@@ -38,7 +28,7 @@ void count(Counts& counts, const CellVerdict& cell);
 /// cells are in it, never inferred ones. `PRAGMA application_id` and `user_version` say what the file is.
 ///
 /// The file belongs to one process while a store is open, and survives the death of that process at any moment.
-class Store final : public ComputedCells {
+class Store final : public CellKeeper {
 public:
     /// Opens the store of this study, or makes it.
     ///
@@ -48,13 +38,14 @@ public:
 
     const std::filesystem::path& file() const { return database_.file(); }
 
-    /// Which cells are there; shape [cell].
-    std::vector<bool> stored();
+    std::string name() const override { return "the store " + file().string(); }
 
-    Counts counts();
+    std::vector<bool> stored() override;
+
+    Counts counts() override;
 
     /// Keeps cells, all or none, on disk when it returns. Throws `Error` (io) if that fails; the store stays good.
-    void write(std::span<const IndexedCell> cells);
+    void write(std::span<const IndexedCell> cells) override;
 
     /// Throws `Error` (io) at a row that no sweep wrote.
     void visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) override;
@@ -71,9 +62,5 @@ private:
     std::string study_text_;
     std::size_t cells_ = 0;  // [1] of the study
 };
-
-/// The finished sweep; cells that refinement left out are inferred, the computed ones stay in the store. Throws `Error`
-/// (interrupted) if cells are missing.
-SweepResult load(const Study& study, std::shared_ptr<Store> store);
 
 }  // namespace stridor::sweep

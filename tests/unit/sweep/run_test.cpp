@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
@@ -220,6 +221,53 @@ TEST_F(Run, PassesOnThatTheDiskIsFullAndGoesOnLater) {
     }
     EXPECT_LT(store_.read().size(), cell_count(study_));
     EXPECT_EQ(run(study_, store_, options).ending, Ending::completed);
+}
+
+// refined, so that it has rounds
+Study refined_study() {
+    Study study = small_study();
+    study.x.points = 17;
+    study.y.points = 9;
+    study.refine = 2;
+    return study;
+}
+
+TEST(RunInMemory, KeepsTheCellsThatAStoreKeeps) {
+    const ScratchFolder folder;
+    const Study study = refined_study();
+    Store store(folder / "chart.sqlite", study);
+    const auto memory = std::make_shared<MemoryKeeper>(study);
+    run(study, store);
+    EXPECT_EQ(run(study, *memory).computed, sum(store.counts().statuses));
+    EXPECT_EQ(memory->stored(), store.stored());
+    EXPECT_EQ(memory->counts().categories, store.counts().categories);
+    EXPECT_TRUE(same_cells(all_cells(load(study, memory)), all_cells(load(study, store))));
+    EXPECT_EQ(run(study, *memory).computed, 0U);
+}
+
+TEST(RunInMemory, ShowsEveryRoundWithTheNearestOfTheKnownCells) {
+    const Study study = refined_study();
+    const auto memory = std::make_shared<MemoryKeeper>(study);
+    std::vector<std::size_t> computed;
+    RunOptions options;
+    options.round = [&] {
+        const SweepResult result = provisional(study, memory);
+        computed.push_back(computed_count(result));
+        for (std::size_t index = 0; index < result.cells.size(); ++index) {
+            const CellPlace here = place_of(study, index);
+            const CellPlace source = place_of(study, source_of(result, index));
+            EXPECT_EQ(source.direction, here.direction);
+            // the base grid takes every fourth point
+            EXPECT_LE(std::abs(source.ix - here.ix), 2);
+            EXPECT_LE(std::abs(source.iy - here.iy), 2);
+            EXPECT_EQ(result.cells[index].category, result.cells[source_of(result, index)].category);
+        }
+    };
+    const RunReport report = run(study, *memory, options);
+    ASSERT_FALSE(computed.empty());
+    EXPECT_TRUE(std::is_sorted(computed.begin(), computed.end()));
+    EXPECT_LT(computed.back(), report.computed);
+    EXPECT_EQ(all_cells(provisional(study, memory)).size(), cell_count(study));
 }
 
 }  // namespace
