@@ -7,6 +7,7 @@ find_package(fmt REQUIRED)                # text: fmt::fmt
 find_package(TBB REQUIRED)                # threads: TBB::tbb
 find_package(SQLite3 REQUIRED)            # stores and library: SQLite::SQLite3
 find_package(nlohmann_json 3.11 REQUIRED) # JSON: nlohmann_json::nlohmann_json
+find_package(Boost 1.74 REQUIRED)         # Beast, the explorer's server: Boost::headers
 find_package(CLI11 REQUIRED)              # command line: CLI11::CLI11
 pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)                   # exports: PkgConfig::netcdf
 pkg_check_modules(sndfile REQUIRED IMPORTED_TARGET sndfile)                 # recordings: PkgConfig::sndfile
@@ -19,6 +20,5 @@ if(STRIDOR_TESTS)
 endif()
 if(STRIDOR_BENCHMARKS)
     find_package(benchmark REQUIRED)
-    find_package(Boost 1.74 REQUIRED)  # a peer, Boost.odeint: Boost::headers
     find_package(SUNDIALS 6 QUIET COMPONENTS cvode nvecserial sunnonlinsolfixedpoint)  # a peer, CVODE; optional
 endif()

@@ -1,0 +1,106 @@
+#include "stridor/explorer/gate.hpp"
+
+#include "stridor/base/error.hpp"
+
+#include <sys/random.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace stridor::explorer {
+
+namespace {
+
+constexpr std::string_view no_session =
+    "This page belongs to the person who started stridor. Open the link that the program prints in its terminal; "
+    "each link opens once.";
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+bool is_port(std::string_view text) {
+    return !text.empty() && text.size() <= 5 && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+}  // namespace
+
+std::string secret() {
+    std::array<unsigned char, 32> bytes;
+    if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+        throw Error(ErrorKind::io, {"the system gives no random numbers", "a session cannot be protected without", ""});
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text;
+    for (const unsigned char byte : bytes) {
+        text += digits[byte / 16];
+        text += digits[byte % 16];
+    }
+    return text;
+}
+
+bool is_same_secret(std::string_view a, std::string_view b) {
+    if (a.size() != b.size() || a.empty()) return false;
+    unsigned difference = 0;
+    for (std::size_t k = 0; k < a.size(); ++k)
+        difference |= static_cast<unsigned>(static_cast<unsigned char>(a[k]) ^ static_cast<unsigned char>(b[k]));
+    return difference == 0;
+}
+
+std::string host_name(std::string_view host) {
+    std::string_view name = host;
+    if (name.starts_with('[')) {
+        const std::size_t end = name.find(']');
+        if (end == std::string_view::npos) return {};
+        name = name.substr(0, end + 1);
+    } else {
+        name = name.substr(0, name.find(':'));
+    }
+    const std::string_view port = host.substr(name.size());
+    if (!port.empty() && !(port.starts_with(':') && is_port(port.substr(1)))) return {};
+    return std::string(name);
+}
+
+Gate::Gate(std::vector<std::string> hosts, std::string name, std::function<void(const std::string& token)> announce)
+    : hosts_(std::move(hosts)),
+      cookie_("stridor-" + std::move(name)),
+      announce_(std::move(announce)) {
+    announce_(token_);
+}
+
+std::optional<Response> Gate::stop(const Request& request) {
+    const std::string name = host_name(request.host);
+    if (name.empty() || std::find(hosts_.begin(), hosts_.end(), name) == hosts_.end())
+        return plain(421, "This is no name of the explorer's. Use the link that the program prints.");
+    const bool is_get = request.method == "GET";
+    if (!is_get && request.method != "POST") return plain(405, "Only GET and POST are known here.");
+    if (is_get && request.path == "/open") return open(request);
+    if (is_get && request.path == "/favicon.ico") return plain(404, "no icon");
+
+    if (!is_same_secret(parameter(request.cookie, cookie_, ';'), session_)) return plain(401, no_session);
+    const bool is_foreign =
+        !request.fetch_site.empty() && request.fetch_site != "same-origin" && request.fetch_site != "none";
+    const bool has_other_origin = !request.origin.empty() && request.origin != "http://" + request.host;
+    const bool lacks_origin = !is_get && request.origin.empty();
+    if (is_foreign || has_other_origin || lacks_origin)
+        return plain(403, "The explorer answers its own page only, and this request comes from another one.");
+    if (!is_get && !request.content_type.starts_with("application/json"))
+        return plain(415, "Requests are JSON: Content-Type: application/json.");
+    return std::nullopt;
+}
+
+Response Gate::open(const Request& request) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!is_same_secret(parameter(request.query, "token", '&'), token_))
+            return plain(403, "This link was used already, or is incomplete. The program prints a new one each time.");
+        token_ = secret();
+        announce_(token_);
+    }
+    Response response = plain(303, "Welcome.");
+    response.headers = {{"Location", "/"},
+                        {"Set-Cookie", cookie_ + "=" + session_ + "; HttpOnly; SameSite=Strict; Path=/"}};
+    return response;
+}
+
+}  // namespace stridor::explorer

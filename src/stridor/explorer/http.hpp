@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// What the explorer knows of HTTP: requests and responses as plain data, whatever carries them.
+namespace stridor::explorer {
+
+/// A request; header fields that are not there are empty.
+struct Request {
+    std::string method;  // "GET", "POST"
+    std::string path;    // "/api/chart", as sent
+    std::string query;   // "token=..", as sent; without "?"
+    std::string host;
+    std::string origin;
+    std::string fetch_site;  // Sec-Fetch-Site
+    std::string cookie;
+    std::string content_type;
+    std::string body;
+};
+
+/// Sends a part of a streamed body; waits while the client is slow to take the parts before it.
+using Send = std::function<void(std::string part)>;
+
+struct Response {
+    int status = 200;
+    std::string content_type = "text/plain; charset=utf-8";
+    std::string body{};
+    std::vector<std::pair<std::string, std::string>> headers{};  // besides those that every response has
+    std::function<void(const Send&, const std::stop_token&)>
+        stream{};  // if there is one, it makes the body part by part
+};
+
+/// Answers a request. Called from several threads at a time; the token is stopped when the client goes away, the time for the
+/// request is over or the server ends.
+using Handler = std::function<Response(const Request&, const std::stop_token&)>;
+
+/// "No such page": an answer of one line.
+Response plain(int status, std::string_view text);
+
+/// The value of a query's or a cookie's parameter; empty if it is not there. `separator` is '&' or ';'.
+std::string parameter(std::string_view text, std::string_view name, char separator);
+
+/// The header fields that every response carries: nothing from outside, no framing, no guessing of types, no copies kept.
+const std::vector<std::pair<std::string_view, std::string_view>>& security_headers();
+
+}  // namespace stridor::explorer
