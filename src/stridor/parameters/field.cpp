@@ -20,6 +20,26 @@ constexpr Range positive{0.0, infinity, Range::Low::open};
 constexpr Range not_negative{0.0, infinity, Range::Low::closed};
 constexpr Range share{0.0, 1.0, Range::Low::closed};
 
+constexpr UsualRange between(double from, double to) {
+    return {from, to, Scale::linear};
+}
+constexpr UsualRange octaves(double from, double to) {
+    return {from, to, Scale::logarithmic};
+}
+
+// ten times less and more than Table 1, but for damping: its 1 N*s/m is a thousandth of critical, a rubber has a tenth
+constexpr UsualRange usual_damping = octaves(0.1, 300.0);
+// any mu_d up to what dry rubber on glass reaches; mu_s lies above it
+constexpr UsualRange usual_kinetic_friction = between(0.0, 1.0);
+constexpr UsualRange usual_static_friction = between(0.0, 1.2);
+// the abscissa of Figure 8 and the axes of Figure 6
+constexpr UsualRange usual_preload = octaves(2.0, 4000.0);
+constexpr UsualRange usual_velocity = octaves(0.01, 1.0);
+// Figure 6 has 70 and 150 deg; flatter than 20 deg the joint lies on the plate
+constexpr UsualRange usual_angle = between(20.0, 160.0);
+// a window of 1 s holds the one and a half periods that are needed from 1.5 Hz on
+constexpr UsualRange usual_frequency = octaves(2.0, 50.0);
+
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
 constexpr std::array<std::string_view, 3> drive_names{"sinusoidal", "constant", "sampled"};
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
@@ -52,9 +72,9 @@ bool starts_sliding(const Case& c) {
 }
 
 template <auto part, auto member>
-Quantity quantity(std::string_view unit, Range range) {
+Quantity quantity(std::string_view unit, Range range, std::optional<UsualRange> usual = {}) {
     return {unit, range, [](const Case& c) { return (c.*part).*member; },
-            [](Case& c, double value) { (c.*part).*member = value; }};
+            [](Case& c, double value) { (c.*part).*member = value; }, usual};
 }
 
 template <auto part, auto member, typename Enumeration>
@@ -70,44 +90,45 @@ constexpr Text drive_file{[](const Case& c) { return c.drive.file; },
 const std::array table{
     Field{"", "title", "", "what this case is, in a few words", title, always},
 
-    Field{"joint", "mass", "m1", "mass of the joint", quantity<&Case::joint, &Joint::mass>("kg", positive), always},
+    Field{"joint", "mass", "m1", "mass of the joint",
+          quantity<&Case::joint, &Joint::mass>("kg", positive, octaves(0.01, 1.0)), always},
     Field{"joint", "axial_stiffness", "k1i", "traction-compression stiffness of the joint, along its axis",
-          quantity<&Case::joint, &Joint::axial_stiffness>("N/m", positive), always},
+          quantity<&Case::joint, &Joint::axial_stiffness>("N/m", positive, octaves(1e6, 1e8)), always},
     Field{"joint", "flexural_stiffness", "k1j", "bending stiffness of the joint, across its axis",
-          quantity<&Case::joint, &Joint::flexural_stiffness>("N/m", positive), always},
+          quantity<&Case::joint, &Joint::flexural_stiffness>("N/m", positive, octaves(1e5, 1e7)), always},
     Field{"joint", "axial_damping", "c1i", "damping along the joint's axis",
-          quantity<&Case::joint, &Joint::axial_damping>("N*s/m", not_negative), always},
+          quantity<&Case::joint, &Joint::axial_damping>("N*s/m", not_negative, usual_damping), always},
     Field{"joint", "flexural_damping", "c1j", "damping across the joint's axis",
-          quantity<&Case::joint, &Joint::flexural_damping>("N*s/m", not_negative), always},
+          quantity<&Case::joint, &Joint::flexural_damping>("N*s/m", not_negative, usual_damping), always},
     Field{"joint", "incidence_angle", "alpha", "angle from the plate's direction of motion to the joint's axis",
-          quantity<&Case::joint, &Joint::incidence_angle>("deg", Range{-360.0, 360.0}), always},
+          quantity<&Case::joint, &Joint::incidence_angle>("deg", Range{-360.0, 360.0}, usual_angle), always},
 
-    Field{"plate", "mass", "m2", "moving mass of the plate", quantity<&Case::plate, &Plate::mass>("kg", positive),
-          always},
+    Field{"plate", "mass", "m2", "moving mass of the plate",
+          quantity<&Case::plate, &Plate::mass>("kg", positive, octaves(0.04, 4.0)), always},
     Field{"plate", "stiffness", "k2y", "bending stiffness of the plate",
-          quantity<&Case::plate, &Plate::stiffness>("N/m", positive), always},
+          quantity<&Case::plate, &Plate::stiffness>("N/m", positive, octaves(1e5, 1e7)), always},
     Field{"plate", "damping", "c2y", "bending damping of the plate",
-          quantity<&Case::plate, &Plate::damping>("N*s/m", not_negative), always},
+          quantity<&Case::plate, &Plate::damping>("N*s/m", not_negative, usual_damping), always},
 
     Field{"contact", "preload", "F", "force that presses joint and plate together at rest",
-          quantity<&Case::contact, &Contact::preload>("N", positive), always},
+          quantity<&Case::contact, &Contact::preload>("N", positive, usual_preload), always},
     Field{"contact", "static_friction", "mu_s", "friction coefficient while sticking",
-          quantity<&Case::contact, &Contact::static_friction>("1", not_negative), always},
+          quantity<&Case::contact, &Contact::static_friction>("1", not_negative, usual_static_friction), always},
     Field{"contact", "kinetic_friction", "mu_d", "friction coefficient while slipping, at most mu_s",
-          quantity<&Case::contact, &Contact::kinetic_friction>("1", not_negative), always},
+          quantity<&Case::contact, &Contact::kinetic_friction>("1", not_negative, usual_kinetic_friction), always},
     Field{"contact", "impact", "", "what happens when a separation ends",
           choice<&Case::contact, &Contact::impact, ImpactLaw>(impact_names), always},
     Field{"contact", "restitution", "e", "velocity after an impact over that before it, impact = restitution",
-          quantity<&Case::contact, &Contact::restitution>("1", share), rebounds},
+          quantity<&Case::contact, &Contact::restitution>("1", share, between(0.0, 1.0)), rebounds},
 
     Field{"drive", "kind", "", "how the plate is moved", choice<&Case::drive, &Drive::kind, DriveKind>(drive_names),
           always},
     Field{"drive", "amplitude", "A_exc", "displacement amplitude of the plate",
-          quantity<&Case::drive, &Drive::amplitude>("m", positive), is_sinusoidal},
+          quantity<&Case::drive, &Drive::amplitude>("m", positive, octaves(4e-4, 4e-2)), is_sinusoidal},
     Field{"drive", "frequency", "f_exc", "frequency of the plate's motion",
-          quantity<&Case::drive, &Drive::frequency>("Hz", positive), is_sinusoidal},
+          quantity<&Case::drive, &Drive::frequency>("Hz", positive, usual_frequency), is_sinusoidal},
     Field{"drive", "velocity", "V", "velocity of the plate; going if positive, coming if negative",
-          quantity<&Case::drive, &Drive::velocity>("m/s", any), is_constant},
+          quantity<&Case::drive, &Drive::velocity>("m/s", any, usual_velocity), is_constant},
     Field{"drive", "file", "", "CSV file with the columns time and velocity", drive_file, is_sampled},
 
     Field{"run", "duration", "", "simulated time", quantity<&Case::run, &Run::duration>("s", positive), always},

@@ -2,6 +2,7 @@
 
 #include "stridor/parameters/case.hpp"
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <span>
@@ -21,12 +22,29 @@ struct Range {
     enum class Low { closed, open } low_end = Low::closed;
 };
 
+enum class Scale { linear, logarithmic };
+
+inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
+
+/// Between which values a designer looks for a better one, and on which scale steps there are alike.
+///
+/// Much narrower than what `Range` allows: the spans of the published charts (Elmaian et al. 2012, Figures 6 and 8) where
+/// there are any, else about a factor of ten to both sides of Table 1, whose four cases lie within. Of an imposed velocity
+/// it is the magnitude; its sign says which way the plate moves.
+struct UsualRange {
+    double from = 0.0;  // in the quantity's unit, below `to`, above 0 if logarithmic
+    double to = 1.0;
+    Scale scale = Scale::linear;
+};
+
 /// A number with a unit.
 struct Quantity {
     std::string_view unit;  // SI, angles in deg, "1" when dimensionless
     Range range;
     double (*get)(const Case&);
     void (*set)(Case&, double value);
+    std::optional<UsualRange>
+        usual{};  // of what a designer may vary; nothing for settings of the computation or verdict
 };
 
 /// One name out of a list.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "stridor/parameters/case.hpp"
+#include "stridor/parameters/field.hpp"
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -10,9 +10,8 @@
 
 namespace stridor::sweep {
 
-enum class Scale { linear, logarithmic };
-
-inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
+using parameters::Scale;
+using parameters::scale_names;
 
 /// Most points of an axis: more make a chart nobody can compute, and are a slip of the keyboard.
 inline constexpr int most_points = 4096;

@@ -1,5 +1,6 @@
 #include "stridor/parameters/field.hpp"
 
+#include "stridor/parameters/paper_cases.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"
 
@@ -188,6 +189,38 @@ TEST(Field, BelongsWhereItMeansSomething) {
     EXPECT_FALSE(field("drive.velocity").belongs(c));
     c.run.initial = Initial::sliding;
     EXPECT_TRUE(field("run.perturbation").belongs(c));
+}
+
+TEST(UsualRange, LiesWithinWhatTheFieldAllows) {
+    for (const Field& entry : fields()) {
+        const auto* quantity = std::get_if<Quantity>(&entry.kind);
+        if (quantity == nullptr || !quantity->usual) continue;
+        Case c;
+        EXPECT_NO_THROW(set_quantity(c, entry, quantity->usual->from)) << key_of(entry);
+        EXPECT_NO_THROW(set_quantity(c, entry, quantity->usual->to)) << key_of(entry);
+        EXPECT_LT(quantity->usual->from, quantity->usual->to) << key_of(entry);
+        EXPECT_TRUE(quantity->usual->scale == Scale::linear || quantity->usual->from > 0.0) << key_of(entry);
+    }
+}
+
+TEST(UsualRange, HoldsTheFourCasesOfTable1) {
+    for (const PaperCase which : {PaperCase::squeal, PaperCase::squeak, PaperCase::creak, PaperCase::quiet})
+        for (const Field& entry : fields()) {
+            const auto* quantity = std::get_if<Quantity>(&entry.kind);
+            if (quantity == nullptr || !quantity->usual) continue;
+            const double value = get_quantity(paper_case(which), entry);
+            EXPECT_GE(value, quantity->usual->from) << key_of(entry);
+            EXPECT_LE(value, quantity->usual->to) << key_of(entry);
+        }
+}
+
+TEST(UsualRange, BelongsToWhatADesignerVariesAndToNothingElse) {
+    for (const Field& entry : fields()) {
+        const auto* quantity = std::get_if<Quantity>(&entry.kind);
+        if (quantity == nullptr) continue;
+        const bool is_setting = entry.section == "run" || entry.section == "verdict";
+        EXPECT_EQ(quantity->usual.has_value(), !is_setting) << key_of(entry);
+    }
 }
 
 TEST(QuantityKeys, AreTheFieldsThatCanBeAnAxis) {
