@@ -27,6 +27,7 @@ void add_classify(CLI::App& program);
 void add_evaluate(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_match(CLI::App& program);
+void add_explore(CLI::App& program);
 void add_verify(CLI::App& program);
 void add_completion(CLI::App& program);
 

@@ -46,9 +46,9 @@ chart::Scene time_history_scene(const parameters::Case& c, const record::Record&
     return chart::time_history(c, record, options);
 }
 
-void draw_stability(const io::StabilityScan& scan, const std::string& path) {
+void draw_stability(const analysis::StabilityScan& scan, const std::string& path) {
     std::vector<chart::StabilityCurve> curves;
-    for (const io::DirectionScan& direction : scan.directions)
+    for (const analysis::DirectionScan& direction : scan.directions)
         curves.push_back({direction.direction, direction.path});
     draw(chart::stability(scan.key, curves), path);
 }

@@ -22,7 +22,7 @@ void draw_both(const chart::Scene& scene, const std::filesystem::path& stem);
 chart::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom);
 
 /// Frequencies and growth rates of the sliding modes along a parameter.
-void draw_stability(const io::StabilityScan& scan, const std::string& path);
+void draw_stability(const analysis::StabilityScan& scan, const std::string& path);
 
 /// chart.png and chart.svg of the first quantity the study asks for, chart-QUANTITY.png and .svg of each further one.
 void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& folder);

@@ -45,6 +45,7 @@ void build(CLI::App& program) {
     add_evaluate(program);
     add_compare(program);
     add_match(program);
+    add_explore(program);
     add_verify(program);
     add_completion(program);
 }

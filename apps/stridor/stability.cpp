@@ -37,9 +37,9 @@ std::string modes_text(const analysis::SlidingStability& stability) {
     return text;
 }
 
-std::string header(const io::StabilityScan& scan) {
+std::string header(const analysis::StabilityScan& scan) {
     std::string text = styled("stability of steady sliding", Style::bold, STDOUT_FILENO) + "\n\n";
-    for (const io::DirectionScan& direction : scan.directions) {
+    for (const analysis::DirectionScan& direction : scan.directions) {
         const analysis::SlidingStability& here = direction.here;
         text += fmt::format("{:<8}{:<11}N/F {:8.4f}  modes{}\n",
                             parameters::direction_names[static_cast<std::size_t>(direction.direction)],
@@ -48,7 +48,7 @@ std::string header(const io::StabilityScan& scan) {
     return text;
 }
 
-std::string boundary_lines(const io::StabilityScan& scan, const io::DirectionScan& direction) {
+std::string boundary_lines(const analysis::StabilityScan& scan, const analysis::DirectionScan& direction) {
     std::string text;
     const std::string name(parameters::direction_names[static_cast<std::size_t>(direction.direction)]);
     if (direction.path.boundaries.empty())
@@ -60,13 +60,13 @@ std::string boundary_lines(const io::StabilityScan& scan, const io::DirectionSca
     return text;
 }
 
-std::string table(const io::StabilityScan& scan) {
+std::string table(const analysis::StabilityScan& scan) {
     std::string text = header(scan);
     if (scan.key.empty()) return text;
     text += "\n";
-    for (const io::DirectionScan& direction : scan.directions)
+    for (const analysis::DirectionScan& direction : scan.directions)
         text += boundary_lines(scan, direction);
-    for (const io::DirectionScan& direction : scan.directions) {
+    for (const analysis::DirectionScan& direction : scan.directions) {
         text += fmt::format("\n{:<8}{:>12}  {:<11}modes (frequency, growth)\n",
                             parameters::direction_names[static_cast<std::size_t>(direction.direction)],
                             scan.key.substr(scan.key.find('.') + 1).substr(0, 12), "kind");
@@ -79,7 +79,7 @@ std::string table(const io::StabilityScan& scan) {
 
 void stability(const StabilityOptions& options) {
     const parameters::Case c = load_case(options.input);
-    const io::StabilityScan scan = scan_stability(c, options.over);
+    const analysis::StabilityScan scan = scan_stability(c, options.over);
     if (!options.figure.empty()) draw_stability(scan, options.figure);
     print(options.json ? io::stability_json(scan) + "\n" : table(scan));
 }

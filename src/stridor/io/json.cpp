@@ -107,7 +107,7 @@ Json stability_object(const analysis::SlidingStability& stability) {
             {"modes", std::move(modes)}};
 }
 
-Json direction_object(const DirectionScan& direction) {
+Json direction_object(const analysis::DirectionScan& direction) {
     Json object{{"direction", name_of(parameters::direction_names, direction.direction)}};
     object.update(stability_object(direction.here));
     Json points = Json::array();
@@ -175,11 +175,11 @@ std::string simulation_json(const parameters::Case& c, const integration::Motion
     return text_of(document);
 }
 
-std::string stability_json(const StabilityScan& scan) {
+std::string stability_json(const analysis::StabilityScan& scan) {
     Json document = opening("stability", scan.base);
     if (!scan.key.empty()) document["over"] = {{"parameter", scan.key}, {"unit", scan.unit}};
     document["directions"] = Json::array();
-    for (const DirectionScan& direction : scan.directions)
+    for (const analysis::DirectionScan& direction : scan.directions)
         document["directions"].push_back(direction_object(direction));
     Json units = case_units(scan.base);
     units.update(stability_units());

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "stridor/analysis/sliding_stability.hpp"
-#include "stridor/analysis/stability_path.hpp"
+#include "stridor/analysis/stability_scan.hpp"
 #include "stridor/classification/verdict.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/case.hpp"
@@ -23,23 +22,8 @@ std::string case_json(const parameters::Case& c);
 std::string simulation_json(const parameters::Case& c, const integration::Motion& motion, const integration::Cost& cost,
                             std::span<const classification::Verdict> verdicts);
 
-/// Stability of steady sliding in one direction: of the case, and along a parameter if one was followed.
-struct DirectionScan {
-    parameters::Direction direction = parameters::Direction::going;
-    analysis::SlidingStability here;
-    analysis::StabilityPath path;  // empty without a parameter
-};
-
-/// Stability of a case.
-struct StabilityScan {
-    parameters::Case base;
-    std::string key;   // the parameter that was followed, "contact.kinetic_friction"; empty: none
-    std::string unit;  // its unit
-    std::vector<DirectionScan> directions;
-};
-
 /// "stridor.stability/1": case and, per direction, kind, growth, frequency and modes, the same at each point along the
 /// parameter, and the boundaries between kinds.
-std::string stability_json(const StabilityScan& scan);
+std::string stability_json(const analysis::StabilityScan& scan);
 
 }  // namespace stridor::io

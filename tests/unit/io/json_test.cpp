@@ -101,11 +101,11 @@ TEST(SimulationJson, SurvivesATitleThatIsNotText) {
 }
 
 TEST(StabilityJson, HoldsDirectionsModesAndBoundaries) {
-    StabilityScan scan;
+    analysis::StabilityScan scan;
     scan.base = parameters::paper_case(parameters::PaperCase::squeal);
     scan.key = "contact.kinetic_friction";
     scan.unit = "1";
-    DirectionScan direction;
+    analysis::DirectionScan direction;
     direction.direction = parameters::Direction::coming;
     direction.here.kind = analysis::StabilityKind::flutter;
     direction.here.modes = {{-1.0, 400.0}, {700.0, 592.0}};

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "stridor/analysis/sliding_stability.hpp"
+#include "stridor/analysis/stability_path.hpp"
+#include "stridor/parameters/case.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stridor::analysis {
+
+/// Most points of a scan.
+inline constexpr int most_scan_points = 100000;
+
+/// Along which quantity stability is followed.
+struct ScanRange {
+    std::string key;    // "contact.kinetic_friction"
+    double from = 0.0;  // in the quantity's unit
+    double to = 0.0;    // in the quantity's unit, above `from`
+    int points = 41;    // [1] from 2 to `most_scan_points`
+};
+
+/// Stability of steady sliding in one direction: of the case, and along a parameter if one was followed.
+struct DirectionScan {
+    parameters::Direction direction = parameters::Direction::going;
+    SlidingStability here;
+    StabilityPath path;  // empty without a parameter
+};
+
+/// Stability of a case.
+struct StabilityScan {
+    parameters::Case base;
+    std::string key;   // the parameter that was followed, "contact.kinetic_friction"; empty: none
+    std::string unit;  // its unit
+    std::vector<DirectionScan> directions;
+};
+
+/// Stability of steady sliding of a case in both directions, and along a quantity if one is given.
+///
+/// Static friction plays no part in it, so mu_d may be followed beyond mu_s. Throws `Error` (input) for a key that is no
+/// quantity, for ends that lie outside its range or do not rise, and for too few or too many points.
+StabilityScan scan_stability(const parameters::Case& c, const std::optional<ScanRange>& range);
+
+}  // namespace stridor::analysis

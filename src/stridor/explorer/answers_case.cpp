@@ -1,0 +1,222 @@
+#include "stridor/analysis/evidence.hpp"
+#include "stridor/analysis/stability_scan.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/version.hpp"
+#include "stridor/classification/contact_rules.hpp"
+#include "stridor/explorer/answers.hpp"
+#include "stridor/explorer/bytes.hpp"
+#include "stridor/integration/simulate.hpp"
+#include "stridor/io/json.hpp"
+#include "stridor/io/toml_case.hpp"
+#include "stridor/io/toml_document.hpp"
+#include "stridor/io/toml_writer.hpp"
+#include "stridor/parameters/field.hpp"
+#include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/evaluate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace stridor::explorer {
+
+namespace {
+
+constexpr double most_samples = 1e6;     // of a trace
+constexpr double least_interval = 1e-7;  // [s] between them
+
+Json field_object(const parameters::Field& field) {
+    Json object{{"key", parameters::key_of(field)},
+                {"section", field.section},
+                {"symbol", field.symbol},
+                {"sentence", field.sentence}};
+    if (const auto* quantity = std::get_if<parameters::Quantity>(&field.kind)) {
+        object["kind"] = "quantity";
+        object["unit"] = quantity->unit;
+        object["low"] = quantity->range.low;  // null where it is open to infinity
+        object["high"] = quantity->range.high;
+        if (quantity->usual)
+            object["usual"] = {{"from", quantity->usual->from},
+                               {"to", quantity->usual->to},
+                               {"scale", quantity->usual->scale == parameters::Scale::linear ? "linear" : "log"}};
+    } else if (const auto* choice = std::get_if<parameters::Choice>(&field.kind)) {
+        object["kind"] = "choice";
+        object["choices"] = choice->names;
+    } else {
+        object["kind"] = "text";
+    }
+    return object;
+}
+
+Json preset_object(const Preset& preset) {
+    const parameters::Case c = io::read_case(source_of(preset));
+    return {{"name", preset.name}, {"title", c.title}, {"case", Json::parse(io::case_json(c))}};
+}
+
+// a run that has a result; what went wrong with any other is an error
+integration::Motion run(const parameters::Case& c, const record::Request& request, const std::stop_token& stop) {
+    integration::Workspace workspace;
+    std::optional<sweep::Attempt> attempt = sweep::attempt(c, request, stop, workspace);
+    if (!attempt) throw Error(ErrorKind::interrupted, {"the run was stopped", "", ""});
+    if (attempt->status != sweep::Status::done) throw Error(ErrorKind::numerical, {attempt->message, "", ""});
+    return std::move(attempt->motion);
+}
+
+struct Column {
+    std::string_view name;
+    std::string_view unit;
+    std::string_view sentence;
+    const std::vector<double>& (*values)(const record::Trace&);
+};
+
+const std::array columns{
+    Column{"x1", "m", "displacement of the joint along the plate",
+           [](const record::Trace& trace) -> const std::vector<double>& { return trace.displacement[0]; }},
+    Column{"y1", "m", "displacement of the joint across the plate",
+           [](const record::Trace& trace) -> const std::vector<double>& { return trace.displacement[1]; }},
+    Column{"y2", "m", "displacement of the plate across the contact",
+           [](const record::Trace& trace) -> const std::vector<double>& { return trace.displacement[2]; }},
+    Column{"x1_velocity", "m/s", "velocity of the joint along the plate",
+           [](const record::Trace& trace) -> const std::vector<double>& { return trace.velocity[0]; }},
+    Column{"y1_velocity", "m/s", "velocity of the joint across the plate",
+           [](const record::Trace& trace) -> const std::vector<double>& { return trace.velocity[1]; }},
+    Column{"y2_velocity", "m/s", "velocity of the plate across the contact",
+           [](const record::Trace& trace) -> const std::vector<double>& { return trace.velocity[2]; }},
+    Column{"surface_velocity", "m/s", "velocity imposed on the plate",
+           [](const record::Trace& trace) -> const std::vector<double>& { return trace.surface_velocity; }},
+    Column{"normal_force", "N", "contact force across the plate, on the joint",
+           [](const record::Trace& trace) -> const std::vector<double>& { return trace.normal_force; }},
+    Column{"friction_force", "N", "friction force on the joint",
+           [](const record::Trace& trace) -> const std::vector<double>& { return trace.friction_force; }},
+    Column{"gap", "m", "gap between joint and plate",
+           [](const record::Trace& trace) -> const std::vector<double>& { return trace.gap; }}};
+
+record::TraceRequest trace_in(const Json& body, const parameters::Case& c) {
+    const double from = std::max(0.0, number_in(body, "from", 0.0));
+    const double to = std::min(c.run.duration, number_in(body, "to", c.run.duration));
+    const double interval = number_in(body, "interval", std::max(least_interval, (to - from) / most_samples));
+    const bool is_possible = from < to && interval >= least_interval && (to - from) / interval <= 1.01 * most_samples;
+    if (!is_possible)
+        throw Error(ErrorKind::input, {"there is no such trace",
+                                       "its times must rise within the run, and a million samples "
+                                       "are the most",
+                                       ""});
+    record::TraceRequest request;
+    request.from = from;
+    request.to = to;
+    request.interval = interval;
+    return request;
+}
+
+void pad(std::string& bytes) {
+    bytes.resize((bytes.size() + 7) / 8 * 8, '\0');
+}
+
+std::string motion_header(const record::TraceRequest& trace, std::size_t samples, std::size_t intervals) {
+    Json header{{"schema", "stridor.explorer.motion/1"},
+                {"samples", samples},
+                {"start", trace.from},
+                {"interval", trace.interval},
+                {"columns", Json::array()}};
+    for (const Column& column : columns)
+        header["columns"].push_back({{"name", column.name}, {"unit", column.unit}, {"sentence", column.sentence}});
+    header["intervals"] = intervals;
+    header["states"] = model::contact_state_names;
+    std::string text = header.dump();
+    text.resize((text.size() + 4 + 7) / 8 * 8 - 4, ' ');  // the arrays after it begin at a multiple of 8
+    return text;
+}
+
+std::string history_bytes(const record::ContactHistory& history) {
+    std::vector<double> times;
+    std::vector<std::uint8_t> states;
+    for (const record::ContactInterval& interval : history) {
+        times.push_back(interval.from);
+        states.push_back(static_cast<std::uint8_t>(interval.state));
+    }
+    times.push_back(history.empty() ? 0.0 : history.back().to);
+    return bytes_of<double>(times) + bytes_of<std::uint8_t>(states);
+}
+
+}  // namespace
+
+Response json(std::string document) {
+    return {200, "application/json", std::move(document) + "\n"};
+}
+
+std::string error_document(const base::Problem& problem) {
+    const Json document{{"schema", "stridor.explorer.error/1"},
+                        {"error", {{"what", problem.what}, {"why", problem.why}, {"suggestion", problem.suggestion}}}};
+    return document.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Response start(const World& world) {
+    Json document{{"schema", "stridor.explorer.start/1"},
+                  {"version", base::version()},
+                  {"presets", Json::array()},
+                  {"fields", Json::array()},
+                  {"figures", Json::array()},
+                  {"chart", default_chart()},
+                  {"library", !world.library.empty()}};
+    for (const Preset& preset : world.presets)
+        document["presets"].push_back(preset_object(preset));
+    for (const parameters::Field& field : parameters::fields())
+        document["fields"].push_back(field_object(field));
+    for (const sweep::CellFigure& figure : sweep::cell_figures())
+        document["figures"].push_back({{"name", figure.name}, {"unit", figure.unit}, {"sentence", figure.sentence}});
+    return json(document.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+Response simulate(const World& world, const Json& body, const std::stop_token& stop) {
+    const parameters::Case c = case_in(world, body);
+    const integration::Motion motion = run(c, {}, stop);
+    std::vector<classification::Verdict> verdicts;
+    for (const record::Tally& tally : motion.record.phases)
+        verdicts.push_back(classification::classify(analysis::evidence(tally), c.verdict));
+    return json(io::simulation_json(c, motion, integration::cost(c), verdicts));
+}
+
+Response motion(const World& world, const Json& body, const std::stop_token& stop) {
+    const parameters::Case c = case_in(world, body);
+    record::Request request{record::KeepHistory::yes, trace_in(body, c)};
+    std::vector<std::vector<float>> values(columns.size());
+    // block by block into the half as large numbers that are sent: a trace of doubles would be 100 MB
+    request.trace.taker = [&](const record::Trace& trace) {
+        for (std::size_t k = 0; k < columns.size(); ++k)
+            for (const double value : columns[k].values(trace))
+                values[k].push_back(static_cast<float>(value));
+    };
+    const integration::Motion motion = run(c, request, stop);
+    const std::string header = motion_header(request.trace, values.front().size(), motion.record.history.size());
+    const auto length = static_cast<std::uint32_t>(header.size());
+    std::string bytes = bytes_of<std::uint32_t>({&length, 1}) + header;
+    for (const std::vector<float>& column : values) {
+        bytes += bytes_of<float>(column);
+        pad(bytes);
+    }
+    bytes += history_bytes(motion.record.history);
+    return {200, "application/octet-stream", std::move(bytes)};
+}
+
+Response stability(const World& world, const Json& body, const std::stop_token&) {
+    const parameters::Case c = case_in(world, body);
+    std::optional<analysis::ScanRange> range;
+    if (body.contains("over")) {
+        constexpr int most = 2000;
+        const Json& over = object_in(body, "over");
+        range = {text_in(over, "key"), number_in(over, "from"), number_in(over, "to"),
+                 std::min(most, whole_in(over, "points", analysis::ScanRange{}.points))};
+    }
+    return json(io::stability_json(analysis::scan_stability(c, range)));
+}
+
+Response toml(const World& world, const Json& body, const std::stop_token&) {
+    const bool is_chart = body.contains("chart");
+    return {200, "text/plain; charset=utf-8",
+            is_chart ? io::study_toml(study_in(world, body)) : io::case_toml(case_in(world, body))};
+}
+
+}  // namespace stridor::explorer

@@ -1,0 +1,122 @@
+#include "stridor/base/error.hpp"
+#include "stridor/explorer/answers.hpp"
+#include "stridor/explorer/bytes.hpp"
+#include "stridor/parameters/field.hpp"
+#include "stridor/sweep/boundaries.hpp"
+#include "stridor/sweep/keeper.hpp"
+#include "stridor/sweep/run.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace stridor::explorer {
+
+namespace {
+
+constexpr std::uint8_t no_result = 255;
+
+Json axis_object(const sweep::Axis& axis) {
+    const parameters::Field* field = parameters::find_field(axis.parameter);
+    Json values = Json::array();
+    for (int index = 0; index < axis.points; ++index)
+        values.push_back(sweep::value_at(axis, index));
+    return {{"parameter", axis.parameter}, {"unit", std::get<parameters::Quantity>(field->kind).unit},
+            {"from", axis.from},           {"to", axis.to},
+            {"points", axis.points},       {"scale", sweep::scale_names[static_cast<std::size_t>(axis.scale)]},
+            {"values", std::move(values)}};
+}
+
+Json boundary_objects(const sweep::SweepResult& result) {
+    Json array = Json::array();
+    for (const sweep::Boundary& boundary : sweep::boundaries(result)) {
+        Json x = Json::array();
+        Json y = Json::array();
+        for (const sweep::BoundaryVertex& vertex : boundary.vertices) {
+            x.push_back(vertex.x);
+            y.push_back(vertex.y);
+        }
+        array.push_back({{"direction", boundary.direction},
+                         {"first", boundary.first},
+                         {"second", boundary.second},
+                         {"closed", boundary.form == sweep::LineForm::closed},
+                         {"x", std::move(x)},
+                         {"y", std::move(y)}});
+    }
+    return array;
+}
+
+std::string category_bytes(const sweep::SweepResult& result) {
+    std::vector<std::uint8_t> codes;
+    for (const sweep::CellVerdict& cell : result.cells)
+        codes.push_back(cell.status == sweep::Status::done ? static_cast<std::uint8_t>(cell.category) : no_result);
+    return base64_of<std::uint8_t>(codes);
+}
+
+std::string computed_bytes(const sweep::SweepResult& result) {
+    std::vector<std::uint8_t> marks;
+    for (std::size_t index = 0; index < result.cells.size(); ++index)
+        marks.push_back(sweep::is_inferred(result, index) ? 0 : 1);
+    return base64_of<std::uint8_t>(marks);
+}
+
+// a chart on its way to the page, a line per look at it
+class Frames {
+public:
+    Frames(std::string figure, const Send& send) : figure_(std::move(figure)), send_(send) {}
+
+    void show(const sweep::SweepResult& result, bool is_done) {
+        Json frame{{"schema", "stridor.explorer.chart/1"},
+                   {"round", round_},
+                   {"done", is_done},
+                   {"computed", sweep::computed_count(result)},
+                   {"total", result.cells.size()}};
+        if (round_ == 0) {
+            frame["x"] = axis_object(result.study.x);
+            frame["y"] = axis_object(result.study.y);
+            frame["directions"] = {"going", "coming"};
+        }
+        frame["category"] = category_bytes(result);
+        frame["computed_mask"] = computed_bytes(result);
+        if (const sweep::CellFigure* figure = sweep::find_cell_figure(figure_)) {
+            const std::vector<double> values = sweep::figure_values(result, figure->member);
+            frame["figure"] = base64_of<float>(std::vector<float>(values.begin(), values.end()));
+        }
+        if (is_done) frame["boundaries"] = boundary_objects(result);
+        send_(frame.dump() + "\n");
+        ++round_;
+    }
+
+private:
+    std::string figure_;
+    const Send& send_;
+    int round_ = 0;
+};
+
+}  // namespace
+
+Response chart(const World& world, const Json& body, const std::stop_token&) {
+    sweep::Study study = study_in(world, body);
+    if (flag_in(body, "preview")) study = sweep::preview(std::move(study));
+    Response response;
+    response.content_type = "application/x-ndjson";
+    response.stream = [study = std::move(study), threads = world.threads](const Send& send,
+                                                                          const std::stop_token& stop) {
+        try {
+            const auto keeper = std::make_shared<sweep::MemoryKeeper>(study);
+            Frames frames(study.quantities.front(), send);
+            sweep::RunOptions options;
+            options.threads = threads;
+            options.stop = stop;
+            options.round = [&] { frames.show(sweep::provisional(study, keeper), false); };
+            const sweep::RunReport report = sweep::run(study, *keeper, options);
+            if (report.ending == sweep::Ending::completed) frames.show(sweep::load(study, keeper), true);
+        } catch (const Error& error) {
+            send(error_document(error.problem()) + "\n");
+        }
+    };
+    return response;
+}
+
+}  // namespace stridor::explorer

@@ -1,0 +1,73 @@
+#include "stridor/explorer/api.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/explorer/answers.hpp"
+#include "stridor/explorer/page.hpp"
+
+#include <array>
+#include <exception>
+#include <string_view>
+
+namespace stridor::explorer {
+
+namespace {
+
+struct Route {
+    std::string_view path;
+    Response (*answer)(const World&, const Json& body, const std::stop_token&);
+};
+
+constexpr std::array routes{
+    Route{"/api/simulate", simulate}, Route{"/api/motion", motion}, Route{"/api/stability", stability},
+    Route{"/api/toml", toml},         Route{"/api/chart", chart},
+};
+
+int status_of(ErrorKind kind) {
+    switch (kind) {
+        case ErrorKind::input:
+            return 400;
+        case ErrorKind::numerical:
+            return 422;
+        case ErrorKind::interrupted:
+            return 503;
+        case ErrorKind::io:
+            return 500;
+    }
+    return 500;
+}
+
+Response refusal(int status, const base::Problem& problem) {
+    Response response = json(error_document(problem));
+    response.status = status;
+    return response;
+}
+
+Response unknown(const Request& request) {
+    return refusal(404, {request.method + " " + request.path.substr(0, 100) + " means nothing here", "", ""});
+}
+
+Response route(const World& world, const Request& request, const std::stop_token& stop) {
+    if (request.method == "GET") {
+        if (request.path == "/api/start") return start(world);
+        if (const PageFile* file = page_file(request.path))
+            return {200, std::string(file->type), std::string(file->bytes)};
+        return unknown(request);
+    }
+    for (const Route& route : routes)
+        if (request.path == route.path) return route.answer(world, parse_body(request.body), stop);
+    return unknown(request);
+}
+
+}  // namespace
+
+Response answer(const World& world, const Request& request, const std::stop_token& stop) {
+    try {
+        return route(world, request, stop);
+    } catch (const Error& error) {
+        return refusal(status_of(error.kind()), error.problem());
+    } catch (const std::exception& error) {
+        return refusal(500, {"the explorer failed", error.what(), ""});
+    }
+}
+
+}  // namespace stridor::explorer

@@ -1,0 +1,148 @@
+#include "stridor/explorer/body.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/io/toml_case.hpp"
+#include "stridor/io/toml_document.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stridor::explorer {
+
+namespace {
+
+constexpr int most_overrides = 200;
+
+[[noreturn]] void refuse(const std::string& what, const std::string& why) {
+    throw Error(ErrorKind::input, {what, why, ""});
+}
+
+const Json* member(const Json& object, const std::string& name, bool may_be_missing) {
+    const auto found = object.find(name);
+    if (found != object.end() && !found->is_null()) return &*found;
+    if (!may_be_missing) refuse("\"" + name + "\" is missing in the request", "");
+    return nullptr;
+}
+
+// a request's overrides come after those that the program was started with
+io::TomlSource source_in(const World& world, const Json& body) {
+    io::TomlSource source = source_of(preset_named(world, text_in(body, "preset")));
+    for (std::string& item : overrides_in(body))
+        source.overrides.push_back(std::move(item));
+    return source;
+}
+
+void limit_run(const parameters::Case& c) {
+    if (c.run.duration > longest_run)
+        throw Error(ErrorKind::input,
+                    {"run.duration = " + base::shortest(c.run.duration) + " s is too long to be explored",
+                     "at most " + base::shortest(longest_run) + " s are run at a time",
+                     "Run it on the command line: stridor simulate."});
+}
+
+sweep::Axis axis_in(const Json& chart, const std::string& name) {
+    const Json& axis = object_in(chart, name);
+    const std::string scale = text_in(axis, "scale", "linear");
+    const auto found = std::find(sweep::scale_names.begin(), sweep::scale_names.end(), scale);
+    if (found == sweep::scale_names.end()) refuse("\"" + scale + "\" is no scale", "it is linear or log");
+    const int points = whole_in(axis, "points", 64);
+    if (points > most_chart_points)
+        refuse(name + ": " + std::to_string(points) + " points are too many to be explored",
+               "at most " + std::to_string(most_chart_points) + " along each axis");
+    return {text_in(axis, "parameter"), number_in(axis, "from"), number_in(axis, "to"), points,
+            static_cast<sweep::Scale>(found - sweep::scale_names.begin())};
+}
+
+}  // namespace
+
+Json parse_body(const std::string& text) {
+    Json body = Json::parse(text, nullptr, false);
+    if (body.is_discarded() || !body.is_object()) refuse("the request is no JSON object", "");
+    return body;
+}
+
+std::string text_in(const Json& object, const std::string& name, std::optional<std::string> otherwise) {
+    const Json* value = member(object, name, otherwise.has_value());
+    if (value == nullptr) return *otherwise;
+    if (!value->is_string()) refuse("\"" + name + "\" must be text", "");
+    return value->get<std::string>();
+}
+
+double number_in(const Json& object, const std::string& name, std::optional<double> otherwise) {
+    const Json* value = member(object, name, otherwise.has_value());
+    if (value == nullptr) return *otherwise;
+    if (!value->is_number()) refuse("\"" + name + "\" must be a number", "");
+    return value->get<double>();
+}
+
+int whole_in(const Json& object, const std::string& name, std::optional<int> otherwise) {
+    const Json* value = member(object, name, otherwise.has_value());
+    if (value == nullptr) return *otherwise;
+    const double number = number_in(object, name);
+    if (!(std::abs(number) <= 1e9) || number != std::floor(number))
+        refuse("\"" + name + "\" must be a whole number", "");
+    return static_cast<int>(number);
+}
+
+bool flag_in(const Json& object, const std::string& name) {
+    const Json* value = member(object, name, true);
+    if (value == nullptr) return false;
+    if (!value->is_boolean()) refuse("\"" + name + "\" must be true or false", "");
+    return value->get<bool>();
+}
+
+const Json& object_in(const Json& object, const std::string& name) {
+    const Json* value = member(object, name, false);
+    if (!value->is_object()) refuse("\"" + name + "\" must be an object", "");
+    return *value;
+}
+
+std::vector<std::string> overrides_in(const Json& body) {
+    const Json* set = member(body, "set", true);
+    if (set == nullptr) return {};
+    if (!set->is_array() || set->size() > most_overrides)
+        refuse("\"set\" must be a list of at most " + std::to_string(most_overrides) + " texts", "");
+    std::vector<std::string> overrides;
+    for (const Json& item : *set) {
+        if (!item.is_string()) refuse("\"set\" must be a list of texts like \"contact.preload=20\"", "");
+        const std::string text = item.get<std::string>();
+        std::string key = text.substr(0, text.find('='));
+        std::erase_if(key, [](char c) { return c == ' ' || c == '\t' || c == '"' || c == '\''; });
+        // whoever reaches the page must not make the program open files
+        if (key == "drive.file" || key == "drive")
+            refuse("drive.file cannot be set here", "the explorer opens no files on request");
+        overrides.push_back(text);
+    }
+    return overrides;
+}
+
+parameters::Case case_in(const World& world, const Json& body) {
+    parameters::Case c = io::read_case(source_in(world, body));
+    limit_run(c);
+    return c;
+}
+
+sweep::Study study_in(const World& world, const Json& body) {
+    const Json& chart = object_in(body, "chart");
+    sweep::Study study;
+    study.base = io::read_base_case(io::parse_toml(source_in(world, body)));
+    limit_run(study.base);
+    study.x = axis_in(chart, "x");
+    study.y = axis_in(chart, "y");
+    study.refine = whole_in(chart, "refine", 0);
+    study.quantities = {text_in(body, "figure", "category")};
+    sweep::check(study);
+    return study;
+}
+
+Json default_chart() {
+    return {
+        {"x", {{"parameter", "contact.preload"}, {"from", 1.0}, {"to", 80.0}, {"points", 64}, {"scale", "linear"}}},
+        {"y",
+         {{"parameter", "contact.kinetic_friction"}, {"from", 0.0}, {"to", 0.8}, {"points", 64}, {"scale", "linear"}}},
+        {"refine", 3}};
+}
+
+}  // namespace stridor::explorer

@@ -1,0 +1,44 @@
+#pragma once
+
+// Requests as JSON. Private to this folder: nlohmann's types stay out of the headers others see.
+
+#include "stridor/explorer/world.hpp"
+#include "stridor/sweep/study.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stridor::explorer {
+
+using Json = nlohmann::ordered_json;
+
+/// Most that a request may ask for.
+inline constexpr double longest_run = 60.0;  // [s] simulated
+inline constexpr int most_chart_points = 256;
+
+/// Throws `Error` (input) for text that is no JSON object.
+Json parse_body(const std::string& text);
+
+/// Members of an object. Each throws `Error` (input) where the member is of another type, or missing without a default.
+std::string text_in(const Json& object, const std::string& name, std::optional<std::string> otherwise = std::nullopt);
+double number_in(const Json& object, const std::string& name, std::optional<double> otherwise = std::nullopt);
+int whole_in(const Json& object, const std::string& name, std::optional<int> otherwise = std::nullopt);
+bool flag_in(const Json& object, const std::string& name);  // false where it is missing
+const Json& object_in(const Json& object, const std::string& name);
+
+/// The "set" of a request: overrides as the command line's `--set` takes them. A file is never named by a request.
+std::vector<std::string> overrides_in(const Json& body);
+
+/// The case of a request: its preset with its overrides. Throws `Error` (input) for what is no case, or runs too long.
+parameters::Case case_in(const World& world, const Json& body);
+
+/// The chart of a request, both directions; the case's values need not fit together where the axes replace them.
+sweep::Study study_in(const World& world, const Json& body);
+
+/// A chart with its default axes: preload over kinetic friction, as in Figure 8, linear.
+Json default_chart();
+
+}  // namespace stridor::explorer

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "stridor/io/toml_document.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::explorer {
+
+/// A case the explorer can begin with.
+struct Preset {
+    std::string name;                      // "squeal"
+    std::string toml;                      // its text
+    std::string file{};                    // the file it came from; empty: one of the paper's
+    std::vector<std::string> overrides{};  // "section.key=value", over the file's values
+};
+
+/// What the explorer's answers are made from; it never changes.
+struct World {
+    std::vector<Preset> presets;
+    std::filesystem::path library;  // empty: none
+    int threads = 0;                // [1] for charts; 0: one per processor
+};
+
+/// A preset as the text that a case is read from.
+io::TomlSource source_of(const Preset& preset);
+
+/// The four cases of Table 1.
+std::vector<Preset> paper_presets();
+
+/// Throws `Error` (input) for a name that is none.
+const Preset& preset_named(const World& world, std::string_view name);
+
+}  // namespace stridor::explorer
