@@ -1,0 +1,38 @@
+// Bundles the page into dist/: index.html, page.js, page.css. Fails when it outgrows its budget.
+import { build } from "esbuild";
+import { copyFile, mkdir, readFile, rm } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+
+const budget = 60_000; // bytes, gzip, all files together
+const here = dirname(fileURLToPath(import.meta.url));
+const out = join(here, "dist");
+
+await rm(out, { recursive: true, force: true });
+await mkdir(out, { recursive: true });
+await build({
+  entryPoints: { page: join(here, "src/main.ts") },
+  outdir: out,
+  bundle: true,
+  minify: true,
+  format: "iife",
+  target: ["es2022"],
+  charset: "utf8",
+  legalComments: "none",
+  logLevel: "warning",
+});
+await copyFile(join(here, "src/index.html"), join(out, "index.html"));
+
+let total = 0;
+for (const name of ["index.html", "page.js", "page.css"]) {
+  const bytes = await readFile(join(out, name));
+  const packed = gzipSync(bytes, { level: 9 }).length;
+  total += packed;
+  console.log(`${name.padEnd(12)} ${String(bytes.length).padStart(7)} bytes  ${String(packed).padStart(6)} gzip`);
+}
+console.log(`${"all".padEnd(12)} ${" ".repeat(14)} ${String(total).padStart(6)} gzip of ${budget}`);
+if (total > budget) {
+  console.error("The page is larger than its budget.");
+  process.exit(1);
+}

@@ -1,0 +1,122 @@
+/** Which parameters the chart's axes are, between which ends, and what it shows. */
+import { button, h, select, setOptions } from "./dom.ts";
+import { exact, plain, quantity, read, symbolText, title, words } from "./format.ts";
+import { valueIn } from "./parameters.ts";
+import type { State } from "./state.ts";
+import type { Store } from "./store.ts";
+import type { Axis, Case, QuantityField, Start } from "./types.ts";
+
+type Name = "x" | "y";
+
+interface AxisRow {
+  parameter: HTMLSelectElement;
+  from: HTMLInputElement;
+  to: HTMLInputElement;
+  scale: HTMLSelectElement;
+}
+
+export class AxisControls {
+  readonly element: HTMLElement;
+  private readonly rows: Record<Name, AxisRow>;
+  private readonly figure: HTMLSelectElement;
+  private readonly quantities: QuantityField[];
+
+  constructor(
+    private readonly store: Store,
+    start: Start,
+    unzoom: () => void,
+  ) {
+    this.quantities = start.fields.filter((field): field is QuantityField => field.kind === "quantity" && field.usual !== null);
+    this.rows = { x: this.row("x"), y: this.row("y") };
+    const figures = [["category", "category"], ...start.figures.map(({ name }) => [name, words(name)])];
+    this.figure = select("Shown in the chart", figures as [string, string][], (figure) => this.store.update({ figure }), {
+      id: "figure",
+    });
+    this.element = h(
+      "div",
+      { class: "axes" },
+      label("show", this.figure),
+      label("over", this.rows.x.parameter),
+      label("and", this.rows.y.parameter),
+      this.ends(),
+      button("Swap", () => this.store.update({ x: this.store.state.y, y: this.store.state.x }), { class: "quiet", title: "Swap the axes" }),
+      button("Unzoom", unzoom, { id: "unzoom", class: "quiet", title: "Back to the last axes (double click, or - on the chart)" }),
+    );
+  }
+
+  /** The axis of a parameter between its usual ends. */
+  whole(axis: Axis): Axis {
+    const field = this.quantities.find(({ key }) => key === axis.parameter);
+    return field?.usual ? { ...axis, ...field.usual } : axis;
+  }
+
+  show(state: State, resolved: Case): void {
+    const known = this.quantities.filter(({ key }) => valueIn(resolved, key) !== undefined);
+    const options = known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")] as const);
+    for (const name of ["x", "y"] as const) {
+      const axis = state[name];
+      const row = this.rows[name];
+      const extra = known.some(({ key }) => key === axis.parameter) ? [] : [[axis.parameter, title(axis.parameter)] as const];
+      setOptions(row.parameter, [...options, ...extra]);
+      row.parameter.value = axis.parameter;
+      row.scale.value = axis.scale;
+      const unit = this.quantities.find(({ key }) => key === axis.parameter)?.unit ?? "";
+      for (const end of ["from", "to"] as const)
+        if (document.activeElement !== row[end]) row[end].value = unit === "1" ? plain(axis[end], 6) : quantity(axis[end], unit, 6);
+    }
+    this.figure.value = state.figure;
+  }
+
+  private row(name: Name): AxisRow {
+    const parameter = select(`Parameter of the ${name} axis`, [], (key) => this.choose(name, key), { id: `axis-${name}` });
+    const end = (which: "from" | "to"): HTMLInputElement => {
+      const input = h("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${name} axis, ${which}`, id: `${name}-${which}` });
+      input.addEventListener("change", () => this.move(name, which, input));
+      return input;
+    };
+    const scale = select(`Scale of the ${name} axis`, [["linear", "linear"], ["log", "log"]], (value) => {
+      const axis = this.store.state[name];
+      if (value === "log" && axis.from <= 0) this.change(name, { ...axis, from: axis.to / 1000, scale: "log" });
+      else this.change(name, { ...axis, scale: value === "log" ? "log" : "linear" });
+    });
+    return { parameter, from: end("from"), to: end("to"), scale };
+  }
+
+  private ends(): HTMLElement {
+    const line = (name: Name): HTMLElement => {
+      const { from, to, scale } = this.rows[name];
+      return h("div", { class: "ends" }, h("b", {}, name), from, "to", to, scale);
+    };
+    const points = select("Points of each axis", [16, 32, 64, 128].map((n) => [String(n), `${n} × ${n} cells`]), (value) => {
+      const { x, y } = this.store.state;
+      this.store.update({ x: { ...x, points: Number(value) }, y: { ...y, points: Number(value) } });
+    });
+    points.value = "64";
+    return h("details", { class: "drop" }, h("summary", {}, "Range"), h("div", { class: "sheet" }, line("x"), line("y"), points));
+  }
+
+  private choose(name: Name, key: string): void {
+    const { state } = this.store;
+    const other = name === "x" ? "y" : "x";
+    if (state[other].parameter === key) this.store.update({ x: state.y, y: state.x });
+    else this.change(name, this.whole({ ...state[name], parameter: key }));
+  }
+
+  private move(name: Name, which: "from" | "to", input: HTMLInputElement): void {
+    const axis = this.store.state[name];
+    const unit = this.quantities.find(({ key }) => key === axis.parameter)?.unit ?? "";
+    const value = read(input.value, unit);
+    const next = { ...axis, [which]: value ?? NaN };
+    const sound = value !== null && next.from < next.to && (axis.scale === "linear" || next.from > 0);
+    input.setAttribute("aria-invalid", String(!sound));
+    if (sound) this.change(name, { ...next, [which]: Number(exact(value)) });
+  }
+
+  private change(name: Name, axis: Axis): void {
+    this.store.update(name === "x" ? { x: axis } : { y: axis });
+  }
+}
+
+function label(text: string, control: HTMLElement): HTMLElement {
+  return h("label", {}, h("span", { class: "muted" }, text), control);
+}

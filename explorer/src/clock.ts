@@ -1,0 +1,62 @@
+/** The time at which mechanism and time history are read: plays in slow motion, stops, is moved. */
+
+export const slowness = [10_000, 5_000, 2_000, 1_000, 500, 200, 100, 50, 20, 10, 5, 2, 1] as const;
+
+export class Clock {
+  time = 0; // [s] of the simulation
+  from = 0; // [s] what is played, again and again
+  to = 1;
+  slow = 1000; // seconds of watching per second of motion
+  playing = false;
+  private last = 0;
+  private frame = 0;
+  private readonly listeners: (() => void)[] = [];
+
+  listen(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  play(): void {
+    if (this.playing) return;
+    this.playing = true;
+    this.last = performance.now();
+    this.frame = requestAnimationFrame((now) => this.tick(now));
+    this.tell();
+  }
+
+  pause(): void {
+    this.playing = false;
+    cancelAnimationFrame(this.frame);
+    this.tell();
+  }
+
+  toggle(): void {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  /** Goes to a time, within what is played. */
+  seek(time: number): void {
+    this.time = Math.min(Math.max(time, this.from), this.to);
+    this.tell();
+  }
+
+  limit(from: number, to: number): void {
+    [this.from, this.to] = [from, to];
+    this.seek(this.time);
+  }
+
+  private tick(now: number): void {
+    if (!this.playing) return;
+    const passed = Math.min(now - this.last, 100) / 1000;
+    this.last = now;
+    this.time += passed / this.slow;
+    if (this.time > this.to) this.time = this.from;
+    this.tell();
+    this.frame = requestAnimationFrame((next) => this.tick(next));
+  }
+
+  private tell(): void {
+    for (const listener of this.listeners) listener();
+  }
+}

@@ -1,0 +1,49 @@
+/** What the chart's colours mean: swatches of categories, or a scale of the figure. */
+import { sequential } from "./colours.ts";
+import { h } from "./dom.ts";
+import { quantity, words } from "./format.ts";
+import type { ChartData } from "./map.ts";
+import { paintSwatch } from "./theme.ts";
+import type { Start } from "./types.ts";
+
+export class Legend {
+  readonly element = h("div", { class: "legend", id: "legend" });
+  private shown = "";
+
+  show(data: ChartData | null, figure: string, start: Start): void {
+    const key = data?.figure ? `${figure} ${data.figureRange.join(" ")}` : `categories ${hasGaps(data)}`;
+    const theme = document.documentElement.dataset.theme ?? "";
+    if (this.shown === key + theme) return;
+    this.shown = key + theme;
+    if (data?.figure) this.scale(data, figure, start);
+    else this.swatches(hasGaps(data));
+  }
+
+  private swatches(gaps: boolean): void {
+    const names = ["none", "squeak", "squeal", "creak", "undecided", ...(gaps ? ["failed"] : [])];
+    this.element.replaceChildren(
+      ...names.map((name) => {
+        const swatch = h("span", { class: "swatch", "aria-hidden": "true" });
+        paintSwatch(swatch, name);
+        return h("span", { class: "entry" }, swatch, name === "failed" ? "no result" : name);
+      }),
+    );
+  }
+
+  private scale(data: ChartData, figure: string, start: Start): void {
+    const unit = start.figures.find(({ name }) => name === figure)?.unit ?? "";
+    const [low, high] = data.figureRange;
+    const bar = h("span", { class: "scale", "aria-hidden": "true" });
+    const stops = Array.from({ length: 11 }, (_, k) => `rgb(${sequential(k / 10).join(" ")})`);
+    bar.style.backgroundImage = `linear-gradient(to right, ${stops.join(", ")})`;
+    this.element.replaceChildren(
+      h("span", { class: "entry" }, `${words(figure)}  ${quantity(low, unit)}`),
+      bar,
+      h("span", { class: "entry" }, quantity(high, unit)),
+    );
+  }
+}
+
+function hasGaps(data: ChartData | null): boolean {
+  return data !== null && data.done && data.category.includes(255);
+}

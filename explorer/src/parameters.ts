@@ -1,0 +1,242 @@
+/** The design's parameters: a slider and a field each, made from the program's field table; presets; resets. */
+import { button, h, select, setText, symbol } from "./dom.ts";
+import { exact, quantity, read, rounded, symbolParts, words } from "./format.ts";
+import { at, share } from "./scale.ts";
+import { withoutKeys, withValues, type State } from "./state.ts";
+import type { Store } from "./store.ts";
+import type { Case, Field, QuantityField, ServerError, Start } from "./types.ts";
+
+const steps = 1000;
+const folded = new Set(["run", "verdict"]);
+const sectionTitles: Record<string, string> = {
+  joint: "Joint",
+  plate: "Plate",
+  contact: "Contact",
+  drive: "Drive",
+  run: "Run",
+  verdict: "Thresholds of the verdict",
+};
+
+/** The value of a key in a resolved case. */
+export function valueIn(resolved: Case, key: string): number | string | undefined {
+  const [section = "", name = ""] = key.split(".", 2);
+  const part = resolved[section];
+  return typeof part === "object" ? part[name] : undefined;
+}
+
+/** The value that a design gives a quantity: what was set, else what the case holds. */
+export function quantityOf(state: State, resolved: Case, key: string): number {
+  const said = state.design.set[key];
+  return Number(said ?? valueIn(resolved, key));
+}
+
+interface Row {
+  field: Field;
+  element: HTMLElement;
+  show(value: number | string, base: number | string | undefined): void;
+}
+
+export class Parameters {
+  readonly element = h("section", { class: "panel parameters", "aria-label": "Parameters" });
+  private readonly rows: Row[] = [];
+  private readonly groups = new Map<string, HTMLElement>();
+  private readonly presets = new Map<string, HTMLInputElement>();
+  private readonly resetAll: HTMLButtonElement;
+
+  constructor(
+    private readonly store: Store,
+    private readonly start: Start,
+  ) {
+    this.resetAll = button("Reset all", () => this.store.update({ design: { ...this.store.state.design, set: {} } }), {
+      id: "reset-all",
+      class: "quiet",
+      title: "Back to the preset's own values",
+    });
+    this.element.append(
+      this.presetPicker(),
+      h("div", { class: "heading" }, h("h2", {}, "Parameters"), this.resetAll),
+      this.fields(),
+    );
+  }
+
+  /** Shows a design whose resolved case is known; rows that mean nothing for it are hidden. */
+  show(state: State, resolved: Case): void {
+    for (const [name, input] of this.presets) input.checked = name === state.design.preset;
+    const preset = this.start.presets.find(({ name }) => name === state.design.preset)?.case ?? resolved;
+    for (const row of this.rows) {
+      const { key } = row.field;
+      const value = state.design.set[key] ?? valueIn(resolved, key);
+      row.element.hidden = valueIn(resolved, key) === undefined && state.design.set[key] === undefined;
+      row.element.classList.toggle("changed", state.design.set[key] !== undefined);
+      if (value !== undefined) row.show(value, valueIn(preset, key));
+    }
+    for (const [, group] of this.groups)
+      group.hidden = ![...group.querySelectorAll<HTMLElement>(".row")].some((row) => !row.hidden);
+    this.resetAll.disabled = Object.keys(state.design.set).length === 0;
+  }
+
+  /** Marks the field that the server refused; null: none. */
+  blame(error: ServerError | null): void {
+    for (const row of this.rows) {
+      const guilty = error?.key === row.field.key;
+      row.element.classList.toggle("refused", guilty);
+      for (const input of row.element.querySelectorAll("input")) input.setAttribute("aria-invalid", String(guilty));
+    }
+  }
+
+  private presetPicker(): HTMLElement {
+    const group = h("fieldset", { id: "preset", class: "segments" }, h("legend", { class: "unseen" }, "Case"));
+    for (const { name, title } of this.start.presets) {
+      const input = h("input", { type: "radio", name: "preset", value: name, "data-preset": name });
+      input.addEventListener("change", () =>
+        this.store.update({ design: { preset: name, set: {} }, span: null }),
+      );
+      this.presets.set(name, input);
+      group.append(h("label", { title }, input, h("span", {}, name)));
+    }
+    return group;
+  }
+
+  private fields(): HTMLElement {
+    const list = h("div", { class: "fields" });
+    for (const field of this.start.fields) {
+      if (field.kind === "text" || field.section === "") continue;
+      const row = field.kind === "quantity" ? this.quantityRow(field) : this.choiceRow(field);
+      this.rows.push(row);
+      this.group(list, field.section).append(row.element);
+    }
+    return list;
+  }
+
+  private group(list: HTMLElement, section: string): HTMLElement {
+    const known = this.groups.get(section);
+    if (known) return known;
+    const title = sectionTitles[section] ?? section;
+    const group = folded.has(section)
+      ? h("details", { "data-section": section }, h("summary", {}, h("h3", {}, title)))
+      : h("div", { "data-section": section }, h("h3", {}, title));
+    this.groups.set(section, group);
+    list.append(group);
+    return group;
+  }
+
+  private set(field: Field, value: string, step: "push" | "drag"): void {
+    this.store.update({ design: withValues(this.store.state.design, { [field.key]: value }) }, step);
+  }
+
+  private resetButton(field: Field): HTMLButtonElement {
+    const reset = (): void =>
+      this.store.update({ design: withoutKeys(this.store.state.design, [field.key]) });
+    return button("↺", reset, {
+      class: "reset",
+      "data-reset": field.key,
+      title: "Back to the preset's value",
+      "aria-label": `Reset ${words(field.key)}`,
+    });
+  }
+
+  private quantityRow(field: QuantityField): Row {
+    const { key, unit } = field;
+    const number = h("input", {
+      type: "text",
+      inputmode: "decimal",
+      autocomplete: "off",
+      spellcheck: "false",
+      "data-field": key,
+      "aria-label": `${words(key)}, ${unit === "1" ? "no unit" : unit}`,
+    });
+    const reset = this.resetButton(field);
+    const slider = field.usual ? new Slider(field, field.usual, (value, step) => this.set(field, value, step)) : null;
+
+    let shown = "";
+    const commit = (): void => {
+      if (number.value === shown) return;
+      const value = read(number.value, unit);
+      number.setAttribute("aria-invalid", String(value === null));
+      if (value !== null) this.set(field, exact(value), "push");
+    };
+    number.addEventListener("change", commit);
+    number.addEventListener("focus", () => number.select());
+    number.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") number.value = shown;
+    });
+
+    const element = h(
+      "div",
+      { class: slider ? "row" : "row short", "data-row": key, title: field.sentence },
+      h("label", { class: "name" }, field.symbol ? symbol(symbolParts(field.symbol)) : null, h("span", {}, words(key))),
+      reset,
+      number,
+      slider?.input ?? null,
+    );
+    const show = (value: number | string, base: number | string | undefined): void => {
+      const known = Number(value);
+      shown = quantity(known, unit);
+      if (document.activeElement !== number || number.value === "") number.value = shown;
+      else if (read(number.value, unit) === known) number.value = shown;
+      number.title = unit === "1" ? exact(known) : `${exact(known)} ${unit}`;
+      slider?.show(known, shown);
+      reset.title = base === undefined ? "Reset" : `Back to ${quantity(Number(base), unit)}`;
+    };
+    return { field, element, show };
+  }
+
+  private choiceRow(field: Extract<Field, { kind: "choice" }>): Row {
+    const choices = field.choices.map((name) => [name, name] as const);
+    const picker = select(field.sentence, choices, (value) => this.set(field, value, "push"), { "data-key": field.key });
+    const element = h(
+      "div",
+      { class: "row choice", "data-row": field.key, title: field.sentence },
+      h("label", { class: "name" }, h("span", {}, words(field.key))),
+      this.resetButton(field),
+      picker,
+    );
+    const show = (value: number | string): void => {
+      for (const option of picker.options)
+        option.disabled = option.value === "sampled" && value !== "sampled";  // it would need a file
+      picker.value = String(value);
+    };
+    return { field, element, show };
+  }
+}
+
+/** A slider over the usual values of a quantity, by its magnitude: the sign stays as it is. */
+class Slider {
+  readonly input: HTMLInputElement;
+  private sign = 1;
+
+  constructor(
+    field: QuantityField,
+    private readonly usual: NonNullable<QuantityField["usual"]>,
+    change: (value: string, step: "push" | "drag") => void,
+  ) {
+    this.input = h("input", { type: "range", min: 0, max: steps, step: 1, "data-key": field.key, "aria-label": field.sentence });
+    this.input.addEventListener("input", () => change(exact(this.value()), "drag"));
+    this.input.addEventListener("change", () => change(exact(this.value()), "push"));
+  }
+
+  show(value: number, text: string): void {
+    const { from, to, scale } = this.usual;
+    this.sign = value < 0 && from >= 0 ? -1 : 1;
+    const part = share(value * this.sign, from, to, scale);
+    const place = String(Math.round(steps * Math.min(Math.max(Number.isFinite(part) ? part : 0, 0), 1)));
+    if (rounded(value) !== this.value()) this.input.value = place;
+    this.input.setAttribute("aria-valuetext", text);
+    this.input.style.setProperty("--part", `${this.input.valueAsNumber / 10}%`);
+  }
+
+  private value(): number {
+    const { from, to, scale } = this.usual;
+    return this.sign * rounded(at(this.input.valueAsNumber / steps, from, to, scale));
+  }
+}
+
+/** One line that says what was refused, or nothing. */
+export class Complaint {
+  readonly element = h("p", { id: "complaint", class: "complaint", role: "alert", hidden: true });
+
+  show(text: string): void {
+    this.element.hidden = text === "";
+    setText(this.element, text);
+  }
+}

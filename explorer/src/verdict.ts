@@ -1,0 +1,103 @@
+/** The verdict on the present design: a chip per phase, announced to screen readers. */
+import { h, setText } from "./dom.ts";
+import { percent, quantity } from "./format.ts";
+import { paintSwatch } from "./theme.ts";
+import type { Direction, PhaseResult, Simulation } from "./types.ts";
+
+/** Which direction a phase is: of a constant drive, that of its velocity. */
+export function directionOf(result: PhaseResult, simulation: Simulation): Direction {
+  if (result.phase !== "all") return result.phase;
+  const drive = simulation.case.drive;
+  const velocity = typeof drive === "object" ? Number(drive.velocity) : 0;
+  return velocity < 0 ? "coming" : "going";
+}
+
+/** The phase of a direction; of a constant drive the one there is. */
+export function phaseOf(simulation: Simulation, direction: Direction): PhaseResult | undefined {
+  return simulation.phases.find(({ phase }) => phase === direction) ?? simulation.phases[0];
+}
+
+export class VerdictBar {
+  readonly element = h("div", { id: "verdict", class: "verdict", "aria-busy": "true" });
+  private readonly live = h("p", { class: "unseen", "aria-live": "polite", id: "announcement" });
+  private last: Simulation | null = null;
+
+  constructor(private readonly choose: (direction: Direction) => void) {}
+
+  get announcement(): HTMLElement {
+    return this.live;
+  }
+
+  busy(): void {
+    this.element.setAttribute("aria-busy", "true");
+  }
+
+  repaint(chosen: Direction): void {
+    if (this.last) this.show(this.last, chosen);
+  }
+
+  show(simulation: Simulation, chosen: Direction): void {
+    this.last = simulation;
+    delete this.element.dataset.going;
+    delete this.element.dataset.coming;
+    delete this.element.dataset.all;
+    const chips = simulation.phases.map((result) => {
+      const direction = directionOf(result, simulation);
+      this.element.dataset[direction] = result.verdict.category;
+      this.element.dataset[result.phase] = result.verdict.category;
+      return this.chip(result, direction, chosen);
+    });
+    this.element.replaceChildren(...chips);
+    this.element.setAttribute("aria-busy", "false");
+    setText(this.live, simulation.phases.map(spoken).join("; "));
+  }
+
+  private chip(result: PhaseResult, direction: Direction, chosen: Direction): HTMLElement {
+    const { verdict } = result;
+    const swatch = h("span", { class: "swatch", "aria-hidden": "true" });
+    paintSwatch(swatch, verdict.category);
+    const chip = h(
+      "button",
+      {
+        type: "button",
+        class: "chip",
+        "data-phase": result.phase,
+        "aria-pressed": String(direction === chosen),
+        title: `${verdict.reasons.join("\n")}\n(click: regard this direction)`,
+        onclick: () => this.choose(direction),
+      },
+      swatch,
+      h("span", { class: "phase" }, result.phase),
+      h("strong", {}, verdict.category),
+      h("span", { class: "detail" }, detail(result)),
+      rates(result),
+    );
+    return chip;
+  }
+}
+
+function detail(result: PhaseResult): string {
+  const { verdict } = result;
+  if (verdict.category === "none") return quantity(verdict.levels.plate.level, "dB", 3);
+  return `${quantity(verdict.frequency, "Hz")} · ${quantity(verdict.levels.plate.level, "dB", 3)}`;
+}
+
+function rates(result: PhaseResult): HTMLElement {
+  const shares = result.verdict.judged_rates;
+  const text = (["slip", "stick", "separation"] as const).map((state) => `${state} ${percent(shares[state])}`).join(", ");
+  const bar = h("span", { class: "rates", role: "img", "aria-label": text, title: `of the judged time: ${text}` });
+  for (const state of ["slip", "stick", "separation"] as const) {
+    const part = h("span", { class: `state-${state}` });
+    part.style.flexGrow = String(Math.max(shares[state], 0));
+    bar.append(part);
+  }
+  return bar;
+}
+
+function spoken(result: PhaseResult): string {
+  const { verdict } = result;
+  const name = result.phase === "all" ? "" : `${result.phase}: `;
+  const category = verdict.category === "none" ? "no noise" : verdict.category;
+  const pitch = verdict.category !== "none" && verdict.frequency ? ` at ${quantity(verdict.frequency, "Hz", 3)}` : "";
+  return name + category + pitch;
+}
