@@ -7,7 +7,7 @@ import { gzipSync } from "node:zlib";
 
 const budget = 60_000; // bytes, gzip, all files together
 const here = dirname(fileURLToPath(import.meta.url));
-const out = join(here, "dist");
+const out = process.argv[2] ?? join(here, "dist");
 
 await rm(out, { recursive: true, force: true });
 await mkdir(out, { recursive: true });
