@@ -16,6 +16,7 @@ void add_init(CLI::App& program);
 void add_check(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_stability(CLI::App& program);
+void add_advise(CLI::App& program);
 void add_chart(CLI::App& program);
 void add_figure(CLI::App& program);
 void add_listen(CLI::App& program);

@@ -34,6 +34,7 @@ void build(CLI::App& program) {
     add_check(program);
     add_simulate(program);
     add_stability(program);
+    add_advise(program);
     add_chart(program);
     add_figure(program);
     add_listen(program);

@@ -1,0 +1,184 @@
+#include "advise_text.hpp"
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/io/json_advice.hpp"
+#include "stridor/sweep/advice.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stridor::app {
+
+namespace {
+
+struct AdviseCommand {
+    CaseOptions input;
+    std::vector<std::string> over;        // "key", "key=from:to"
+    std::vector<std::string> tolerances;  // "key=10%", "key=2 N normal"
+    std::size_t samples = sweep::ChanceOptions{}.samples;
+    std::uint64_t seed = sweep::ChanceOptions{}.seed;
+    int threads = 0;
+    bool json = false;
+};
+
+Error unreadable(const std::string& option, const std::string& text, const std::string& expected,
+                 const std::string& example) {
+    return {ErrorKind::input, {option + " \"" + text + "\" cannot be read", "expected " + expected, example}};
+}
+
+std::string_view unit_named(const parameters::Case& c, const std::string& name) {
+    return std::get<parameters::Quantity>(sweep::quantity_named(c, name).kind).unit;
+}
+
+sweep::AskedRange range_from(const parameters::Case& c, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    sweep::AskedRange range{std::string(base::trimmed(text.substr(0, equals)))};
+    if (equals == std::string::npos) return range;
+    const std::string ends = text.substr(equals + 1);
+    const std::size_t colon = ends.find(':');
+    if (colon == std::string::npos || ends.find(':', colon + 1) != std::string::npos)
+        throw unreadable("--over", text, "KEY or KEY=FROM:TO", "For example contact.kinetic_friction=0:0.8.");
+    const std::string_view unit = unit_named(c, range.name);
+    range.from = base::parse_quantity(ends.substr(0, colon), unit);
+    range.to = base::parse_quantity(ends.substr(colon + 1), unit);
+    return range;
+}
+
+// "10%", "10 % normal", "2 N"
+sweep::AskedTolerance tolerance_from(const parameters::Case& c, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+        throw unreadable("--tolerance", text, "KEY=AMOUNT, in percent or with a unit", "For example preload=10%.");
+    sweep::AskedTolerance tolerance{std::string(base::trimmed(text.substr(0, equals)))};
+    std::string amount(base::trimmed(text.substr(equals + 1)));
+    for (std::size_t k = 0; k < sweep::spread_names.size(); ++k) {
+        const std::string_view name = sweep::spread_names[k];
+        if (!amount.ends_with(name)) continue;
+        tolerance.spread = static_cast<sweep::Spread>(k);
+        amount = std::string(base::trimmed(amount.substr(0, amount.size() - name.size())));
+    }
+    if (amount.empty())
+        throw unreadable("--tolerance", text, "KEY=AMOUNT, in percent or with a unit", "For example preload=10%.");
+    if (amount.ends_with('%'))
+        tolerance.relative = base::parse_quantity(amount, "1");
+    else
+        tolerance.absolute = base::parse_quantity(amount, unit_named(c, tolerance.name));
+    return tolerance;
+}
+
+// what is wrong with an option is told with the option's name
+template <typename Read>
+auto named(const char* option, const std::string& text, Read read) {
+    try {
+        return read();
+    } catch (const Error& error) {
+        base::Place place;
+        place.file = std::string(option) + " " + text;
+        throw Error(error.kind(), error.problem(), place);
+    }
+}
+
+// a line that is redrawn in a terminal, a line per stage anywhere else
+class StageDisplay {
+public:
+    ~StageDisplay() { clear(); }
+
+    void show(sweep::AdviceStage stage, std::size_t runs) {
+        const auto number = static_cast<std::size_t>(stage);
+        const std::string line = fmt::format("{} of {}: {}, {} runs", number + 1, sweep::advice_stage_names.size(),
+                                             sweep::advice_stage_names[number], runs);
+        if (has_terminal()) {
+            const auto now = std::chrono::steady_clock::now();
+            if (has_line_ && now - shown_ < std::chrono::milliseconds(100)) return;
+            shown_ = now;
+            has_line_ = true;
+            std::fprintf(stderr, "\r\033[K%s", line.c_str());
+            std::fflush(stderr);
+        } else if (!is_started_ || stage != stage_) {
+            say(fmt::format("{} of {}: {}", number + 1, sweep::advice_stage_names.size(),
+                            sweep::advice_stage_names[number]));
+        }
+        is_started_ = true;
+        stage_ = stage;
+    }
+
+    void clear() {
+        if (has_line_) std::fprintf(stderr, "\r\033[K");
+        has_line_ = false;
+    }
+
+private:
+    sweep::AdviceStage stage_ = sweep::AdviceStage::margins;
+    std::chrono::steady_clock::time_point shown_{};
+    bool is_started_ = false;
+    bool has_line_ = false;
+};
+
+sweep::Advice advice_on(const parameters::Case& c, const AdviseCommand& command) {
+    sweep::AdviceOptions options;
+    for (const std::string& text : command.over)
+        options.over.push_back(named("--over", text, [&] { return range_from(c, text); }));
+    for (const std::string& text : command.tolerances)
+        options.tolerances.push_back(named("--tolerance", text, [&] { return tolerance_from(c, text); }));
+    options.chance = {command.samples, command.seed};
+    options.threads = command.threads;
+    const Interrupt interrupt;
+    options.stop = interrupt.token();
+    StageDisplay display;
+    options.progress = [&](sweep::AdviceStage stage, std::size_t runs) { display.show(stage, runs); };
+    return sweep::advise(c, options);
+}
+
+void advise(const AdviseCommand& command) {
+    const parameters::Case c = load_case(command.input);
+    const sweep::Advice advice = advice_on(c, command);
+    print(command.json ? io::advice_json(advice) + "\n" : advice_text(advice));
+    if (command.json || !has_terminal() || !advice.recommended) return;
+    say(styled("next: stridor simulate " + command.input.file + " " +
+                   sweep::settings_of(advice.space, advice.changes[*advice.recommended]),
+               Style::dim, 2));
+}
+
+}  // namespace
+
+void add_advise(CLI::App& program) {
+    auto command = std::make_shared<AdviseCommand>();
+    CLI::App* advise_command = program.add_subcommand(
+        "advise", "What keeps it quiet: margins, the smallest quieting change, the chance of noise under tolerances.");
+    add_case_options(*advise_command, command->input);
+    advise_command
+        ->add_option("--over", command->over,
+                     "change only this quantity, within its usual range or FROM:TO (repeatable); without it, all that "
+                     "have a usual range")
+        ->type_name("KEY[=FROM:TO]")
+        ->allow_extra_args(false);
+    advise_command
+        ->add_option(
+            "--tolerance", command->tolerances,
+            "chance of noise if a quantity lies within +-AMOUNT: preload=10%, \"mu_d=0.05 normal\" (repeatable)")
+        ->type_name("KEY=AMOUNT")
+        ->allow_extra_args(false);
+    advise_command->add_option("--samples", command->samples, "designs sampled within the tolerances")
+        ->check(CLI::Range(std::size_t{1}, sweep::most_samples))
+        ->capture_default_str();
+    advise_command->add_option("--seed", command->seed, "of the random shifts of the samples")->capture_default_str();
+    advise_command->add_option("--threads", command->threads, "number of threads (default: one per processor)")
+        ->check(CLI::Range(0, 4096));
+    advise_command->add_flag("--json", command->json, "print one JSON document (schema stridor.advice/1)");
+    advise_command->footer(
+        "Examples:\n  stridor advise squeal.toml\n"
+        "  stridor advise squeal.toml --over preload=5:50 --over kinetic_friction\n"
+        "  stridor advise quiet.toml --tolerance preload=10% --tolerance \"mu_d=0.05 normal\"");
+    advise_command->callback([command] { advise(*command); });
+}
+
+}  // namespace stridor::app

@@ -1,0 +1,74 @@
+#include "stridor/sweep/advice.hpp"
+
+#include "stridor/base/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stridor::sweep {
+
+namespace {
+
+// a parameter whose nearest change is nearer comes first; without one it has no rank
+std::vector<std::size_t> ranked_by_change(const DesignSpace& space, std::span<const ParameterMargin> margins) {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (const ParameterMargin& margin : margins)
+        if (const VerdictChange* change = nearest_change(space, margin))
+            order.emplace_back(std::abs(change->share - space.origin[margin.parameter]), margin.parameter);
+    std::sort(order.begin(), order.end());
+    std::vector<std::size_t> ranking;
+    for (const auto& [far, parameter] : order)
+        ranking.push_back(parameter);
+    return ranking;
+}
+
+void find_changes(Advice& advice, DesignRunner& runner) {
+    advice.changes = single_changes(advice.space, advice.margins, runner);
+    for (const DesignChange& change : advice.changes)
+        advice.ranking.push_back(change.set.front().parameter);
+    std::vector<DesignChange> joint = joint_changes(advice.space, advice.margins, advice.nearest, runner);
+    std::move(joint.begin(), joint.end(), std::back_inserter(advice.changes));
+    std::stable_sort(advice.changes.begin(), advice.changes.end(),
+                     [](const auto& a, const auto& b) { return a.distance < b.distance; });
+    if (const DesignChange* best = recommended(advice.changes))
+        advice.recommended = static_cast<std::size_t>(best - advice.changes.data());
+}
+
+}  // namespace
+
+Advice advise(const parameters::Case& c, const AdviceOptions& options) {
+    Advice advice;
+    advice.space = design_space(c, options.over);
+    const std::vector<Tolerance> spreads = tolerances(c, options.tolerances);
+    DesignRunner runner(options.threads, options.stop);
+    const auto begin = [&](AdviceStage stage) {
+        if (options.progress) runner.on_progress([&, stage](std::size_t runs) { options.progress(stage, runs); });
+    };
+    begin(AdviceStage::margins);
+    advice.present = runner.judge(advice.space, std::span(&advice.space.origin, 1)).front();
+    advice.margins = margins(advice.space, advice.present, runner);
+    begin(AdviceStage::nearest);
+    const bool was_quiet = is_quiet(advice.present);
+    advice.nearest =
+        nearest_design(advice.space, advice.margins, was_quiet ? Wanted::not_quiet : Wanted::quiet, runner);
+    begin(AdviceStage::changes);
+    if (was_quiet)
+        advice.ranking = ranked_by_change(advice.space, advice.margins);
+    else
+        find_changes(advice, runner);
+    begin(AdviceStage::chance);
+    if (!spreads.empty()) advice.chance = chance(advice.space, spreads, options.chance, runner);
+    advice.runs = runner.runs();
+    return advice;
+}
+
+std::string settings_of(const DesignSpace& space, const DesignChange& change) {
+    std::string text;
+    for (const ParameterChange& each : change.set)
+        text += (text.empty() ? "--set " : " --set ") + space.parameters[each.parameter].key + "=" +
+                base::shortest(each.to);
+    return text;
+}
+
+}  // namespace stridor::sweep
