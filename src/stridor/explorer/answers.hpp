@@ -4,9 +4,14 @@
 #include "stridor/explorer/body.hpp"
 #include "stridor/explorer/http.hpp"
 #include "stridor/explorer/world.hpp"
+#include "stridor/integration/motion.hpp"
+#include "stridor/parameters/case.hpp"
+#include "stridor/signal/source.hpp"
 
+#include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 /// One function per kind of request; api.cpp has the table of their paths. They throw `Error` for what cannot be answered.
 namespace stridor::explorer {
@@ -18,6 +23,10 @@ Response json(std::string document);
 std::string error_document(const base::Problem& problem);
 
 // answers_case.cpp
+
+/// A run that has a result; what went wrong with any other is an `Error`.
+integration::Motion run_case(const parameters::Case& c, const record::Request& request, const std::stop_token& stop);
+
 Response start(const World& world);
 Response simulate(const World& world, const Json& body, const std::stop_token& stop);
 Response motion(const World& world, const Json& body, const std::stop_token& stop);
@@ -26,5 +35,21 @@ Response toml(const World& world, const Json& body, const std::stop_token& stop)
 
 // answers_chart.cpp
 Response chart(const World& world, const Json& body, const std::stop_token& stop);
+
+// answers_sound.cpp
+
+/// "stridor.explorer.analysis/1" of a source's loudest channel; reads it to its end.
+Response analysis_of(signal::Source& source);
+Response sound(const World& world, const Json& body, const std::stop_token& stop);
+Response analysis(const World& world, const Json& body, const std::stop_token& stop);
+
+// answers_library.cpp
+
+/// What stands at /api/library and below; nothing for a path that means nothing.
+std::optional<Response> library(const World& world, std::string_view path);
+
+// answers_advice.cpp
+Response advice(const World& world, const Json& body, const std::stop_token& stop);
+Response report(const World& world, const Json& body, const std::stop_token& stop);
 
 }  // namespace stridor::explorer

@@ -56,15 +56,6 @@ Json preset_object(const Preset& preset) {
     return {{"name", preset.name}, {"title", c.title}, {"case", Json::parse(io::case_json(c))}};
 }
 
-// a run that has a result; what went wrong with any other is an error
-integration::Motion run(const parameters::Case& c, const record::Request& request, const std::stop_token& stop) {
-    integration::Workspace workspace;
-    std::optional<sweep::Attempt> attempt = sweep::attempt(c, request, stop, workspace);
-    if (!attempt) throw Error(ErrorKind::interrupted, {"the run was stopped", "", ""});
-    if (attempt->status != sweep::Status::done) throw Error(ErrorKind::numerical, {attempt->message, "", ""});
-    return std::move(attempt->motion);
-}
-
 struct Column {
     std::string_view name;
     std::string_view unit;
@@ -143,6 +134,14 @@ std::string history_bytes(const record::ContactHistory& history) {
 
 }  // namespace
 
+integration::Motion run_case(const parameters::Case& c, const record::Request& request, const std::stop_token& stop) {
+    integration::Workspace workspace;
+    std::optional<sweep::Attempt> attempt = sweep::attempt(c, request, stop, workspace);
+    if (!attempt) throw Error(ErrorKind::interrupted, {"the run was stopped", "", ""});
+    if (attempt->status != sweep::Status::done) throw Error(ErrorKind::numerical, {attempt->message, "", ""});
+    return std::move(attempt->motion);
+}
+
 Response json(std::string document) {
     return {200, "application/json", std::move(document) + "\n"};
 }
@@ -172,7 +171,7 @@ Response start(const World& world) {
 
 Response simulate(const World& world, const Json& body, const std::stop_token& stop) {
     const parameters::Case c = case_in(world, body);
-    const integration::Motion motion = run(c, {}, stop);
+    const integration::Motion motion = run_case(c, {}, stop);
     std::vector<classification::Verdict> verdicts;
     for (const record::Tally& tally : motion.record.phases)
         verdicts.push_back(classification::classify(analysis::evidence(tally), c.verdict));
@@ -189,7 +188,7 @@ Response motion(const World& world, const Json& body, const std::stop_token& sto
             for (const double value : columns[k].values(trace))
                 values[k].push_back(static_cast<float>(value));
     };
-    const integration::Motion motion = run(c, request, stop);
+    const integration::Motion motion = run_case(c, request, stop);
     const std::string header = motion_header(request.trace, values.front().size(), motion.record.history.size());
     const auto length = static_cast<std::uint32_t>(header.size());
     std::string bytes = bytes_of<std::uint32_t>({&length, 1}) + header;

@@ -19,7 +19,8 @@ struct Route {
 
 constexpr std::array routes{
     Route{"/api/simulate", simulate}, Route{"/api/motion", motion}, Route{"/api/stability", stability},
-    Route{"/api/toml", toml},         Route{"/api/chart", chart},
+    Route{"/api/toml", toml},         Route{"/api/chart", chart},   Route{"/api/sound", sound},
+    Route{"/api/analysis", analysis}, Route{"/api/advice", advice}, Route{"/api/report", report},
 };
 
 int status_of(ErrorKind kind) {
@@ -51,6 +52,7 @@ Response route(const World& world, const Request& request, const std::stop_token
         if (request.path == "/api/start") return start(world);
         if (const PageFile* file = page_file(request.path))
             return {200, std::string(file->type), std::string(file->bytes)};
+        if (std::optional<Response> found = library(world, request.path)) return std::move(*found);
         return unknown(request);
     }
     for (const Route& route : routes)

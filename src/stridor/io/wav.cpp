@@ -1,5 +1,6 @@
 #include "stridor/io/wav.hpp"
 
+#include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
@@ -228,6 +229,22 @@ WavWritten write_wav(const std::string& path, signal::Source& source, const WavO
     const Sidecar sidecar = sidecar_of(layout, scales);
     if (says_anything(sidecar)) write_file(sidecar_path(path), sidecar_json(sidecar));
     return written;
+}
+
+std::string wav_bytes(const signal::Signal& signal, const FullScale& scale) {
+    check_rate(signal.rate);
+    const signal::Layout layout{signal.rate, {{"", signal.unit}}, signal.samples.size()};
+    const WavOptions options{WavSamples::pcm_16, {scale}};
+    const Head head = head_of(layout, options, description_of(options, full_scales_of(layout, {scale})));
+    std::string bytes = head.text;
+    Encoder encoder(options.samples);
+    for (const double sample : signal.samples)
+        encoder.append(bytes, sample / scale.value);
+    const std::uint64_t data_bytes = bytes.size() - head.text.size();
+    STRIDOR_EXPECT(bytes.size() <= largest_32);
+    bytes.replace(4, 4, little_endian(bytes.size() - 8, 4));
+    bytes.replace(head.text.size() - 4, 4, little_endian(data_bytes, 4));
+    return bytes;
 }
 
 }  // namespace stridor::io

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/io/calibration.hpp"
+#include "stridor/signal/signal.hpp"
 #include "stridor/signal/source.hpp"
 
 #include <cstddef>
@@ -39,5 +40,8 @@ struct WavWritten {
 /// recording. Throws `Error` (input) for full scales that do not fit the channels in number or unit, and for samples that
 /// are not finite.
 WavWritten write_wav(const std::string& path, signal::Source& source, const WavOptions& options = {});
+
+/// A short sound as the bytes of a WAV file, 16 bits a sample, with its calibration in the bext chunk. Throws as `write_wav` does.
+std::string wav_bytes(const signal::Signal& signal, const FullScale& scale);
 
 }  // namespace stridor::io

@@ -1,0 +1,98 @@
+#include "stridor/analysis/evidence.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/classification/contact_rules.hpp"
+#include "stridor/explorer/answers.hpp"
+#include "stridor/io/json_advice.hpp"
+#include "stridor/io/toml_writer.hpp"
+#include "stridor/report/design_report.hpp"
+#include "stridor/sweep/advice.hpp"
+#include "stridor/sweep/keeper.hpp"
+#include "stridor/sweep/run.hpp"
+
+#include <array>
+#include <memory>
+#include <utility>
+
+namespace stridor::explorer {
+
+namespace {
+
+constexpr std::size_t most_asked = 40;  // ranges or tolerances
+
+const Json& list_in(const Json& body, const std::string& name) {
+    static const Json none = Json::array();
+    const auto found = body.find(name);
+    if (found == body.end() || found->is_null()) return none;
+    bool are_objects = found->is_array() && found->size() <= most_asked;
+    for (const Json& item : *found)
+        are_objects = are_objects && item.is_object();
+    if (!are_objects) throw Error(ErrorKind::input, {"\"" + name + "\" must be a list of at most 40 objects", "", ""});
+    return *found;
+}
+
+std::optional<double> optional_in(const Json& object, const std::string& name) {
+    return object.contains(name) ? std::optional(number_in(object, name)) : std::nullopt;
+}
+
+sweep::AdviceOptions options_in(const World& world, const Json& body, const std::stop_token& stop) {
+    constexpr int most_samples = 16384;
+    sweep::AdviceOptions options;
+    options.threads = world.threads;
+    options.stop = stop;
+    for (const Json& range : list_in(body, "over"))
+        options.over.push_back({text_in(range, "key"), optional_in(range, "from"), optional_in(range, "to")});
+    for (const Json& tolerance : list_in(body, "tolerance"))
+        options.tolerances.push_back({text_in(tolerance, "key"), optional_in(tolerance, "relative"),
+                                      optional_in(tolerance, "absolute"), sweep::Spread::uniform});
+    const int samples = whole_in(body, "samples", 2048);
+    if (samples < 1 || samples > most_samples)
+        throw Error(ErrorKind::input, {"\"samples\" must be from 1 to " + std::to_string(most_samples), "", ""});
+    options.chance.samples = static_cast<std::size_t>(samples);
+    return options;
+}
+
+// what prints the same verdict
+std::string command_of(const Json& body) {
+    std::string text = "stridor init " + text_in(body, "preset") + " | stridor simulate -";
+    if (text_in(body, "preset") == "file") text = "stridor simulate FILE";
+    for (const std::string& item : overrides_in(body))
+        text += " --set '" + item + "'";
+    return text;
+}
+
+sweep::SweepResult swept(const World& world, const sweep::Study& study, const std::stop_token& stop) {
+    const auto keeper = std::make_shared<sweep::MemoryKeeper>(study);
+    sweep::RunOptions options;
+    options.threads = world.threads;
+    options.stop = stop;
+    sweep::run(study, *keeper, options);
+    return sweep::load(study, keeper);  // throws where it was stopped
+}
+
+}  // namespace
+
+Response advice(const World& world, const Json& body, const std::stop_token& stop) {
+    return json(io::advice_json(sweep::advise(case_in(world, body), options_in(world, body, stop))));
+}
+
+Response report(const World& world, const Json& body, const std::stop_token& stop) {
+    constexpr double samples = 5e4;  // of the figure's trace
+    report::DesignResults results;
+    results.design = case_in(world, body);
+    results.command = command_of(body);
+    record::Request request{record::KeepHistory::yes, {}};
+    request.trace.to = results.design.run.duration;
+    request.trace.interval = results.design.run.duration / samples;
+    results.motion = run_case(results.design, request, stop);
+    for (const record::Tally& tally : results.motion.record.phases)
+        results.verdicts.push_back(classification::classify(analysis::evidence(tally), results.design.verdict));
+    if (body.contains("chart")) results.chart = swept(world, study_in(world, body), stop);
+    results.stability = analysis::scan_stability(
+        results.design, analysis::ScanRange{"contact.kinetic_friction", 0.0, results.design.contact.static_friction});
+    results.advice = sweep::advise(results.design, options_in(world, body, stop));
+    Response response{200, "text/html; charset=utf-8", report::html(report::design_report(results))};
+    response.headers = {{"Content-Disposition", "attachment; filename=\"stridor-report.html\""}};
+    return response;
+}
+
+}  // namespace stridor::explorer

@@ -1,0 +1,92 @@
+#include "stridor/base/error.hpp"
+#include "stridor/explorer/answers.hpp"
+#include "stridor/io/json_library.hpp"
+#include "stridor/io/open_signal.hpp"
+#include "stridor/noise_library/library.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+namespace stridor::explorer {
+
+namespace {
+
+using noise_library::Entry;
+using noise_library::Library;
+
+constexpr std::size_t most_listed = 1000;  // the newest; more nobody scrolls through
+constexpr std::size_t piece = 1U << 16U;   // [B]
+
+// formats that browsers play as they are
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> playable{
+    {{"wav", "audio/wav"}, {"flac", "audio/flac"}, {"ogg", "audio/ogg"}, {"oga", "audio/ogg"}}};
+
+Library open(const World& world) {
+    if (world.library.empty())
+        throw Error(ErrorKind::input, {"there is no noise library", "", "`stridor library add` begins one."});
+    return Library(world.library);
+}
+
+Entry entry_of(Library& library, std::int64_t id) {
+    return library.get(std::array{id}).front();
+}
+
+Response list(const World& world) {
+    Library library = open(world);
+    noise_library::Query query;
+    query.extent = noise_library::Extent::figures;
+    query.sort = "id";
+    query.direction = noise_library::Direction::falling;
+    query.limit = most_listed;
+    io::LibraryJson document;
+    std::string text = document.opening(library.file().filename());
+    library.visit(query, [&](const Entry& entry) { text += document.entry(entry); });
+    return json(text + document.closing());
+}
+
+Response audio(const World& world, std::int64_t id) {
+    Library library = open(world);
+    const Entry entry = entry_of(library, id);
+    for (const auto& [format, type] : playable)
+        if (entry.format == format) {
+            Response response;
+            response.content_type = type;
+            response.stream = [path = library.audio_file(entry)](const Send& send, const std::stop_token& stop) {
+                std::ifstream file(path, std::ios::binary);
+                std::string bytes(piece, '\0');
+                while (!stop.stop_requested() && file.read(bytes.data(), piece).gcount() > 0)
+                    send(bytes.substr(0, static_cast<std::size_t>(file.gcount())));
+            };
+            return response;
+        }
+    throw Error(ErrorKind::input, {"a browser does not play " + entry.format + " files", "",
+                                   "`stridor convert` makes a WAV file of it."});
+}
+
+Response entry_analysis(const World& world, std::int64_t id) {
+    Library library = open(world);
+    const auto file = io::open_signal(library.audio_file(entry_of(library, id)).string());
+    return analysis_of(*file);
+}
+
+}  // namespace
+
+std::optional<Response> library(const World& world, std::string_view path) {
+    constexpr std::string_view root = "/api/library";
+    if (path == root) return list(world);
+    if (!path.starts_with("/api/library/")) return std::nullopt;
+    path.remove_prefix(root.size() + 1);
+    std::int64_t id = 0;
+    const auto [end, problem] = std::from_chars(path.data(), path.data() + path.size(), id);
+    path.remove_prefix(static_cast<std::size_t>(end - path.data()));
+    if (problem != std::errc() || id <= 0) return std::nullopt;
+    if (path == "/audio") return audio(world, id);
+    if (path == "/analysis") return entry_analysis(world, id);
+    return std::nullopt;
+}
+
+}  // namespace stridor::explorer

@@ -1,0 +1,239 @@
+#include "stridor/explorer/api.hpp"
+
+#include "stridor/explorer/bytes.hpp"
+#include "support/scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <rapidcheck/gtest.h>
+
+#include <cstring>
+
+namespace stridor::explorer {
+namespace {
+
+using nlohmann::json;
+
+World world() {
+    World world;
+    world.presets = paper_presets();
+    world.threads = 2;
+    return world;
+}
+
+Response post(const std::string& path, const std::string& body) {
+    Request request;
+    request.method = "POST";
+    request.path = path;
+    request.body = body;
+    return answer(world(), request, {});
+}
+
+Response get(const std::string& path) {
+    Request request;
+    request.method = "GET";
+    request.path = path;
+    return answer(world(), request, {});
+}
+
+// a short run, so that sanitizers have little to do
+json design(std::vector<std::string> set = {}) {
+    set.insert(set.end(), {"run.duration=0.2", "run.window=0.2"});
+    return {{"preset", "squeal"}, {"set", set}};
+}
+
+json chart_request() {
+    json body = design({"drive.kind=constant", "drive.velocity=0.1", "run.duration=0.05", "run.window=0.02"});
+    body["set"] = {"drive.kind=constant", "drive.velocity=0.1", "run.duration=0.05", "run.window=0.02"};
+    body["chart"] = {{"x", {{"parameter", "contact.preload"}, {"from", 1}, {"to", 80}, {"points", 17}}},
+                     {"y", {{"parameter", "contact.kinetic_friction"}, {"from", 0}, {"to", 0.8}, {"points", 9}}},
+                     {"refine", 2}};
+    return body;
+}
+
+std::vector<json> lines_of(const Response& response, const std::stop_token& stop = {}) {
+    std::vector<json> lines;
+    response.stream([&](const std::string& part) { lines.push_back(json::parse(part)); }, stop);
+    return lines;
+}
+
+std::string refusal(const Response& response, int status) {
+    EXPECT_EQ(response.status, status) << response.body;
+    const json document = json::parse(response.body);
+    EXPECT_EQ(document["schema"], "stridor.explorer.error/1");
+    return document["error"]["what"].get<std::string>() + " (" + document["error"]["why"].get<std::string>() + ")";
+}
+
+TEST(Api, BeginsWithThePresetsAndTheFieldsTheirSlidersNeed) {
+    const json document = json::parse(get("/api/start").body);
+    EXPECT_EQ(document["presets"].size(), 4U);
+    EXPECT_EQ(document["presets"][0]["name"], "squeal");
+    EXPECT_EQ(document["presets"][0]["case"]["contact"]["preload"], 20.0);
+    int sliders = 0;
+    for (const json& field : document["fields"])
+        if (field.contains("usual")) {
+            ++sliders;
+            EXPECT_LT(field["usual"]["from"], field["usual"]["to"]) << field;
+        }
+    EXPECT_GE(sliders, 12);
+    EXPECT_FALSE(document["figures"].empty());
+}
+
+TEST(Api, SimulatesADesign) {
+    const json document = json::parse(post("/api/simulate", design({"contact.preload=25"}).dump()).body);
+    EXPECT_EQ(document["schema"], "stridor.simulation/1");
+    EXPECT_EQ(document["case"]["contact"]["preload"], 25.0);
+    EXPECT_EQ(document["phases"].size(), 2U);
+}
+
+TEST(Api, SendsAMotionAsArrays) {
+    json body = design();
+    body["interval"] = 1e-4;
+    const std::string bytes = post("/api/motion", body.dump()).body;
+    std::uint32_t length = 0;
+    ASSERT_GT(bytes.size(), 4U);
+    std::memcpy(&length, bytes.data(), 4);
+    ASSERT_EQ((length + 4) % 8, 0U);
+    const json header = json::parse(bytes.substr(4, length));
+    const auto samples = header["samples"].get<std::size_t>();
+    EXPECT_NEAR(static_cast<double>(samples), 2000.0, 2.0);
+    const std::size_t column = (4 * samples + 7) / 8 * 8;
+    const auto intervals = header["intervals"].get<std::size_t>();
+    EXPECT_EQ(bytes.size(), 4 + length + header["columns"].size() * column + 8 * (intervals + 1) + intervals);
+    // the imposed velocity begins at its peak, 2 pi f A
+    std::size_t number = 0;
+    while (header["columns"][number]["name"] != "surface_velocity")
+        ++number;
+    float velocity = 0.0F;
+    std::memcpy(&velocity, bytes.data() + 4 + length + number * column, 4);
+    EXPECT_NEAR(velocity, 2.0 * 3.14159265 * 5.0 * 4e-3, 1e-6);
+}
+
+TEST(Api, ShowsAChartWhileItIsRefined) {
+    const json body = chart_request();
+    const std::vector<json> frames = lines_of(post("/api/chart", body.dump()));
+    ASSERT_GE(frames.size(), 2U);
+    EXPECT_EQ(frames.front()["x"]["values"].size(), 17U);
+    EXPECT_EQ(frames.front()["directions"].size(), 2U);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        EXPECT_EQ(frames[k]["round"], k);
+        EXPECT_EQ(frames[k]["done"], k + 1 == frames.size());
+        EXPECT_EQ(frames[k]["category"].get<std::string>().size(), (2 * 17 * 9 + 2) / 3 * 4);
+    }
+    EXPECT_FALSE(frames.back()["boundaries"].empty());
+}
+
+TEST(Api, StopsAChartWhenAsked) {
+    json body = chart_request();
+    body["chart"]["x"]["points"] = 256;
+    body["chart"]["y"]["points"] = 256;
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_TRUE(lines_of(post("/api/chart", body.dump()), stop.get_token()).empty());
+}
+
+TEST(Api, FollowsStability) {
+    json body = design();
+    body["over"] = {{"key", "contact.kinetic_friction"}, {"from", 0}, {"to", 0.8}};
+    const json document = json::parse(post("/api/stability", body.dump()).body);
+    EXPECT_EQ(document["schema"], "stridor.stability/1");
+}
+
+TEST(Api, WritesTheCaseAsAFile) {
+    const Response response = post("/api/toml", design({"contact.preload=25"}).dump());
+    EXPECT_NE(response.body.find("preload = \"25 N\""), std::string::npos);
+}
+
+TEST(Api, MakesASoundOfADirection) {
+    json body = design();
+    body["direction"] = "going";
+    body["rate"] = 44100;
+    const Response response = post("/api/sound", body.dump());
+    EXPECT_EQ(response.content_type, "audio/wav");
+    EXPECT_EQ(response.body.substr(0, 4), "RIFF");
+    std::uint32_t size = 0;
+    std::memcpy(&size, response.body.data() + 4, 4);
+    EXPECT_EQ(size + 8, response.body.size());
+    // the drive goes for half of its period of 0.2 s
+    EXPECT_NEAR(static_cast<double>(response.body.size()), 2 * 44100 * 0.1, 3000.0);
+    const json heard = json::parse(post("/api/analysis", body.dump()).body);
+    EXPECT_EQ(heard["unit"], "m/s");
+    EXPECT_EQ(heard["verdict"]["category"], "squeal");
+    EXPECT_FALSE(heard["spectrogram"]["level"].get<std::string>().empty());
+}
+
+TEST(Api, SaysWhatIsWrongWithARequest) {
+    EXPECT_NE(refusal(post("/api/simulate", design({"contact.preload=-1"}).dump()), 400).find("out of range"),
+              std::string::npos);
+    EXPECT_NE(refusal(post("/api/simulate", R"({"preset":"none"})"), 400).find("no preset"), std::string::npos);
+    EXPECT_NE(
+        refusal(post("/api/simulate", R"({"preset":"squeal","set":["run.duration=1000"]})"), 400).find("too long"),
+        std::string::npos);
+    json body = chart_request();
+    body["chart"]["x"]["points"] = 100000;
+    EXPECT_NE(refusal(post("/api/chart", body.dump()), 400).find("too many"), std::string::npos);
+    refusal(get("/api/library"), 400);
+    refusal(get("/api/nothing"), 404);
+    refusal(post("/api/start", "{}"), 404);
+}
+
+TEST(Api, NeverOpensAFileThatARequestNames) {
+    for (const char* text : {"drive.file=/etc/passwd", "drive . file=/etc/passwd", "\"drive\".file=x", "drive.'file'=x",
+                             "drive={kind='sampled',file='/etc/passwd'}"})
+        EXPECT_NE(refusal(post("/api/simulate", json{{"preset", "squeal"}, {"set", {text}}}.dump()), 400), "") << text;
+    // whatever the spelling, the answer never tells whether the file is there
+    for (const char* path :
+         {"/../../etc/passwd", "/%2e%2e/etc/passwd", "//etc/passwd", "/page.js/../../x", "/api/library/../x"})
+        refusal(get(path), 404);
+}
+
+TEST(Api, AnswersEveryMalformedBodyWithAnError) {
+    const std::vector<std::string> bodies{"",
+                                          "null",
+                                          "[]",
+                                          "1",
+                                          "\"x\"",
+                                          "{",
+                                          "{\"preset\":}",
+                                          "{\"preset\":1}",
+                                          R"({"preset":"squeal","set":{}})",
+                                          R"({"preset":"squeal","set":[1]})",
+                                          R"({"preset":"squeal","set":["x"]})",
+                                          R"({"preset":"squeal","set":["=1"]})",
+                                          R"({"preset":"squeal","set":["contact.preload=nan"]})",
+                                          "{\"preset\":\"\\ud800\"}",
+                                          "\xff\xfe{}",
+                                          std::string(100000, '['),
+                                          std::string(1000, '\0')};
+    for (const char* path : {"/api/simulate", "/api/motion", "/api/chart", "/api/stability", "/api/toml", "/api/sound",
+                             "/api/analysis", "/api/advice", "/api/report"})
+        for (const std::string& body : bodies)
+            refusal(post(path, body), 400);
+}
+
+// a valid request with bytes changed is answered, one way or the other, and never ends the program
+RC_GTEST_PROP(Api, SurvivesEveryChangeOfABody, ()) {
+    std::string body = chart_request().dump();
+    const auto changes = *rc::gen::inRange(1, 6);
+    for (int k = 0; k < changes; ++k) {
+        const auto at = static_cast<std::size_t>(*rc::gen::inRange<int>(0, static_cast<int>(body.size())));
+        body[at] = static_cast<char>(*rc::gen::inRange(1, 256));
+    }
+    for (const char* path : {"/api/toml", "/api/stability", "/api/chart"}) {
+        const Response response = post(path, body);
+        RC_ASSERT(response.status == 200 || response.status == 400);
+    }
+}
+
+TEST(Bytes, AreEncodedAsTheStandardSays) {
+    // RFC 4648, section 10
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foo"), "Zm9v");
+    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+}
+
+}  // namespace
+}  // namespace stridor::explorer

@@ -1,0 +1,159 @@
+#include "stridor/explorer/gate.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <set>
+
+namespace stridor::explorer {
+namespace {
+
+class GateTest : public testing::Test {
+protected:
+    Gate gate_{
+        {"localhost", "127.0.0.1", "[::1]"}, "8000", [this](const std::string& token) { tokens_.push_back(token); }};
+    std::vector<std::string> tokens_;
+
+    Request get(const std::string& path) {
+        Request request;
+        request.method = "GET";
+        request.path = path;
+        request.host = "127.0.0.1:8000";
+        return request;
+    }
+
+    Request open(const std::string& token) {
+        Request request = get("/open");
+        request.query = "token=" + token;
+        return request;
+    }
+
+    // what a browser sends back of the cookie
+    std::string session() {
+        const std::optional<Response> response = gate_.stop(open(tokens_.back()));
+        const std::string cookie = response->headers.at(1).second;
+        return cookie.substr(0, cookie.find(';'));
+    }
+
+    Request post(const std::string& cookie) {
+        Request request = get("/api/simulate");
+        request.method = "POST";
+        request.cookie = cookie;
+        request.origin = "http://127.0.0.1:8000";
+        request.content_type = "application/json";
+        return request;
+    }
+
+    int status(const Request& request) {
+        const std::optional<Response> response = gate_.stop(request);
+        return response ? response->status : 0;
+    }
+};
+
+TEST_F(GateTest, LetsItsOwnPageThrough) {
+    Request request = post("theme=dark; " + session());
+    EXPECT_EQ(status(request), 0);
+    request.fetch_site = "same-origin";
+    request.content_type = "application/json; charset=utf-8";
+    EXPECT_EQ(status(request), 0);
+    Request page = get("/");
+    page.cookie = request.cookie;
+    page.fetch_site = "none";
+    EXPECT_EQ(status(page), 0);
+}
+
+TEST_F(GateTest, OpensOnceForEachTokenAndSetsACookieThatScriptsDoNotSee) {
+    const std::string token = tokens_.back();
+    EXPECT_EQ(token.size(), 64U);
+    const std::optional<Response> first = gate_.stop(open(token));
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->status, 303);
+    EXPECT_EQ(first->headers.at(0), (std::pair<std::string, std::string>{"Location", "/"}));
+    EXPECT_NE(first->headers.at(1).second.find("; HttpOnly; SameSite=Strict"), std::string::npos);
+    EXPECT_EQ(first->headers.at(1).second.find(token), std::string::npos);
+    EXPECT_EQ(status(open(token)), 403);
+    ASSERT_EQ(tokens_.size(), 2U);
+    EXPECT_NE(tokens_[0], tokens_[1]);
+    EXPECT_EQ(status(open(tokens_[1])), 303);
+}
+
+TEST_F(GateTest, RefusesTokensThatAreMissingWrongOrCut) {
+    for (const std::string& token : {std::string(), std::string("x"), std::string(64, '0'), tokens_.back().substr(1)})
+        EXPECT_EQ(status(open(token)), 403) << token;
+    EXPECT_EQ(status(get("/open")), 403);
+    EXPECT_EQ(tokens_.size(), 1U);
+}
+
+TEST_F(GateTest, RefusesForeignHostsEvenWithTheSession) {
+    Request request = post(session());
+    for (const char* host : {"", "evil.example", "evil.example:8000", "127.0.0.1.evil.example:8000", "localhost.:8000",
+                             "127.0.0.1:8000@evil.example", "127.0.0.1:", "127.0.0.1:80:80", "127.0.0.1 :8000", "[::1",
+                             "0", "2130706433:8000", "127.1:8000"}) {
+        request.host = host;
+        request.origin = "http://" + request.host;
+        EXPECT_EQ(status(request), 421) << host;
+    }
+}
+
+TEST_F(GateTest, RefusesForeignOriginsAndRequestsWithoutOne) {
+    Request request = post(session());
+    for (const char* origin : {"", "null", "http://evil.example", "https://127.0.0.1:8000", "http://127.0.0.1:3000",
+                               "http://localhost:8000", "http://127.0.0.1:8000.evil.example"}) {
+        request.origin = origin;
+        EXPECT_EQ(status(request), 403) << origin;
+    }
+    request = post(request.cookie);
+    for (const char* site : {"cross-site", "same-site"}) {
+        request.fetch_site = site;
+        EXPECT_EQ(status(request), 403) << site;
+    }
+}
+
+TEST_F(GateTest, RefusesRequestsWithoutASession) {
+    for (const std::string& cookie :
+         {std::string(), std::string("stridor-8000="), "stridor-8000=" + std::string(64, 'a'), "x" + session(),
+          "stridor-8000=" + tokens_.back()})
+        EXPECT_EQ(status(post(cookie)), 401) << cookie;
+}
+
+TEST_F(GateTest, RefusesOtherMethodsAndTypes) {
+    Request request = post(session());
+    request.content_type = "text/plain";
+    EXPECT_EQ(status(request), 415);
+    request.content_type = "";
+    EXPECT_EQ(status(request), 415);
+    for (const char* method : {"PUT", "OPTIONS", "HEAD", "DELETE", "TRACE", "get", ""}) {
+        request.method = method;
+        EXPECT_EQ(status(request), 405) << method;
+    }
+}
+
+TEST(Secret, IsAnotherOneEachTime) {
+    std::set<std::string> secrets;
+    for (int k = 0; k < 100; ++k)
+        secrets.insert(secret());
+    EXPECT_EQ(secrets.size(), 100U);
+}
+
+RC_GTEST_PROP(Secret, IsComparedAsTextIs, (const std::string& a, const std::string& b)) {
+    RC_ASSERT(is_same_secret(a, b) == (a == b && !a.empty()));
+    RC_ASSERT(is_same_secret(a, a) == !a.empty());
+}
+
+RC_GTEST_PROP(Parameter, IsFoundWhereverItStands, (const std::vector<std::string>& values)) {
+    std::string query;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        std::string value = values[k];
+        std::erase(value, '&');
+        query += (k > 0 ? "&" : "") + ("k" + std::to_string(k)) + "=" + value;
+    }
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        std::string value = values[k];
+        std::erase(value, '&');
+        RC_ASSERT(parameter(query, "k" + std::to_string(k), '&') == value);
+    }
+    RC_ASSERT(parameter(query, "none", '&').empty());
+}
+
+}  // namespace
+}  // namespace stridor::explorer
