@@ -12,7 +12,7 @@
 #include "stridor/io/toml_study.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/signal/resample.hpp"
-#include "stridor/sweep/cell_sound.hpp"
+#include "stridor/sweep/run_sound.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
