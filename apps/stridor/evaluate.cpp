@@ -53,7 +53,7 @@ sweep::HearingOptions hearing_options(const EvaluateOptions& options) {
     sweep::HearingOptions hearing;
     hearing.perturb_every = options.perturb_every;
     hearing.threads = options.threads;
-    if (options.of == "plate") hearing.settings.pickup.dof = 2;
+    if (options.of == "plate") hearing.settings.sound.pickup.dof = 2;
     for (const std::string& assignment : options.assignments)
         if (is_threshold(assignment)) parameters::set_sound_threshold(hearing.settings.thresholds, assignment);
     return hearing;
@@ -72,8 +72,8 @@ classification::RecordingVerdict verdict_on(signal::Source& source, const parame
 // the whole motion as `stridor listen` makes it audible
 classification::RecordingVerdict verdict_on_whole(const parameters::Case& c, const sweep::HearingOptions& options) {
     signal::AuralisationSettings settings;
-    settings.pickup = options.settings.pickup;
-    settings.rate = options.settings.rate;
+    settings.pickup = options.settings.sound.pickup;
+    settings.rate = options.settings.sound.rate;
     settings.stretches = {{0.0, c.run.duration}};
     const std::unique_ptr<Spool> sound = render(c, settings, options.stop, [](double) {});
     return verdict_on(*sound, options.settings.thresholds);

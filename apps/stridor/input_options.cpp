@@ -7,12 +7,23 @@
 
 namespace stridor::app {
 
-void add_input_options(CLI::App& command, InputOptions& options) {
+void add_full_scale_option(CLI::App& command, std::vector<std::string>& full_scales) {
     command
-        .add_option("--full-scale", options.full_scales,
+        .add_option("--full-scale", full_scales,
                     "what the number 1 in the file stands for: \"2 Pa\"; once, or once per channel")
         ->type_name("QUANTITY")
         ->allow_extra_args(false);
+}
+
+std::vector<io::FullScale> parsed_full_scales(const std::vector<std::string>& texts) {
+    std::vector<io::FullScale> full_scales;
+    for (const std::string& text : texts)
+        full_scales.push_back(io::parse_full_scale(text));
+    return full_scales;
+}
+
+void add_input_options(CLI::App& command, InputOptions& options) {
+    add_full_scale_option(command, options.full_scales);
     command.add_option("--channel", options.channel, "this channel alone, counted from 1")->check(CLI::PositiveNumber);
     command.add_option("--dataset", options.dataset, "this time history of a UFF file, counted from 1")
         ->check(CLI::PositiveNumber);
@@ -21,8 +32,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
 
 io::OpenOptions open_options(const InputOptions& options) {
     io::OpenOptions open;
-    for (const std::string& text : options.full_scales)
-        open.full_scales.push_back(io::parse_full_scale(text));
+    open.full_scales = parsed_full_scales(options.full_scales);
     if (!options.rate.empty()) open.rate = base::parse_quantity(options.rate, "Hz");
     if (open.rate && !(*open.rate > 0.0))
         throw Error(ErrorKind::input, {"\"" + options.rate + "\" is no sampling rate", "it must be positive", ""});

@@ -1,3 +1,4 @@
+#include "input_options.hpp"
 #include "library.hpp"
 #include "library_hearing.hpp"
 #include "progress.hpp"
@@ -61,11 +62,7 @@ void add_hearing_options(CLI::App& command, HearingOptions& options) {
         .add_option("--channel", options.channel,
                     "the sound among several channels: name or number (default: by unit, the loudest)")
         ->type_name("NAME");
-    command
-        .add_option("--full-scale", options.full_scales,
-                    "what the number 1 in the file stands for: \"2 Pa\"; once, or once per channel")
-        ->type_name("QUANTITY")
-        ->allow_extra_args(false);
+    add_full_scale_option(command, options.full_scales);
 }
 
 // "   1  squeal.wav  3.2 s, 48000 Hz, 1 channel: squeal"

@@ -63,6 +63,11 @@ void import_entries(const ImportOptions& options) {
                                 ? fmt::format(", id {}", result.added.front())
                                 : fmt::format(", ids {} to {}", result.added.front(), result.added.back());
     print(fmt::format("{} added{}; {} there already\n", count_text(result.added.size()), ids, result.skipped));
+    if (result.heard_otherwise > 0)
+        say(fmt::format(
+            "stridor: note: {} of those there already had another verdict by ear, which was kept; `stridor library "
+            "judge` brings verdicts up to date",
+            result.heard_otherwise));
 }
 
 }  // namespace

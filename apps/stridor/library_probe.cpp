@@ -1,3 +1,4 @@
+#include "input_options.hpp"
 #include "library_hearing.hpp"
 #include "rig_channels.hpp"
 #include "stridor/analysis/friction_trace.hpp"
@@ -89,21 +90,9 @@ void add_missing(Entry& entry, const std::vector<Figure>& figures) {
         if (!has_figure(entry, figure.name)) noise_library::set_figure(entry, figure);
 }
 
-// those an earlier verdict brought; one that was changed since is the user's
-void forget_verdict(Entry& entry) {
-    if (const std::optional<io::KeptVerdict> kept = io::kept_verdict(entry.verdict))
-        for (const Figure& old : kept->figures)
-            std::erase_if(entry.figures,
-                          [&](const Figure& figure) { return figure.name == old.name && figure.value == old.value; });
-    entry.category.clear();
-    entry.verdict.clear();
-}
-
 io::OpenOptions open_options(const std::string& calibration, const std::vector<std::string>& full_scales) {
     io::OpenOptions open;
-    for (const std::string& text : full_scales)
-        open.full_scales.push_back(io::parse_full_scale(text));
-    if (full_scales.empty()) open.full_scales = full_scales_in(calibration);
+    open.full_scales = full_scales.empty() ? full_scales_in(calibration) : parsed_full_scales(full_scales);
     return open;
 }
 
@@ -192,7 +181,7 @@ void judge(const io::SignalInput& input, const HearingOptions& options, Entry& e
         report.verdicts.push_back(classification::classify_recording(analysis.stretches, report.thresholds));
     choose_loudest(report);
 
-    forget_verdict(entry);
+    entry = io::without_verdict(std::move(entry));
     const std::vector<Figure> figures = figures_of(report);
     entry.category = classification::name(report.verdicts[report.loudest].category);
     entry.verdict = io::verdict_json(report, places[report.loudest] + 1, figures);

@@ -10,7 +10,7 @@
 #include "stridor/io/json_compare.hpp"
 #include "stridor/io/toml_study.hpp"
 #include "stridor/io/wav.hpp"
-#include "stridor/sweep/hearing.hpp"
+#include "stridor/sweep/run_sound.hpp"
 #include "stridor/sweep/store.hpp"
 #include "terminal.hpp"
 
@@ -242,10 +242,10 @@ void match(const MatchOptions& options) {
     report.rate = cell_rate(report.recording);
     report.level = options.with_level ? classification::LevelUse::counted : classification::LevelUse::ignored;
     report.extent = options.every ? sweep::Extent::every : sweep::Extent::search;
-    sweep::check_audible(report.study.base, {pickup_of(options.motion), report.rate});
     sweep::CellListening listening;
     listening.sound.pickup = pickup_of(options.motion);
     listening.sound.rate = report.rate;
+    sweep::check_audible(report.study.base, listening.sound);
     report.result = searched(options, report, listening);
     if (!options.out.empty()) write_folder(options, report);
     print(options.json ? io::match_json(report) + "\n" : report_text(report));

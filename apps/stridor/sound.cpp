@@ -1,8 +1,8 @@
 #include "sound.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/base/text.hpp"
 #include "stridor/integration/simulate.hpp"
+#include "stridor/sweep/run_sound.hpp"
 
 #include <fmt/format.h>
 
@@ -18,17 +18,6 @@ namespace {
 
 [[noreturn]] void fail(const char* what) {
     throw Error(ErrorKind::io, {what, std::strerror(errno), "Set TMPDIR to a folder with more space?"});
-}
-
-void require_fine_steps(const parameters::Case& c, double rate) {
-    if (c.run.engine != parameters::Engine::beta_2) return;
-    // engines sample at their own steps
-    const double interval = std::max(1.0, std::round(1.0 / (rate * signal::trace_density * c.run.step))) * c.run.step;
-    if (4.0 * interval * rate > 1.0)
-        throw Error(ErrorKind::input, {fmt::format("run.step = {} s is too long for a sound of {:g} Hz",
-                                                   base::shortest(c.run.step), rate),
-                                       "at least four steps must fall on each of its samples",
-                                       fmt::format("Use at most {:.1g} s, or run.engine = \"exact\".", 0.25 / rate)});
 }
 
 void require_result(const integration::Outcome& outcome) {
@@ -74,7 +63,7 @@ std::size_t Spool::read(std::span<double> frames) {
 
 Rendering render(const parameters::Case& c, const signal::AuralisationSettings& settings, record::KeepHistory history,
                  const std::stop_token& stop, const RenderProgress& progress) {
-    require_fine_steps(c, settings.rate);
+    sweep::check_audible(c, settings);
     auto sound = std::make_unique<Spool>(settings.rate, signal::unit_of(settings.pickup.quantity));
     signal::Auralisation auralisation(settings);
     record::Request request;

@@ -10,14 +10,17 @@
 
 namespace stridor::support {
 
-/// A folder of its own, gone with it; in memory where the system has such a place, since a database waits for the disk at
-/// each commit.
+/// Where a scratch folder lies: in memory where the system has such a place, since a database waits for the disk at each
+/// commit; on disk if a program in it is to be run, which a place in memory often forbids.
+enum class Medium { memory, disk };
+
+/// A folder of its own, gone with it.
 class ScratchFolder {
 public:
-    ScratchFolder() {
+    explicit ScratchFolder(Medium medium = Medium::memory) {
         const std::filesystem::path memory = "/dev/shm";
-        const std::filesystem::path parent =
-            std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
+        const bool is_in_memory = medium == Medium::memory && std::filesystem::is_directory(memory);
+        const std::filesystem::path parent = is_in_memory ? memory : std::filesystem::temp_directory_path();
         std::string pattern = (parent / "stridor-scratch-XXXXXX").string();
         if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
         path_ = pattern;

@@ -93,4 +93,15 @@ std::optional<KeptVerdict> kept_verdict(std::string_view text) {
     return kept;
 }
 
+noise_library::Entry without_verdict(noise_library::Entry entry) {
+    if (const std::optional<KeptVerdict> kept = kept_verdict(entry.verdict))
+        for (const noise_library::Figure& old : kept->figures)
+            std::erase_if(entry.figures, [&](const noise_library::Figure& figure) {
+                return figure.name == old.name && figure.value == old.value;
+            });
+    entry.category.clear();
+    entry.verdict.clear();
+    return entry;
+}
+
 }  // namespace stridor::io

@@ -31,4 +31,8 @@ struct KeptVerdict {
 /// Reads it back; nothing for what is no such verdict.
 std::optional<KeptVerdict> kept_verdict(std::string_view text);
 
+/// An entry without its verdict: without the category, and without the figures that the verdict brought, unless they were
+/// changed since.
+noise_library::Entry without_verdict(noise_library::Entry entry);
+
 }  // namespace stridor::io

@@ -3,6 +3,8 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/sha256.hpp"
 #include "stridor/io/archive_manifest.hpp"
+#include "stridor/io/json_verdict.hpp"
+#include "stridor/noise_library/field.hpp"
 
 #include <unistd.h>
 
@@ -72,13 +74,29 @@ using ExpectedAudio = std::map<std::string, std::pair<AudioName, std::uint64_t>>
 /// What a first reading of the manifest leaves in memory.
 struct Contents {
     ExpectedAudio audio;
+    std::vector<bool> is_heard_otherwise{};  // shape [entry]
     std::string digest;
 };
 
-Contents contents_of(Manifest& manifest) {
+// has the library an entry that differs from this one in the verdict by ear alone?
+bool is_heard_otherwise(Library& library, const Entry& entry) {
+    noise_library::Query query;
+    query.conditions = {{"audio", noise_library::Comparison::equal, entry.audio}};
+    query.extent = noise_library::Extent::whole;
+    const std::vector<Entry> known = library.find(query);
+    const std::string whole = noise_library::digest(entry);
+    const std::string words = noise_library::digest(without_verdict(entry));
+    const auto is_equal = [&](const Entry& each) { return noise_library::digest(each) == whole; };
+    const auto is_alike = [&](const Entry& each) { return noise_library::digest(without_verdict(each)) == words; };
+    return std::none_of(known.begin(), known.end(), is_equal) && std::any_of(known.begin(), known.end(), is_alike);
+}
+
+Contents contents_of(Manifest& manifest, Library& library) {
     Contents contents;
-    while (const std::optional<Announced> each = manifest.next())
+    while (const std::optional<Announced> each = manifest.next()) {
         contents.audio.emplace(archive_member(audio_of(each->entry)), std::pair(audio_of(each->entry), each->bytes));
+        contents.is_heard_otherwise.push_back(is_heard_otherwise(library, each->entry));
+    }
     contents.digest = manifest.digest();
     return contents;
 }
@@ -128,20 +146,28 @@ void export_library(const Library& library, std::span<const Entry> entries, cons
 Import import_library(Library& library, const fs::path& archive, const TarProgress& progress) {
     TarReader tar(archive, progress);
     Manifest announced(tar, archive.string());
-    const Contents contents = contents_of(announced);
+    const Contents contents = contents_of(announced, library);
     noise_library::Intake intake(library.audio_folder());
     std::vector<Staged> staged = stage_audio(tar, intake, archive, contents.audio);
     // the entries are read once more now that their audio is there, so that they never stand in memory together
     TarReader again(archive);
     Manifest manifest(again, archive.string());
+    std::size_t place = 0;
     const auto next = [&]() -> std::optional<Entry> {
-        if (std::optional<Announced> each = manifest.next()) return std::move(each->entry);
+        while (std::optional<Announced> each = manifest.next()) {
+            const bool is_known = place < contents.is_heard_otherwise.size() && contents.is_heard_otherwise[place];
+            ++place;
+            if (!is_known) return std::move(each->entry);
+        }
         if (manifest.digest() != contents.digest)
             throw Error(ErrorKind::io, {archive.string() + " changed while it was read", "",
                                         "Run the same command once it is written."});
         return std::nullopt;
     };
     Import result;
+    result.heard_otherwise = static_cast<std::size_t>(
+        std::count(contents.is_heard_otherwise.begin(), contents.is_heard_otherwise.end(), true));
+    result.skipped = result.heard_otherwise;
     for (const std::int64_t id : library.add(intake, staged, next, noise_library::Twins::skip_equal)) {
         if (id == 0)
             ++result.skipped;

@@ -23,10 +23,12 @@ void export_library(const noise_library::Library& library, std::span<const noise
 /// What an import did.
 struct Import {
     std::vector<std::int64_t> added{};  // ids
-    std::size_t skipped = 0;            // entries that were there already, alike in everything
+    std::size_t skipped = 0;            // entries that were there already, alike in all that people wrote
+    std::size_t heard_otherwise = 0;    // of them, those with another verdict by ear, which were not touched
 };
 
-/// Adds the entries of an archive; all or none.
+/// Adds the entries of an archive; all or none. One that the library has already is skipped, whatever verdict by ear either
+/// has: the library's stays.
 ///
 /// Throws `Error` (input) for an archive that is damaged or not what it says: nothing of it then stays. No name in it is
 /// ever used as a path. Memory grows with the number of audio files alone.

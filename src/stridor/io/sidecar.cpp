@@ -3,8 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
-
-#include <nlohmann/json.hpp>
+#include "stridor/io/json_parts.hpp"
 
 #include <cmath>
 #include <initializer_list>
@@ -13,7 +12,7 @@ namespace stridor::io {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_parts::Json;
 
 constexpr const char* schema = "stridor.sidecar/1";
 
@@ -120,7 +119,7 @@ std::string sidecar_json(const Sidecar& sidecar) {
     }
     for (const auto& [key, value] : sidecar.metadata)
         document["metadata"][key] = value;
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_parts::text_of(document) + "\n";
 }
 
 }  // namespace stridor::io

@@ -1,6 +1,7 @@
 #include "stridor/noise_library/library.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/noise_library/entry_rows.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/noise_library/selection.hpp"
 
@@ -49,17 +50,6 @@ fs::path audio_folder_of(const fs::path& file) {
     return real.replace_extension(".audio");
 }
 
-std::string insert_entry(bool has_id) {
-    std::string columns = has_id ? "id, digest" : "digest";
-    std::string values = has_id ? "?, ?" : "?";
-    for (const Field& field : fields()) {
-        if (is_document(field)) continue;
-        columns += ", " + column_of(field);
-        values += ", ?";
-    }
-    return (has_id ? "INSERT OR REPLACE" : "INSERT") + (" INTO entry(" + columns) + ") VALUES(" + values + ")";
-}
-
 AudioName audio_of(const Entry& entry) {
     return {entry.audio, entry.format};
 }
@@ -86,31 +76,15 @@ Library::Library(const fs::path& file, const LibraryOptions& options)
     if (is_empty()) {
         Transaction transaction(database_);
         // another process may have made it in between
-        if (is_empty()) create();
+        if (is_empty()) {
+            database_.execute("PRAGMA application_id = " + std::to_string(application_id));
+            database_.execute("PRAGMA user_version = " + std::to_string(library_schema));
+            create_tables(database_);
+        }
         transaction.commit();
     }
     verify();
     if (!database_.is_read_only() && has_leftovers(audio_folder_)) clear();
-}
-
-void Library::create() {
-    database_.execute("PRAGMA application_id = " + std::to_string(application_id));
-    database_.execute("PRAGMA user_version = " + std::to_string(library_schema));
-    std::string columns;
-    for (const Field& field : fields())
-        if (!is_document(field)) columns += ", " + column_of(field);
-    // ids are never used twice, so that a note about entry 12 stays true
-    database_.execute("CREATE TABLE entry(id INTEGER PRIMARY KEY AUTOINCREMENT, digest TEXT NOT NULL" + columns + ")");
-    database_.execute("CREATE INDEX entry_digest ON entry(digest)");
-    database_.execute("CREATE INDEX entry_audio ON entry(audio)");
-    // apart from the rows that every search goes through
-    database_.execute(
-        "CREATE TABLE document(entry INTEGER NOT NULL, name TEXT NOT NULL, text TEXT NOT NULL, "
-        "PRIMARY KEY(entry, name)) WITHOUT ROWID");
-    database_.execute(
-        "CREATE TABLE figure(entry INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL, value, "
-        "PRIMARY KEY(entry, name)) WITHOUT ROWID");
-    database_.execute("CREATE INDEX figure_name ON figure(name)");
 }
 
 void Library::verify() {
@@ -249,47 +223,6 @@ std::optional<std::int64_t> Library::twin_of(const Entry& entry, Twins twins) {
     return query.step() ? std::optional(query.integer(0)) : std::nullopt;
 }
 
-void Library::forget_parts(std::int64_t id) {
-    for (const char* table : {"document", "figure"})
-        database_.execute("DELETE FROM " + std::string(table) + " WHERE entry = " + std::to_string(id));
-}
-
-std::int64_t Library::write(const Entry& entry) {
-    const bool has_id = entry.id != 0;
-    const std::string text = digest(entry);
-    Statement row = database_.prepare(insert_entry(has_id));
-    int parameter = 0;
-    if (has_id) row.bind(++parameter, entry.id);
-    row.bind(++parameter, std::string_view(text));
-    for (const Field& field : fields())
-        if (is_document(field))
-            continue;
-        else if (std::holds_alternative<Quantity>(field.kind))
-            row.bind(++parameter, quantity_in(entry, field));
-        else
-            row.bind(++parameter, std::string_view(words_in(entry, field)));
-    row.run();
-    const std::int64_t id = has_id ? entry.id : database_.last_row();
-    if (has_id) forget_parts(id);
-    Statement document = database_.prepare("INSERT INTO document(entry, name, text) VALUES(?, ?, ?)");
-    for (const Field& field : fields()) {
-        if (!is_document(field) || words_in(entry, field).empty()) continue;
-        document.bind(1, id);
-        document.bind(2, field.name);
-        document.bind(3, std::string_view(words_in(entry, field)));
-        document.run();
-    }
-    Statement value = database_.prepare("INSERT INTO figure(entry, name, unit, value) VALUES(?, ?, ?, ?)");
-    for (const Figure& figure : entry.figures) {
-        value.bind(1, id);
-        value.bind(2, std::string_view(figure.name));
-        value.bind(3, std::string_view(figure.unit));
-        value.bind(4, figure.value);
-        value.run();
-    }
-    return id;
-}
-
 std::vector<std::int64_t> Library::add(Intake& intake, std::span<Staged> staged, std::span<const Entry> entries,
                                        Twins twins) {
     const auto next = [place = entries.begin(), end = entries.end()]() mutable {
@@ -316,7 +249,7 @@ std::vector<std::int64_t> Library::add(Intake& intake, std::span<Staged> staged,
             continue;
         }
         entry.id = 0;
-        ids.push_back(write(entry));
+        ids.push_back(write_entry(database_, entry));
         needed.insert(audio_of(entry));
     }
     if (!needed.empty()) intake.place(staged, needed);
@@ -334,7 +267,7 @@ std::vector<Entry> Library::edit(std::span<const std::int64_t> ids, const std::f
         entry.id = before.id;
         entry.audio = before.audio;
         entry.format = before.format;
-        write(entry);
+        write_entry(database_, entry);
     }
     transaction.commit();
     return entries;
@@ -347,8 +280,7 @@ void Library::remove(std::span<const std::int64_t> ids) {
         Transaction transaction(database_);
         for (const Entry& entry : read(ids)) {
             audio.insert(audio_of(entry));
-            database_.execute("DELETE FROM entry WHERE id = " + std::to_string(entry.id));
-            forget_parts(entry.id);
+            remove_entry(database_, entry.id);
         }
         marker.announce(audio);
         transaction.commit();

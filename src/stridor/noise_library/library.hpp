@@ -92,16 +92,13 @@ public:
     std::vector<std::string> words(std::string_view field);
 
 private:
-    void create();
     void verify();
     void clear();
     std::vector<Entry> read(const Query& query);
     std::vector<Entry> read(std::span<const std::int64_t> ids);
-    void forget_parts(std::int64_t id);
     bool is_used(const AudioName& name);
     [[noreturn]] void refuse_id(std::int64_t id);
     std::optional<std::int64_t> twin_of(const Entry& entry, Twins twins);
-    std::int64_t write(const Entry& entry);
 
     storage::Database database_;
     std::filesystem::path audio_folder_;

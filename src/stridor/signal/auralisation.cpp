@@ -55,12 +55,19 @@ std::string unit_of(MotionQuantity quantity) {
     return quantity == MotionQuantity::velocity ? "m/s" : "m/s^2";
 }
 
+double fade_gain(const Stretch& stretch, double fade, double time) {
+    const double inside = std::min(time - stretch.from, stretch.to - time);
+    const double length = std::min(fade, 0.5 * (stretch.to - stretch.from));
+    if (inside < 0.0) return 0.0;
+    return inside >= length ? 1.0 : 0.5 - 0.5 * base::sine_cosine_of_turns(0.5 * inside / length).cosine;
+}
+
 Auralisation::Auralisation(AuralisationSettings settings) : settings_(std::move(settings)) {
     STRIDOR_EXPECT(settings_.rate > 0.0 && settings_.high_pass < 0.5 * settings_.rate);
 }
 
 record::TraceRequest Auralisation::request(double duration, std::function<void(std::span<const double>)> taker) {
-    return {0.0, duration, 1.0 / (settings_.rate * trace_density),
+    return {0.0, duration, 1.0 / (settings_.rate * settings_.density),
             [this, taker = std::move(taker)](const record::Trace& trace) { taker(add(trace)); }};
 }
 
@@ -86,11 +93,7 @@ double Auralisation::gain_at(double time) {
     while (stretch_ < settings_.stretches.size() && settings_.stretches[stretch_].to <= time)
         ++stretch_;
     if (stretch_ == settings_.stretches.size()) return 0.0;
-    const Stretch& stretch = settings_.stretches[stretch_];
-    const double inside = std::min(time - stretch.from, stretch.to - time);
-    const double fade = std::min(settings_.fade, 0.5 * (stretch.to - stretch.from));
-    if (inside < 0.0) return 0.0;
-    return inside >= fade ? 1.0 : 0.5 - 0.5 * base::sine_cosine_of_turns(0.5 * inside / fade).cosine;
+    return fade_gain(settings_.stretches[stretch_], settings_.fade, time);
 }
 
 std::vector<double> Auralisation::heard(std::vector<double> motion) {

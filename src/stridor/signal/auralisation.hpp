@@ -26,6 +26,9 @@ struct Stretch {
     double to = 0.0;    // [s]
 };
 
+/// Trace samples per sample of a sound.
+inline constexpr int trace_density = 16;
+
 /// How a motion becomes a sound.
 struct AuralisationSettings {
     Pickup pickup{};
@@ -33,7 +36,11 @@ struct AuralisationSettings {
     double high_pass = 20.0;           // [Hz] what is slower, as the drive's own motion, is left out; 0: nothing is
     double fade = 5e-3;                // [s] at both ends of each stretch, at most half of it
     std::vector<Stretch> stretches{};  // in order, heard one after the other; empty: everything, without fades
+    int density = trace_density;       // [1] trace samples per sample of the sound, at least 4
 };
+
+/// The gain at an instant [s] of a stretch that is faded in and out over `fade` [s], at most half of it; 0 outside.
+double fade_gain(const Stretch& stretch, double fade, double time);
 
 /// The stretches of a run that belong to a direction: its going or its coming phases, whole or only what the verdict is
 /// made from. Everything judged or counted of a run with a constant drive, which has one phase only.
@@ -72,9 +79,6 @@ private:
     bool has_begun_ = false;
     double memory_[2] = {};  // of the high pass
 };
-
-/// Trace samples per sample of a sound.
-inline constexpr int trace_density = 16;
 
 /// The sound of a whole trace, sampled as `Auralisation::request` asks.
 Signal auralise(const record::Trace& trace, const AuralisationSettings& settings);

@@ -15,9 +15,6 @@
 
 namespace stridor::sweep {
 
-/// A motion that nowhere exceeds this is rounding, and silence [m/s], [m/s^2].
-inline constexpr double least_motion = 1e-9;
-
 /// How the cells of a chart are made audible and judged by ear.
 struct CellListening {
     signal::AuralisationSettings sound{};  // its stretches follow from each cell
@@ -34,11 +31,8 @@ struct CellSound {
     classification::SoundProfile profile{};
 };
 
-/// The stretches of a cell's motion that are listened to: the window its rates are made from, and of it the phases of its
-/// direction.
-std::vector<signal::Stretch> heard_stretches(const parameters::Case& c, parameters::Direction direction);
-
-/// Simulates a cell, from the first of the study's starts if it has any, and listens to it; nothing if it was stopped.
+/// Simulates a cell, from the first of the study's starts if it has any, and listens to it as to a recording of its phases put
+/// one after the other (`sound_of_run`); nothing if it was stopped.
 ///
 /// What goes wrong with the physics or the numbers becomes the status, as in `evaluate_run`.
 std::optional<CellSound> sound_of_cell(const Study& study, std::size_t index, const CellListening& listening,

@@ -39,8 +39,9 @@ signal::Signal perturbed(signal::Signal sound, const Perturbation& perturbation,
 
 /// How motions are made audible and judged.
 struct HearingSettings {
-    signal::Pickup pickup{};  // the joint's velocity along the plate
-    double rate = 48000.0;    // [Hz] of the sounds
+    // the joint's velocity along the plate; its stretches follow from each case. What folds back at this density lies 92 dB
+    // below the tone (docs/methods/auralisation.md).
+    signal::AuralisationSettings sound{.fade = 0.0, .density = 8};
     parameters::SoundThresholds thresholds{};
     std::optional<std::uint64_t> seed{};  // of the noise; nothing: the sounds are not perturbed
 };
@@ -59,14 +60,10 @@ struct HeardSound {
 /// [direction], or empty if it was stopped. The index is left to the caller.
 ///
 /// Of a constant drive the window is heard, from which the contact-state verdict is made too; of any other each phase as a
-/// whole, described by itself, as a stretch without fades. A motion below 1e-9 m/s (or m/s²) is rounding and taken as
-/// silence.
+/// whole, described by itself, as a stretch without fades (`sound_of_run`). Throws what `check_audible` throws.
 std::vector<HeardSound> hear(const parameters::Case& c, std::span<const parameters::Direction> directions,
                              const HearingSettings& settings, const std::stop_token& stop,
                              integration::Workspace& workspace);
-
-/// Throws `Error` (input) for a case whose motion cannot be sampled densely enough for a sound (beta_2 with long steps).
-void check_audible(const parameters::Case& c, const HearingSettings& settings);
 
 /// Which cells of a study to count. Thresholds were set while looking at even ones.
 enum class Half { both, even, odd };

@@ -1,6 +1,7 @@
 #include "stridor/sweep/hearing_run.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/sweep/run_sound.hpp"
 #include "stridor/sweep/store.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
@@ -147,7 +148,7 @@ std::vector<HeardSound> hear(const Study& study, const HearingOptions& options) 
     if (!study.starts.empty())
         throw Error(ErrorKind::input, {"the chart has several starts", "a sound is that of one motion",
                                        "Leave chart.starts out; run.initial is the start that is heard."});
-    check_audible(study.base, options.settings);
+    check_audible(study.base, options.settings.sound);
     Hearing hearing(study, options);
     {
         const std::jthread conductor([&] { hearing.compute(); });

@@ -4,8 +4,6 @@
 #include "stridor/sweep/cell.hpp"
 
 #include <cstddef>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -43,23 +41,5 @@ inline std::vector<sweep::Cell> quiet_cells() {
 inline sweep::SweepResult quiet_sweep() {
     return sweep::complete(small_study(), quiet_cells());
 }
-
-/// A folder of its own for one test, gone with it.
-class TestFolder {
-public:
-    TestFolder() {
-        std::string name = std::filesystem::temp_directory_path() / "stridor-chart-XXXXXX";
-        path_ = ::mkdtemp(name.data());
-    }
-    ~TestFolder() { std::filesystem::remove_all(path_); }
-    TestFolder(const TestFolder&) = delete;
-    TestFolder& operator=(const TestFolder&) = delete;
-
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 }  // namespace stridor::chart

@@ -3,10 +3,12 @@
 #include "chart_support.hpp"
 #include "stridor/chart/noise_chart.hpp"
 #include "support/error_text.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -89,7 +91,7 @@ TEST(Draw, KnowsOnlyPngAndSvg) {
 }
 
 TEST(Draw, WithoutGnuplotSaysWhatToInstall) {
-    const TestFolder folder;
+    const support::ScratchFolder folder;
     const OtherPath nothing(folder.path());
     EXPECT_FALSE(can_draw());
     const support::Thrown thrown = thrown_by([] { render({}, Format::png); });
@@ -99,7 +101,7 @@ TEST(Draw, WithoutGnuplotSaysWhatToInstall) {
 }
 
 TEST(Draw, PassesOnWhatGnuplotComplainsOf) {
-    const TestFolder folder;
+    const support::ScratchFolder folder(support::Medium::disk);
     // a gnuplot that reads nothing and fails
     std::ofstream(folder / "gnuplot") << "#!/bin/sh\nprintf 'plot x\\n     ^\\nline 7: undefined variable: x\\n' >&2\n"
                                          "exit 1\n";

@@ -14,25 +14,25 @@ namespace {
 using support::FullDisk;
 
 TEST(AtomicFile, GivesBackWhatWasWritten) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     const std::string bytes("a\0b\r\n\xff", 6);
-    write_file(scratch.path("f"), bytes);
-    EXPECT_EQ(read_file(scratch.path("f")), bytes);
-    write_file(scratch.path("f"), "");
-    EXPECT_EQ(read_file(scratch.path("f")), "");
-    EXPECT_EQ(scratch.entries(), 1);
+    write_file((scratch / "f").string(), bytes);
+    EXPECT_EQ(read_file((scratch / "f").string()), bytes);
+    write_file((scratch / "f").string(), "");
+    EXPECT_EQ(read_file((scratch / "f").string()), "");
+    EXPECT_EQ(scratch.files(), 1);
 }
 
 TEST(PiecewiseFile, AppearsAsAWholeOrNotAtAll) {
-    const Scratch scratch;
-    const std::string path = scratch.path("f");
+    const ScratchFolder scratch;
+    const std::string path = (scratch / "f").string();
     write_file(path, "old");
     {
         PiecewiseFile file(path);
         file.write("half");
     }
     EXPECT_EQ(read_file(path), "old");
-    EXPECT_EQ(scratch.entries(), 1);
+    EXPECT_EQ(scratch.files(), 1);
     PiecewiseFile file(path);
     std::string wanted;
     for (int k = 0; k < 3000; ++k) {
@@ -51,7 +51,7 @@ TEST(PiecewiseFile, AppearsAsAWholeOrNotAtAll) {
     EXPECT_EQ(read_file(path), "old");
     file.commit();
     EXPECT_EQ(read_file(path), wanted);
-    EXPECT_EQ(scratch.entries(), 1);
+    EXPECT_EQ(scratch.files(), 1);
 }
 
 TEST(PiecewiseFile, CannotGoBackInADevice) {
@@ -61,8 +61,8 @@ TEST(PiecewiseFile, CannotGoBackInADevice) {
 }
 
 TEST(AtomicFile, LeavesTheOldFileWhenTheDiskIsFull) {
-    const Scratch scratch;
-    const std::string path = scratch.path("chart.csv");
+    const ScratchFolder scratch;
+    const std::string path = (scratch / "chart.csv").string();
     write_file(path, "old");
     std::optional<Error> error;
     {
@@ -73,12 +73,12 @@ TEST(AtomicFile, LeavesTheOldFileWhenTheDiskIsFull) {
     EXPECT_EQ(error->kind(), ErrorKind::io);
     EXPECT_NE(std::string(error->what()).find(path), std::string::npos);
     EXPECT_EQ(read_file(path), "old");
-    EXPECT_EQ(scratch.entries(), 1) << "the temporary file is still there";
+    EXPECT_EQ(scratch.files(), 1) << "the temporary file is still there";
 }
 
 TEST(AtomicFile, GivesAnotherWriterATemporaryName) {
-    const Scratch scratch;
-    const std::string path = scratch.path("f");
+    const ScratchFolder scratch;
+    const std::string path = (scratch / "f").string();
     write_file(path, "old");
     PiecewiseFile file(path);
     const std::string temporary = file.temporary_name(10);
@@ -87,18 +87,18 @@ TEST(AtomicFile, GivesAnotherWriterATemporaryName) {
     EXPECT_EQ(read_file(path), "old");
     file.commit();
     EXPECT_EQ(read_file(path), "new");
-    EXPECT_EQ(scratch.entries(), 1);
+    EXPECT_EQ(scratch.files(), 1);
 }
 
 TEST(AtomicFile, GivesNoNameWhereTheRoomIsMissing) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     {
         const FullDisk disk(4096);
-        const auto error = error_of([&] { PiecewiseFile(scratch.path("f")).temporary_name(10000); });
+        const auto error = error_of([&] { PiecewiseFile((scratch / "f").string()).temporary_name(10000); });
         ASSERT_TRUE(error);
         EXPECT_EQ(error->kind(), ErrorKind::io);
     }
-    EXPECT_EQ(scratch.entries(), 0);
+    EXPECT_EQ(scratch.files(), 0);
     EXPECT_TRUE(error_of([] { PiecewiseFile("/dev/null").temporary_name(0); }));
 }
 
@@ -116,31 +116,31 @@ TEST(AtomicFile, WritesToADeviceInsteadOfReplacingIt) {
 }
 
 TEST(AtomicFile, KeepsPermissionsAndFollowsLinks) {
-    const Scratch scratch;
-    write_file(scratch.path("target"), "old");
-    ASSERT_EQ(chmod(scratch.path("target").c_str(), 0640), 0);
-    std::filesystem::create_symlink("target", scratch.path("link"));
-    write_file(scratch.path("link"), "new");
-    EXPECT_TRUE(std::filesystem::is_symlink(scratch.path("link")));
-    EXPECT_EQ(read_file(scratch.path("target")), "new");
+    const ScratchFolder scratch;
+    write_file((scratch / "target").string(), "old");
+    ASSERT_EQ(chmod((scratch / "target").string().c_str(), 0640), 0);
+    std::filesystem::create_symlink("target", (scratch / "link").string());
+    write_file((scratch / "link").string(), "new");
+    EXPECT_TRUE(std::filesystem::is_symlink((scratch / "link").string()));
+    EXPECT_EQ(read_file((scratch / "target").string()), "new");
     struct stat status {};
-    ASSERT_EQ(stat(scratch.path("target").c_str(), &status), 0);
+    ASSERT_EQ(stat((scratch / "target").string().c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 0777U, 0640U);
 }
 
 TEST(AtomicFile, TakesTheLongestNameAFolderAllows) {
-    const Scratch scratch;
-    const std::string path = scratch.path(std::string(255, 'n'));
+    const ScratchFolder scratch;
+    const std::string path = (scratch / std::string(255, 'n')).string();
     write_file(path, "x");
     EXPECT_EQ(read_file(path), "x");
 }
 
 TEST(AtomicFile, NamesWhatIsWrongWithThePath) {
-    const Scratch scratch;
-    write_file(scratch.path("file"), "x");
-    const std::string missing = scratch.path("missing/f");
-    const std::string below_file = scratch.path("file/f");
-    const std::string folder = scratch.path(".");
+    const ScratchFolder scratch;
+    write_file((scratch / "file").string(), "x");
+    const std::string missing = (scratch / "missing/f").string();
+    const std::string below_file = (scratch / "file/f").string();
+    const std::string folder = (scratch / ".").string();
     expect_error(error_of([&] { write_file(missing, "x"); }), "no such file or folder", "");
     expect_error(error_of([&] { write_file(below_file, "x"); }), "a part of its path is not a folder", "");
     expect_error(error_of([&] { write_file(folder, "x"); }), "it is a folder", "");

@@ -7,39 +7,16 @@
 #include "stridor/sweep/paper_charts.hpp"
 #include "stridor/sweep/refinement.hpp"
 #include "stridor/sweep/starts.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <optional>
 #include <string>
 
 namespace stridor::io {
 
-/// A folder of a test's own, removed with all that is in it.
-class Scratch {
-public:
-    Scratch() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "stridor-io-XXXXXX").string();
-        if (mkdtemp(pattern.data()) != nullptr) folder_ = pattern;
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    ~Scratch() { std::filesystem::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    int entries() const {
-        int count = 0;
-        for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_))
-            ++count;
-        return count;
-    }
-
-private:
-    std::filesystem::path folder_;
-};
+using support::ScratchFolder;
 
 /// The error an action ends in; nothing, and a failed test, if it does not.
 template <typename Action>

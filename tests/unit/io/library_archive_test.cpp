@@ -3,6 +3,7 @@
 #include "stridor/base/sha256.hpp"
 #include "stridor/io/csv_library.hpp"
 #include "stridor/io/json_library.hpp"
+#include "stridor/io/json_verdict.hpp"
 #include "stridor/io/tar.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "support/counter_random.hpp"
@@ -11,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <functional>
 
 namespace stridor::io {
@@ -137,6 +139,34 @@ TEST_F(Archive, CarriesEntriesFromLibraryToLibraryWhole) {
     EXPECT_EQ(other.size(), 6);
     export_library(other, after, folder_ / "again.tar");
     EXPECT_EQ(bytes_of(folder_ / "again.tar"), bytes_of(archive_));
+}
+
+TEST_F(Archive, LeavesOutWhatWasOnlyJudgedAgain) {
+    Library library = open();
+    const auto judge = [&](std::int64_t id, const char* category, double level) {
+        const auto put = [&](Entry& entry) {
+            entry = without_verdict(std::move(entry));
+            entry.category = category;
+            entry.verdict = "{\"schema\":\"stridor.verdict/1\",\"figures\":{\"level\":" + std::to_string(level) + "}}";
+            set_figure(entry, {"level", "dB", level});
+        };
+        return library.edit(std::array{id}, put).front();
+    };
+    const std::int64_t id = add_bytes(library, sound_, sound).id;
+    const Entry old = judge(id, "squeak", 61.5);
+    export_library(library, std::array{old}, archive_);
+    const Entry now = judge(id, "squeal", 62.25);
+    Import import = import_library(library, archive_);
+    EXPECT_TRUE(import.added.empty());
+    EXPECT_EQ(import.skipped, 1U);
+    EXPECT_EQ(import.heard_otherwise, 1U);
+    EXPECT_EQ(library.find(everything()).front().category, "squeal");
+    // what a person wrote is no verdict
+    export_library(library, std::array{now}, archive_);
+    library.edit(std::array{id}, [](Entry& entry) { entry.notes = "the left one"; });
+    import = import_library(library, archive_);
+    EXPECT_EQ(import.added.size(), 1U);
+    EXPECT_EQ(import.heard_otherwise, 0U);
 }
 
 TEST_F(Archive, IsReadFromOtherWritersOfTar) {

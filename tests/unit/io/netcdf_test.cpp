@@ -91,10 +91,10 @@ void expect_same(const std::vector<double>& found, const std::vector<double>& ex
 }
 
 TEST(ChartNetcdf, HoldsEveryFigureOfEveryCell) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     const sweep::SweepResult chart = small_chart();
-    write_chart_netcdf(scratch.path("chart.nc"), chart);
-    const Opened file(scratch.path("chart.nc"));
+    write_chart_netcdf((scratch / "chart.nc").string(), chart);
+    const Opened file((scratch / "chart.nc").string());
     for (const sweep::CellFigure& figure : sweep::cell_figures()) {
         const std::string name(figure.name);
         std::vector<double> expected;
@@ -108,10 +108,10 @@ TEST(ChartNetcdf, HoldsEveryFigureOfEveryCell) {
 }
 
 TEST(ChartNetcdf, NamesItsAxesByTheirParameters) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     const sweep::SweepResult chart = small_chart();
-    write_chart_netcdf(scratch.path("chart.nc"), chart);
-    const Opened file(scratch.path("chart.nc"));
+    write_chart_netcdf((scratch / "chart.nc").string(), chart);
+    const Opened file((scratch / "chart.nc").string());
     std::vector<double> preloads;
     for (int ix = 0; ix < chart.study.x.points; ++ix)
         preloads.push_back(sweep::value_at(chart.study.x, ix));
@@ -125,10 +125,10 @@ TEST(ChartNetcdf, NamesItsAxesByTheirParameters) {
 }
 
 TEST(ChartNetcdf, KeepsCategoriesAsFlags) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     const sweep::SweepResult chart = small_chart();
-    write_chart_netcdf(scratch.path("chart.nc"), chart);
-    const Opened file(scratch.path("chart.nc"));
+    write_chart_netcdf((scratch / "chart.nc").string(), chart);
+    const Opened file((scratch / "chart.nc").string());
     const std::vector<signed char> categories = file.bytes("category", chart.cells.size());
     for (std::size_t index = 0; index < chart.cells.size(); ++index) {
         const bool is_done = chart.cells[index].status == sweep::Status::done;
@@ -142,10 +142,10 @@ TEST(ChartNetcdf, KeepsCategoriesAsFlags) {
 }
 
 TEST(ChartNetcdf, TellsComputedCellsFromInferredOnes) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     const sweep::SweepResult chart = refined_chart();
-    write_chart_netcdf(scratch.path("chart.nc"), chart);
-    const Opened file(scratch.path("chart.nc"));
+    write_chart_netcdf((scratch / "chart.nc").string(), chart);
+    const Opened file((scratch / "chart.nc").string());
     EXPECT_EQ(file.text("source", "flag_meanings"), "computed inferred");
     const std::vector<signed char> sources = file.bytes("source", chart.cells.size());
     EXPECT_EQ(sources[0], 0);
@@ -158,10 +158,10 @@ TEST(ChartNetcdf, TellsComputedCellsFromInferredOnes) {
 }
 
 TEST(ChartNetcdf, KeepsTheVerdictOfEachStart) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     const sweep::SweepResult chart = chart_of_starts();
-    write_chart_netcdf(scratch.path("chart.nc"), chart);
-    const Opened file(scratch.path("chart.nc"));
+    write_chart_netcdf((scratch / "chart.nc").string(), chart);
+    const Opened file((scratch / "chart.nc").string());
     const std::size_t size = chart.cells.size();
     EXPECT_EQ(file.words("start", 2), (std::vector<std::string>{"rest", "sliding"}));
     EXPECT_EQ(file.dimensions("start_verdict"), "start direction kinetic_friction preload");
@@ -176,11 +176,11 @@ TEST(ChartNetcdf, KeepsTheVerdictOfEachStart) {
 }
 
 TEST(ChartNetcdf, CarriesTheStudyThatMadeIt) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     const sweep::SweepResult chart = small_chart();
     const std::string canonical = sweep::canonical_text(chart.study);
-    write_chart_netcdf(scratch.path("chart.nc"), chart);
-    const Opened file(scratch.path("chart.nc"));
+    write_chart_netcdf((scratch / "chart.nc").string(), chart);
+    const Opened file((scratch / "chart.nc").string());
     EXPECT_EQ(file.global("Conventions"), "CF-1.10");
     EXPECT_EQ(file.global("source"),
               "stridor " + std::string(base::version()) + " (" + std::string(base::commit()) + ")");
@@ -191,34 +191,34 @@ TEST(ChartNetcdf, CarriesTheStudyThatMadeIt) {
 }
 
 TEST(ChartNetcdf, KeepsNamesApartThatWouldBeAlike) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     sweep::SweepResult chart = small_chart();
     chart.study.base = parameters::paper_case(parameters::PaperCase::squeal);
     chart.study.x.parameter = "drive.frequency";  // there is a figure "frequency"
     chart.study.y.parameter = "joint.mass";
-    write_chart_netcdf(scratch.path("a.nc"), chart);
-    EXPECT_EQ(Opened(scratch.path("a.nc")).dimensions("category"), "direction mass drive_frequency");
+    write_chart_netcdf((scratch / "a.nc").string(), chart);
+    EXPECT_EQ(Opened((scratch / "a.nc").string()).dimensions("category"), "direction mass drive_frequency");
     chart.study.x.parameter = "plate.mass";
-    write_chart_netcdf(scratch.path("b.nc"), chart);
-    EXPECT_EQ(Opened(scratch.path("b.nc")).dimensions("category"), "direction joint_mass plate_mass");
+    write_chart_netcdf((scratch / "b.nc").string(), chart);
+    EXPECT_EQ(Opened((scratch / "b.nc").string()).dimensions("category"), "direction joint_mass plate_mass");
 }
 
 TEST(ChartNetcdf, HasTheSameBytesForTheSameChart) {
-    const Scratch scratch;
-    write_chart_netcdf(scratch.path("a.nc"), small_chart());
-    write_chart_netcdf(scratch.path("b.nc"), small_chart());
-    EXPECT_EQ(read_file(scratch.path("a.nc")), read_file(scratch.path("b.nc")));
+    const ScratchFolder scratch;
+    write_chart_netcdf((scratch / "a.nc").string(), small_chart());
+    write_chart_netcdf((scratch / "b.nc").string(), small_chart());
+    EXPECT_EQ(read_file((scratch / "a.nc").string()), read_file((scratch / "b.nc").string()));
 }
 
 TEST(ChartNetcdf, SaysWhyItCannotBeWritten) {
-    const Scratch scratch;
-    const auto error = error_of([&] { write_chart_netcdf(scratch.path("no/chart.nc"), small_chart()); });
+    const ScratchFolder scratch;
+    const auto error = error_of([&] { write_chart_netcdf((scratch / "no/chart.nc").string(), small_chart()); });
     ASSERT_TRUE(error);
     EXPECT_EQ(error->kind(), ErrorKind::io);
 }
 
 TEST(TraceNetcdf, HoldsTraceAndHistory) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     const parameters::Case c = parameters::paper_case(parameters::PaperCase::squeal);
     record::Record record;
     record.trace.time = {0.0, 0.5};
@@ -226,8 +226,8 @@ TEST(TraceNetcdf, HoldsTraceAndHistory) {
     record.trace.surface_velocity = record.trace.normal_force = record.trace.friction_force = record.trace.gap = {7, 8};
     record.trace.state = {model::ContactState::slip, model::ContactState::separation};
     record.history = {{model::ContactState::stick, 0.0, 0.25, 0.1, -0.2}};
-    write_trace_netcdf(scratch.path("t.nc"), c, record);
-    const Opened file(scratch.path("t.nc"));
+    write_trace_netcdf((scratch / "t.nc").string(), c, record);
+    const Opened file((scratch / "t.nc").string());
     EXPECT_EQ(file.dimensions("velocity"), "dof time");
     EXPECT_EQ(file.words("dof", 3), (std::vector<std::string>{"x1", "y1", "y2"}));
     EXPECT_EQ(file.doubles("velocity", 6), (std::vector<double>{1, 2, 3, 4, 5, 6}));

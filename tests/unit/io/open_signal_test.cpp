@@ -95,7 +95,7 @@ TEST(OpenSignal, TakesNoNumberForAName) {
 }
 
 TEST(OpenSignal, RefusesWhatIsNoRecording) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     const std::array<std::pair<const char*, std::string>, 6> cases{
         {{"empty.wav", ""},
          {"text.wav", "this is text, no sound\n1,2\n"},
@@ -104,16 +104,16 @@ TEST(OpenSignal, RefusesWhatIsNoRecording) {
          {"cut.wav", "RIFF"},
          {"head.wav", read_file(fixture("scipy_16.wav")).substr(0, 44)}}};
     for (const auto& [name, bytes] : cases) {
-        write_file(scratch.path(name), bytes);
-        const auto error = error_of([&, path = scratch.path(name)] { all_of(path); });
+        write_file((scratch / name).string(), bytes);
+        const auto error = error_of([&, path = (scratch / name).string()] { all_of(path); });
         ASSERT_TRUE(error) << name;
         EXPECT_EQ(error->kind(), ErrorKind::input) << name;
-        EXPECT_EQ(error->place()->file, scratch.path(name)) << error->what();
+        EXPECT_EQ(error->place()->file, (scratch / name).string()) << error->what();
     }
-    expect_error(error_of([&] { all_of(scratch.path("text.wav")); }), "this is text and no sound",
-                 scratch.path("text.wav"));
-    EXPECT_EQ(error_of([&] { all_of(scratch.path(".")); })->kind(), ErrorKind::io);
-    EXPECT_EQ(error_of([&] { all_of(scratch.path("missing.wav")); })->kind(), ErrorKind::io);
+    expect_error(error_of([&] { all_of((scratch / "text.wav").string()); }), "this is text and no sound",
+                 (scratch / "text.wav").string());
+    EXPECT_EQ(error_of([&] { all_of((scratch / ".").string()); })->kind(), ErrorKind::io);
+    EXPECT_EQ(error_of([&] { all_of((scratch / "missing.wav").string()); })->kind(), ErrorKind::io);
 }
 
 std::string patched(std::string bytes, std::size_t offset, std::string_view with) {
@@ -170,8 +170,8 @@ double grid(double value, double steps) {
 }
 
 TEST(WriteWav, GivesBackEveryBit) {
-    const Scratch scratch;
-    const std::string path = scratch.path("a.wav");
+    const ScratchFolder scratch;
+    const std::string path = (scratch / "a.wav").string();
     for (const auto& [samples, steps] : {std::pair{WavSamples::pcm_16, 0x1p15}, std::pair{WavSamples::pcm_24, 0x1p23},
                                          std::pair{WavSamples::float_32, 0.0}}) {
         Signal left = noise(44100.0, "FS", 1), right = noise(44100.0, "FS", 2);
@@ -186,18 +186,19 @@ TEST(WriteWav, GivesBackEveryBit) {
         ASSERT_EQ(back.size(), 2U);
         EXPECT_EQ(back[0].samples, left.samples);
         EXPECT_EQ(back[1].samples, right.samples);
-        EXPECT_EQ(scratch.entries(), 1) << "nothing to say, no sidecar";
+        EXPECT_EQ(scratch.files(), 1) << "nothing to say, no sidecar";
     }
 }
 
 TEST(WriteWav, ReturnsASoundFileToItsBytes) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     OpenOptions options;
     options.full_scales = {parse_full_scale("0.3 Pa")};
     for (const auto& [name, samples] :
          {std::pair{"scipy_16.wav", WavSamples::pcm_16}, std::pair{"sox_24.wav", WavSamples::pcm_24}}) {
-        write_wav(scratch.path("b.wav"), *open_signal(fixture(name), options), {samples, options.full_scales, ""});
-        const std::vector<Signal> back = all_of(scratch.path("b.wav"));
+        write_wav((scratch / "b.wav").string(), *open_signal(fixture(name), options),
+                  {samples, options.full_scales, ""});
+        const std::vector<Signal> back = all_of((scratch / "b.wav").string());
         const std::vector<Signal> first = all_of(fixture(name), options);
         EXPECT_EQ(back[0].samples, first[0].samples) << name;
         EXPECT_EQ(back[0].unit, "Pa");
@@ -205,19 +206,19 @@ TEST(WriteWav, ReturnsASoundFileToItsBytes) {
 }
 
 TEST(WriteWav, CutsToFullScaleAndSaysSo) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     Signal loud{8000.0, "N", {0.5, 2.0, -3.0, 1.0, -1.0}};
     const WavWritten written =
-        write_wav(scratch.path("a.wav"), *signal::source_of({loud}), {WavSamples::pcm_16, {}, ""});
+        write_wav((scratch / "a.wav").string(), *signal::source_of({loud}), {WavSamples::pcm_16, {}, ""});
     EXPECT_EQ(written.clipped, 2U);
-    const std::vector<Signal> back = all_of(scratch.path("a.wav"));
+    const std::vector<Signal> back = all_of((scratch / "a.wav").string());
     EXPECT_EQ(back[0].unit, "N");
     EXPECT_EQ(back[0].samples, (std::vector<double>{0.5, 1.0 - 0x1p-15, -1.0, 1.0 - 0x1p-15, -1.0}));
 }
 
 TEST(WriteWav, KeepsNamesUnitsScalesAndRateBesideItself) {
-    const Scratch scratch;
-    const std::string path = scratch.path("a.wav");
+    const ScratchFolder scratch;
+    const std::string path = (scratch / "a.wav").string();
     Signal force{48000.5, "N", {0.0, 10.0, -20.0}}, sound{48000.5, "Pa", {0.5, 1.0, -1.0}};
     write_wav(path, *signal::source_of({force, sound}), {WavSamples::float_32, {{50.0, "N"}, {2.0, "Pa"}}, ""});
     const auto file = open_signal(path);
@@ -230,12 +231,12 @@ TEST(WriteWav, KeepsNamesUnitsScalesAndRateBesideItself) {
 }
 
 TEST(WriteWav, LeavesNoOldSidecarBesideANewRecording) {
-    const Scratch scratch;
-    const std::string path = scratch.path("a.wav");
+    const ScratchFolder scratch;
+    const std::string path = (scratch / "a.wav").string();
     write_wav(path, *signal::source_of({noise(8000.0, "Pa", 3)}));
-    ASSERT_EQ(scratch.entries(), 2);
+    ASSERT_EQ(scratch.files(), 2);
     write_wav(path, *signal::source_of({noise(8000.0, "FS", 3)}));
-    EXPECT_EQ(scratch.entries(), 1);
+    EXPECT_EQ(scratch.files(), 1);
     EXPECT_EQ(all_of(path)[0].unit, "FS");
 
     write_file(path + ".json", "{\"mine\": 1}");
@@ -244,16 +245,16 @@ TEST(WriteWav, LeavesNoOldSidecarBesideANewRecording) {
 }
 
 TEST(WriteWav, HasTheSameBytesEveryTime) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     for (const char* name : {"a.wav", "b.wav"})
-        write_wav(scratch.path(name), *signal::source_of({noise(8000.0, "Pa", 3)}),
+        write_wav((scratch / name).string(), *signal::source_of({noise(8000.0, "Pa", 3)}),
                   {WavSamples::float_32, {}, "rig 7"});
-    EXPECT_EQ(read_file(scratch.path("a.wav")), read_file(scratch.path("b.wav")));
+    EXPECT_EQ(read_file((scratch / "a.wav").string()), read_file((scratch / "b.wav").string()));
 }
 
 TEST(WriteWav, RefusesWhatAWavCannotHold) {
-    const Scratch scratch;
-    const std::string path = scratch.path("a.wav");
+    const ScratchFolder scratch;
+    const std::string path = (scratch / "a.wav").string();
     const auto refusal = [&](const Signal& signal, const WavOptions& options = {}) {
         return error_of([&] { write_wav(path, *signal::source_of({signal}), options); });
     };
@@ -261,13 +262,13 @@ TEST(WriteWav, RefusesWhatAWavCannotHold) {
     expect_error(refusal({0.25, "N", {0.0}}), "cannot have a rate of 0.25 Hz", "");
     expect_error(refusal({8000.0, "N", {1e300}}, {WavSamples::float_32, {}, ""}), "too large for single precision", "");
     expect_error(refusal({8000.0, "N", {1.0}}, {WavSamples::pcm_16, {{1.0, "Pa"}}, ""}), "does not fit", "");
-    EXPECT_EQ(scratch.entries(), 0);
+    EXPECT_EQ(scratch.files(), 0);
 }
 
 // precedence: option, sidecar, description
 TEST(Calibration, OfTheOptionIsStrongestThenTheSidecarThenTheDescription) {
-    const Scratch scratch;
-    const std::string path = scratch.path("a.wav");
+    const ScratchFolder scratch;
+    const std::string path = (scratch / "a.wav").string();
     write_wav(path, *signal::source_of({Signal{8000.0, "Pa", {0.5, 1.0}}}), {WavSamples::float_32, {{2.0, "Pa"}}, ""});
     ASSERT_TRUE(std::filesystem::exists(path + ".json"));
     write_file(path + ".json", sidecar_json({{{std::nullopt, FullScale{8.0, "N"}}}, {}, {}}));
@@ -283,8 +284,8 @@ TEST(Calibration, OfTheOptionIsStrongestThenTheSidecarThenTheDescription) {
 }
 
 TEST(Calibration, OfAnotherRecordingIsRefused) {
-    const Scratch scratch;
-    const std::string path = scratch.path("a.wav");
+    const ScratchFolder scratch;
+    const std::string path = (scratch / "a.wav").string();
     write_file(path, read_file(fixture("scipy_16.wav")));
     write_file(path + ".json", sidecar_json({{{}, {}, {}}, {}, {}}));
     expect_error(error_of([&] { open_signal(path); }), "the sidecar names 3 channels", path + ".json");

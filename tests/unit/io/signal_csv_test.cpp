@@ -104,15 +104,15 @@ TEST(SignalCsv, RefusesWhatHasNoRateOrSamples) {
 }
 
 TEST(SignalCsv, GivesBackEveryBitOfWhatItWrote) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     support::CounterRandom random(7);
     Signal a{48000.0 / 7.0, "m/s^2", {}}, b{48000.0 / 7.0, "FS", {}};
     for (int k = 0; k < 30000; ++k) {
         a.samples.push_back(random.between(-1e3, 1e3) * 1e-3);
         b.samples.push_back(random.one_in(2) ? 5e-324 : -random.decades(1e-300, 1e300));
     }
-    EXPECT_EQ(write_signal_csv(scratch.path("a.csv"), *signal::source_of({a, b})), 30000U);
-    const std::vector<Signal> back = all_of(scratch.path("a.csv"));
+    EXPECT_EQ(write_signal_csv((scratch / "a.csv").string(), *signal::source_of({a, b})), 30000U);
+    const std::vector<Signal> back = all_of((scratch / "a.csv").string());
     ASSERT_EQ(back.size(), 2U);
     EXPECT_EQ(back[0].rate, a.rate);
     EXPECT_EQ(back[0].unit, "m/s^2");

@@ -136,24 +136,24 @@ TEST(TomlCase, DoesNotLookAtAChart) {
 }
 
 TEST(TomlCase, FindsTheSampledDriveBesideTheFile) {
-    const Scratch scratch;
-    std::filesystem::create_directory(scratch.path("in"));
-    write_file(scratch.path("in/drive.csv"), "time,velocity\ns,mm/s\n0,100\n2,-100\n");
+    const ScratchFolder scratch;
+    std::filesystem::create_directory((scratch / "in").string());
+    write_file((scratch / "in/drive.csv").string(), "time,velocity\ns,mm/s\n0,100\n2,-100\n");
     std::string text = replaced(minimal, "kind = \"constant\"", "kind = \"sampled\"");
     text = replaced(text, "velocity = -0.1", "file = \"drive.csv\"");
-    write_file(scratch.path("in/case.toml"), text);
-    const Case c = read_case(scratch.path("in/case.toml"));
+    write_file((scratch / "in/case.toml").string(), text);
+    const Case c = read_case((scratch / "in/case.toml").string());
     EXPECT_EQ(c.drive.times, (std::vector<double>{0.0, 2.0}));
     EXPECT_EQ(c.drive.velocities, (std::vector<double>{0.1, -0.1}));
     EXPECT_EQ(c.drive.file, "drive.csv");
 
-    write_file(scratch.path("in/drive.csv"), "time,velocity\n0,1\n2,x\n");
-    const auto error = error_of([&] { read_case(scratch.path("in/case.toml")); });
-    expect_error(error, "velocity = \"x\" is not a number", scratch.path("in/drive.csv") + ":3:3");
+    write_file((scratch / "in/drive.csv").string(), "time,velocity\n0,1\n2,x\n");
+    const auto error = error_of([&] { read_case((scratch / "in/case.toml").string()); });
+    expect_error(error, "velocity = \"x\" is not a number", (scratch / "in/drive.csv").string() + ":3:3");
 
-    std::filesystem::remove(scratch.path("in/drive.csv"));
-    expect_error(error_of([&] { read_case(scratch.path("in/case.toml")); }), "drive.file: cannot read",
-                 scratch.path("in/case.toml") + ":18:8");
+    std::filesystem::remove((scratch / "in/drive.csv").string());
+    expect_error(error_of([&] { read_case((scratch / "in/case.toml").string()); }), "drive.file: cannot read",
+                 (scratch / "in/case.toml").string() + ":18:8");
 }
 
 TEST(TomlCase, NeedsTheFileOfASampledDrive) {

@@ -90,10 +90,10 @@ TEST(TomlDocument, ReadsByteOrderMarksAndWindowsLineEnds) {
 }
 
 TEST(TomlDocument, LoadsAFileUnderItsOwnName) {
-    const Scratch scratch;
-    write_file(scratch.path("a.toml"), "title = \"t\"\n");
-    const TomlSource source = load_toml(scratch.path("a.toml"), {"title=u"});
-    EXPECT_EQ(source.name, scratch.path("a.toml"));
+    const ScratchFolder scratch;
+    write_file((scratch / "a.toml").string(), "title = \"t\"\n");
+    const TomlSource source = load_toml((scratch / "a.toml").string(), {"title=u"});
+    EXPECT_EQ(source.name, (scratch / "a.toml").string());
     EXPECT_EQ(source.text, "title = \"t\"\n");
     EXPECT_EQ(source.overrides.size(), 1U);
 }

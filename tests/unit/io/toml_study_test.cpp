@@ -143,9 +143,10 @@ TEST(TomlStudy, PointsAtUnknownDirectionsAndQuantities) {
 }
 
 TEST(TomlStudy, ReadsAFile) {
-    const Scratch scratch;
-    write_file(scratch.path("c.toml"), study_toml(sweep::figure_8()));
-    EXPECT_EQ(sweep::canonical_text(read_study(scratch.path("c.toml"))), sweep::canonical_text(sweep::figure_8()));
+    const ScratchFolder scratch;
+    write_file((scratch / "c.toml").string(), study_toml(sweep::figure_8()));
+    EXPECT_EQ(sweep::canonical_text(read_study((scratch / "c.toml").string())),
+              sweep::canonical_text(sweep::figure_8()));
 }
 
 }  // namespace

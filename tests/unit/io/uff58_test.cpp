@@ -71,11 +71,11 @@ Signal noise(double rate, const std::string& unit, std::uint64_t seed) {
 }
 
 TEST(WriteUff58, GivesBackEveryBitInItsBinaryForm) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     for (const double rate : {44100.0, 51200.0, 48000.5, 1000.0 / 3.0}) {
         const Signal a = noise(rate, "m/s^2", 1), b = noise(rate, "FS", 2);
-        EXPECT_EQ(write_uff58(scratch.path("a.uff"), *signal::source_of({a, b}), Uff58Form::binary), 20001U);
-        const auto file = open_signal(scratch.path("a.uff"));
+        EXPECT_EQ(write_uff58((scratch / "a.uff").string(), *signal::source_of({a, b}), Uff58Form::binary), 20001U);
+        const auto file = open_signal((scratch / "a.uff").string());
         EXPECT_EQ(file->facts().notes.size(), 0U);
         const std::vector<Signal> back = signal::read_all(*file);
         ASSERT_EQ(back.size(), 2U);
@@ -88,10 +88,10 @@ TEST(WriteUff58, GivesBackEveryBitInItsBinaryForm) {
 }
 
 TEST(WriteUff58, GivesBackThirteenDigitsInItsAsciiForm) {
-    const Scratch scratch;
+    const ScratchFolder scratch;
     const Signal a = noise(44100.0, "Pa", 1);
-    write_uff58(scratch.path("a.uff"), *signal::source_of({a}), Uff58Form::ascii);
-    const std::vector<Signal> back = all_of(scratch.path("a.uff"));
+    write_uff58((scratch / "a.uff").string(), *signal::source_of({a}), Uff58Form::ascii);
+    const std::vector<Signal> back = all_of((scratch / "a.uff").string());
     EXPECT_EQ(back[0].rate, 44100.0);
     ASSERT_EQ(back[0].samples.size(), a.samples.size());
     for (std::size_t k = 0; k < a.samples.size(); ++k)
@@ -99,10 +99,10 @@ TEST(WriteUff58, GivesBackThirteenDigitsInItsAsciiForm) {
 }
 
 TEST(WriteUff58, KeepsToTheColumnsOfItsCards) {
-    const Scratch scratch;
-    write_uff58(scratch.path("a.uff"), *signal::source_of({Signal{48000.0, "Pa", {1.0, -1e-300, 2.0, 3.0, 4.0}}}),
-                Uff58Form::ascii);
-    const std::string text = read_file(scratch.path("a.uff"));
+    const ScratchFolder scratch;
+    write_uff58((scratch / "a.uff").string(),
+                *signal::source_of({Signal{48000.0, "Pa", {1.0, -1e-300, 2.0, 3.0, 4.0}}}), Uff58Form::ascii);
+    const std::string text = read_file((scratch / "a.uff").string());
     EXPECT_TRUE(text.starts_with("    -1\n    58\n"));
     EXPECT_TRUE(text.ends_with("\n    -1\n"));
     EXPECT_NE(text.find("\n         4         5         1  0.00000E+00  2.08333E-05  0.00000E+00\n"),
@@ -111,9 +111,9 @@ TEST(WriteUff58, KeepsToTheColumnsOfItsCards) {
 }
 
 std::string written(const Signal& signal, Uff58Form form) {
-    const Scratch scratch;
-    write_uff58(scratch.path("a.uff"), *signal::source_of({signal}), form);
-    return read_file(scratch.path("a.uff"));
+    const ScratchFolder scratch;
+    write_uff58((scratch / "a.uff").string(), *signal::source_of({signal}), form);
+    return read_file((scratch / "a.uff").string());
 }
 
 TEST(Uff58, LetsTheUserChooseAmongHistoriesThatDiffer) {

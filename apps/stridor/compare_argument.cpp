@@ -1,0 +1,103 @@
+#include "compare_argument.hpp"
+
+#include "cell_choice.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/io/toml_case.hpp"
+#include "stridor/io/toml_study.hpp"
+#include "stridor/sweep/run_sound.hpp"
+#include "terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace stridor::app {
+
+namespace {
+
+[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
+    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
+}
+
+// --- what an argument means
+
+Asked asked_file(const std::string& name, const std::string& path, const io::OpenOptions& open) {
+    Recorded recorded{io::open_input(path), open, 0.0};
+    const std::unique_ptr<io::SignalFile> file = io::open_signal(recorded.input, open);
+    recorded.rate = file->layout().rate;
+    for (const std::string& note : file->facts().notes)
+        say("stridor: note: " + name + ": " + note);
+    return {name, std::filesystem::path(path).filename().string(), "recording", std::move(recorded)};
+}
+
+Asked asked_entry(const std::string& text, const std::string& number, const LibraryOption& option) {
+    std::int64_t id = 0;
+    const auto end = number.data() + number.size();
+    const auto parsed = std::from_chars(number.data(), end, id);
+    if (parsed.ec != std::errc{} || parsed.ptr != end || id < 1)
+        refuse("\"" + text + "\" names no entry", "an entry of the noise library has a number",
+               "For example library:3; `stridor library list` shows them.");
+    noise_library::Library library = open_library(option, noise_library::Access::read);
+    const noise_library::Entry entry = library.get(std::span(&id, 1)).front();
+    io::OpenOptions open;
+    if (const std::optional<io::FullScale> full_scale = io::calibration_in(entry.calibration))
+        open.full_scales = {*full_scale};
+    Asked asked = asked_file(text, library.audio_file(entry).string(), open);
+    asked.label = !entry.denomination.empty() ? entry.denomination : entry.file.empty() ? text : entry.file;
+    if (!entry.system.empty()) asked.label = entry.system + ": " + asked.label;
+    asked.origin = fmt::format("library entry {}", id);
+    if (!entry.recorded.empty()) asked.origin += ", " + entry.recorded;
+    return asked;
+}
+
+Asked asked_case(const std::string& path) {
+    const parameters::Case c = io::read_case(path);
+    const std::string stem = std::filesystem::path(path).stem().string();
+    return {path, stem, "simulation", SimulatedSound{path, c, {}}};
+}
+
+Asked asked_cell(const std::string& text, const std::string& path, const std::string& cell) {
+    const sweep::Study study = io::read_study(path);
+    const CellChoice choice = parse_cell(cell);
+    const sweep::CellPlace place = nearest_cell(study, choice);
+    SimulatedSound simulated{text, sweep::case_at(study, place), {}};
+    if (choice.direction) simulated.stretches = sweep::heard_stretches(simulated.c, *choice.direction);
+    if (choice.direction && simulated.stretches.empty())
+        refuse("nothing of \"" + text + "\" can be heard", "the drive never moves that way in the window", "");
+    return {text, cell_name(study, place), "simulation", std::move(simulated)};
+}
+
+io::OpenOptions with_channel(const std::string& text, const std::string& number) {
+    std::size_t channel = 0;
+    const auto end = number.data() + number.size();
+    const auto parsed = std::from_chars(number.data(), end, channel);
+    if (parsed.ec != std::errc{} || parsed.ptr != end || channel < 1)
+        refuse("\"" + text + "\" names no channel", "channels are counted from 1", "For example rig.uff:channel=2.");
+    io::OpenOptions open;
+    open.channel = channel;
+    return open;
+}
+
+}  // namespace
+
+Asked asked_sound(const std::string& text, const LibraryOption& library) {
+    constexpr std::string_view in_library = "library:";
+    constexpr std::string_view of_channel = ":channel=";
+    std::error_code ignored;
+    const bool is_file = std::filesystem::exists(text, ignored);
+    if (!is_file && text.starts_with(in_library)) return asked_entry(text, text.substr(in_library.size()), library);
+    if (const std::size_t end = text.rfind(".toml:"); !is_file && end != std::string::npos)
+        return asked_cell(text, text.substr(0, end + 5), text.substr(end + 6));
+    if (text.ends_with(".toml")) return asked_case(text);
+    if (const std::size_t end = text.rfind(of_channel); !is_file && end != std::string::npos)
+        return asked_file(text, text.substr(0, end), with_channel(text, text.substr(end + of_channel.size())));
+    return asked_file(text, text, {});
+}
+
+}  // namespace stridor::app
