@@ -3,8 +3,11 @@ import "uplot/dist/uPlot.min.css";
 import "./page.css";
 import * as api from "./api.ts";
 import { Chart } from "./chart.ts";
+import { Clock } from "./clock.ts";
 import { button, h } from "./dom.ts";
 import { Latest } from "./latest.ts";
+import { Mechanism } from "./mechanism.ts";
+import { Motions } from "./motions.ts";
 import { Complaint, Parameters } from "./parameters.ts";
 import { themes, type Design, type State } from "./state.ts";
 import { Store } from "./store.ts";
@@ -34,6 +37,8 @@ function begin(start: Start): void {
   const verdict = new VerdictBar((direction) => store.update({ direction }, "replace"));
   const parameters = new Parameters(store, start);
   const chart = new Chart(store, start);
+  const motions = new Motions();
+  const mechanism = new Mechanism(new Clock());
   const presetCase = (name: string) => start.presets.find((preset) => preset.name === name)?.case;
   let simulation: Simulation | null = null;
 
@@ -46,6 +51,7 @@ function begin(start: Start): void {
       verdict.show(simulation, store.state.direction);
       parameters.show(store.state, simulation.case);
       chart.know(simulation);
+      if (!store.isDragging) motions.renew(design, simulation);
     } catch (error) {
       if (api.isAbort(error)) return;
       complaint.show(api.sentence(error));
@@ -53,6 +59,10 @@ function begin(start: Start): void {
     }
   };
   const runs = new Latest<Design>(simulate, 150);
+
+  motions.listen(() => {
+    if (motions.motion && simulation) mechanism.show(motions.motion, simulation, store.state.direction);
+  });
 
   const theme = button("◐", () => {
     const next = themes[(themes.indexOf(store.state.theme) + 1) % themes.length] ?? "auto";
@@ -62,7 +72,10 @@ function begin(start: Start): void {
   store.listen((state, before, step) => {
     if (state.theme !== before.theme) setTheme(state.theme);
     if (JSON.stringify(state.design) !== JSON.stringify(before.design)) runs.ask(state.design);
-    if (state.direction !== before.direction) verdict.repaint(state.direction);
+    if (state.direction !== before.direction) {
+      verdict.repaint(state.direction);
+      mechanism.goTo(state.direction);
+    }
     const known = state.design.preset === before.design.preset ? simulation?.case : presetCase(state.design.preset);
     if (known) parameters.show(state, known);
     chart.follow(state, step);
@@ -72,7 +85,7 @@ function begin(start: Start): void {
   document.body.replaceChildren(
     h("header", {}, h("h1", {}, "Stridor"), verdict.element, verdict.announcement, theme),
     complaint.element,
-    h("main", {}, parameters.element, chart.element),
+    h("main", {}, parameters.element, mechanism.element, chart.element),
   );
   const first = presetCase(store.state.design.preset) ?? start.presets[0]?.case;
   if (first) parameters.show(store.state, first);
