@@ -21,72 +21,72 @@ interface Scales {
 
 export class Mechanism {
   readonly element: HTMLElement;
-  private readonly surface: Surface;
-  private readonly play: HTMLButtonElement;
-  private readonly scrub: HTMLInputElement;
-  private readonly speed: HTMLSelectElement;
-  private readonly readout = h("p", { class: "readout", id: "mechanism-readout" });
-  private motion: Motion | null = null;
-  private travel = new Float32Array();
-  private resolved: Case | null = null;
-  private scales: Scales = { length: 1, force: 1, velocity: 1 };
-  private ownSpeed = true;
-  private placed: Direction | null = null;
+  private readonly surface_: Surface;
+  private readonly play_: HTMLButtonElement;
+  private readonly scrub_: HTMLInputElement;
+  private readonly speed_: HTMLSelectElement;
+  private readonly readout_ = h("p", { class: "readout", id: "mechanism-readout" });
+  private motion_: Motion | null = null;
+  private travel_ = new Float32Array();
+  private resolved_: Case | null = null;
+  private scales_: Scales = { length: 1, force: 1, velocity: 1 };
+  private ownSpeed_ = true;
+  private placed_: Direction | null = null;
 
   constructor(readonly clock: Clock) {
     const canvas = h("canvas", { role: "img", tabindex: 0, id: "mechanism", "aria-label": "The rubbing system" });
-    this.surface = surface(canvas, (s) => this.paint(s));
-    this.play = button("❚❚", () => clock.toggle(), { id: "play", class: "icon", title: "Play or pause (space)" });
-    this.scrub = h("input", { type: "range", min: 0, max: 10_000, step: 1, id: "scrub", "aria-label": "Time" });
-    this.scrub.addEventListener("input", () => {
-      clock.seek(clock.from + ((clock.to - clock.from) * this.scrub.valueAsNumber) / 10_000);
+    this.surface_ = surface(canvas, (s) => this.paint_(s));
+    this.play_ = button("❚❚", () => clock.toggle(), { id: "play", class: "icon", title: "Play or pause (space)" });
+    this.scrub_ = h("input", { type: "range", min: 0, max: 10_000, step: 1, id: "scrub", "aria-label": "Time" });
+    this.scrub_.addEventListener("input", () => {
+      clock.seek(clock.from + ((clock.to - clock.from) * this.scrub_.valueAsNumber) / 10_000);
     });
     const options = slowness.map((slow) => [String(slow), slow === 1 ? "real time" : `1/${slow} speed`] as const);
-    this.speed = select("Speed", options, (value) => {
+    this.speed_ = select("Speed", options, (value) => {
       clock.slow = Number(value);
-      this.ownSpeed = false;
+      this.ownSpeed_ = false;
     }, { id: "speed", title: "How much slower than in truth" });
-    canvas.addEventListener("keydown", (event) => this.key(event));
+    canvas.addEventListener("keydown", (event) => this.key_(event));
     canvas.addEventListener("click", () => clock.toggle());
     this.element = h(
       "section",
       { class: "panel mechanism", "aria-label": "Mechanism" },
-      h("div", { class: "heading" }, h("h2", {}, "Rubbing system"), h("span", { class: "spacer" }), this.speed),
+      h("div", { class: "heading" }, h("h2", {}, "Rubbing system"), h("span", { class: "spacer" }), this.speed_),
       h("div", { class: "stage" }, canvas),
-      h("div", { class: "transport" }, this.play, this.scrub),
-      this.readout,
+      h("div", { class: "transport" }, this.play_, this.scrub_),
+      this.readout_,
     );
-    clock.listen(() => this.follow());
-    onTheme(() => this.surface.invalidate());
+    clock.listen(() => this.follow_());
+    onTheme(() => this.surface_.invalidate());
   }
 
   show(motion: Motion, simulation: Simulation, direction: Direction): void {
-    const first = this.motion === null;
-    this.motion = motion;
-    this.resolved = simulation.case;
-    this.travel = plateTravel(motion) as Float32Array<ArrayBuffer>;
-    this.rescale();
+    const first = this.motion_ === null;
+    this.motion_ = motion;
+    this.resolved_ = simulation.case;
+    this.travel_ = plateTravel(motion) as Float32Array<ArrayBuffer>;
+    this.rescale_();
     const { clock } = this;
     clock.limit(motion.start, motion.start + (motion.samples - 1) * motion.interval);
-    if (this.ownSpeed) {
+    if (this.ownSpeed_) {
       const frequency = phaseOf(simulation, direction)?.verdict.frequency ?? 400;
       const wanted = frequency / wantedRate;
       clock.slow = slowness.reduce((best, slow) => (Math.abs(Math.log(slow / wanted)) < Math.abs(Math.log(best / wanted)) ? slow : best));
-      this.speed.value = String(clock.slow);
+      this.speed_.value = String(clock.slow);
     }
-    if (this.placed !== direction) this.goTo(direction);
+    if (this.placed_ !== direction) this.goTo(direction);
     if (first && !matchMedia("(prefers-reduced-motion: reduce)").matches) clock.play();
-    this.follow();
+    this.follow_();
   }
 
   /** Goes to where a direction shows what it does. */
   goTo(direction: Direction): void {
-    if (!this.motion) return;
-    this.placed = direction;
-    this.clock.seek(tellingTime(this.motion, direction));
+    if (!this.motion_) return;
+    this.placed_ = direction;
+    this.clock.seek(tellingTime(this.motion_, direction));
   }
 
-  private key(event: KeyboardEvent): void {
+  private key_(event: KeyboardEvent): void {
     const step = (0.016 / this.clock.slow) * (event.shiftKey ? 20 : 2);
     if (event.key === " ") this.clock.toggle();
     else if (event.key === "ArrowRight") this.clock.seek(this.clock.time + step);
@@ -96,10 +96,10 @@ export class Mechanism {
     event.stopPropagation();
   }
 
-  private rescale(): void {
-    if (!this.motion) return;
+  private rescale_(): void {
+    if (!this.motion_) return;
     const largest = (name: string, share = 1): number => {
-      const values = this.motion?.columns.get(name)?.values ?? new Float32Array(1);
+      const values = this.motion_?.columns.get(name)?.values ?? new Float32Array(1);
       const stride = Math.max(1, Math.floor(values.length / 20_000));
       const sizes: number[] = [];
       for (let k = 0; k < values.length; k += stride) sizes.push(Math.abs(values[k] as number));
@@ -107,51 +107,51 @@ export class Mechanism {
       return sizes[Math.min(sizes.length - 1, Math.floor(share * sizes.length))] || 1e-12;
     };
     const reach = Math.max(largest("x1"), largest("y1"), largest("y2"));
-    this.scales = {
+    this.scales_ = {
       length: 34 / reach,
       force: 62 / Math.max(largest("normal_force", 0.99), largest("friction_force", 0.99)),
       velocity: 44 / largest("surface_velocity"),
     };
   }
 
-  private follow(): void {
+  private follow_(): void {
     const { clock } = this;
     const part = (clock.time - clock.from) / (clock.to - clock.from || 1);
-    this.scrub.value = String(Math.round(part * 10_000));
-    this.scrub.style.setProperty("--part", `${100 * part}%`);
-    this.scrub.setAttribute("aria-valuetext", quantity(clock.time, "s"));
-    setText(this.play, clock.playing ? "❚❚" : "▶");
-    this.play.setAttribute("aria-label", clock.playing ? "Pause" : "Play");
-    this.surface.invalidate();
+    this.scrub_.value = String(Math.round(part * 10_000));
+    this.scrub_.style.setProperty("--part", `${100 * part}%`);
+    this.scrub_.setAttribute("aria-valuetext", quantity(clock.time, "s"));
+    setText(this.play_, clock.playing ? "❚❚" : "▶");
+    this.play_.setAttribute("aria-label", clock.playing ? "Pause" : "Play");
+    this.surface_.invalidate();
   }
 
-  private at(name: string): number {
-    return this.motion ? valueAt(this.motion, name, this.clock.time) : 0;
+  private at_(name: string): number {
+    return this.motion_ ? valueAt(this.motion_, name, this.clock.time) : 0;
   }
 
-  private paint(s: Surface): void {
-    if (!this.motion || !this.resolved) return;
+  private paint_(s: Surface): void {
+    if (!this.motion_ || !this.resolved_) return;
     const { pen, width, height } = s;
     const colours = palette();
-    const alpha = (Number(valueIn(this.resolved, "joint.incidence_angle")) * Math.PI) / 180;
-    const unit = this.scales.length * Math.min(1, height / 300);
+    const alpha = (Number(valueIn(this.resolved_, "joint.incidence_angle")) * Math.PI) / 180;
+    const unit = this.scales_.length * Math.min(1, height / 300);
     const rest = { x: width * 0.5, y: height * 0.64 };
-    const contact = { x: rest.x + unit * this.at("x1"), y: rest.y - unit * this.at("y1") };
-    const plateTop = rest.y - unit * this.at("y2");
+    const contact = { x: rest.x + unit * this.at_("x1"), y: rest.y - unit * this.at_("y1") };
+    const plateTop = rest.y - unit * this.at_("y2");
     const body = { x: contact.x, y: contact.y - 34 };
 
     pen.lineWidth = 1.3;
     pen.lineCap = "round";
     pen.strokeStyle = colours.muted;
-    this.paintSupports(s, rest, body, alpha);
-    this.paintPlate(s, plateTop, unit, rest.x);
-    this.paintJoint(s, contact, body);
-    this.paintForces(s, contact, plateTop);
-    this.tell();
+    this.paintSupports_(s, rest, body, alpha);
+    this.paintPlate_(s, plateTop, unit, rest.x);
+    this.paintJoint_(s, contact, body);
+    this.paintForces_(s, contact, plateTop);
+    this.tell_();
   }
 
   /** The joint's springs and dashpots to their walls, along i and j, and the angle between x and i. */
-  private paintSupports(s: Surface, rest: Point, body: Point, alpha: number): void {
+  private paintSupports_(s: Surface, rest: Point, body: Point, alpha: number): void {
     const { pen, width, height } = s;
     const colours = palette();
     const home = { x: rest.x, y: rest.y - 34 };
@@ -174,10 +174,10 @@ export class Mechanism {
       sign(pen, ["k", name], { x: middle.x + side.x * -24 - 7, y: middle.y + side.y * -24 });
       sign(pen, ["c", name], { x: middle.x + side.x * 24 - 7, y: middle.y + side.y * 24 });
     }
-    this.paintAngle(s, home, alpha);
+    this.paintAngle_(s, home, alpha);
   }
 
-  private paintAngle(s: Surface, home: Point, alpha: number): void {
+  private paintAngle_(s: Surface, home: Point, alpha: number): void {
     const { pen } = s;
     pen.save();
     pen.strokeStyle = palette().muted;
@@ -193,7 +193,7 @@ export class Mechanism {
     sign(pen, ["α", ""], { x: home.x + 70 * Math.cos(half), y: home.y - 72 * Math.sin(half) }, 15);
   }
 
-  private paintPlate(s: Surface, top: number, unit: number, middle: number): void {
+  private paintPlate_(s: Surface, top: number, unit: number, middle: number): void {
     const { pen, width, height } = s;
     const colours = palette();
     const thick = 24;
@@ -213,10 +213,10 @@ export class Mechanism {
     pen.strokeStyle = colours.line;
     pen.lineWidth = 1.2;
     const spacing = 26;
-    const place = Math.min(Math.max((this.clock.time - (this.motion as Motion).start) / (this.motion as Motion).interval, 0), this.travel.length - 1);
+    const place = Math.min(Math.max((this.clock.time - (this.motion_ as Motion).start) / (this.motion_ as Motion).interval, 0), this.travel_.length - 1);
     const index = Math.floor(place);
-    const here = this.travel[index] ?? 0;
-    const moved = here + ((this.travel[index + 1] ?? here) - here) * (place - index);
+    const here = this.travel_[index] ?? 0;
+    const moved = here + ((this.travel_[index + 1] ?? here) - here) * (place - index);
     const offset = (((middle + unit * moved) % spacing) + spacing) % spacing;
     for (let x = offset - spacing; x < width + spacing; x += spacing) line(pen, x, top + thick - 1, x + 10, top + 1);
     pen.strokeStyle = colours.ink;
@@ -227,14 +227,14 @@ export class Mechanism {
     pen.fillStyle = colours.ink;
     sign(pen, ["m", "2"], { x: 12, y: top + thick / 2 });
 
-    const speed = this.at("surface_velocity") * this.scales.velocity;
+    const speed = this.at_("surface_velocity") * this.scales_.velocity;
     const from = { x: width - 62, y: top + thick + 20 };
     arrow(pen, from, { x: from.x + speed, y: from.y }, colours.muted, colours.panel);
     pen.fillStyle = colours.muted;
     sign(pen, ["V", ""], { x: from.x - 4, y: from.y + 16 });
   }
 
-  private paintJoint(s: Surface, contact: Point, body: Point): void {
+  private paintJoint_(s: Surface, contact: Point, body: Point): void {
     const { pen } = s;
     const colours = palette();
     pen.beginPath();
@@ -255,11 +255,11 @@ export class Mechanism {
     sign(pen, ["m", "1"], { x: contact.x - 26, y: body.y });
   }
 
-  private paintForces(s: Surface, contact: Point, plateTop: number): void {
+  private paintForces_(s: Surface, contact: Point, plateTop: number): void {
     const { pen } = s;
     const colours = palette();
-    const state = stateAt(this.motion as Motion, this.clock.time);
-    const [N, T] = [this.at("normal_force") * this.scales.force, this.at("friction_force") * this.scales.force];
+    const state = stateAt(this.motion_ as Motion, this.clock.time);
+    const [N, T] = [this.at_("normal_force") * this.scales_.force, this.at_("friction_force") * this.scales_.force];
     if (state !== "separation") {
       arrow(pen, contact, { x: contact.x, y: contact.y - Math.min(N, 90) }, colours.traces[0], colours.panel);
       arrow(pen, contact, { x: contact.x + Math.min(Math.max(T, -90), 90), y: contact.y }, colours.traces[1], colours.panel);
@@ -268,11 +268,11 @@ export class Mechanism {
       pen.fillStyle = colours.traces[1];
       if (Math.abs(T) > 16) sign(pen, ["T", ""], { x: contact.x + Math.min(Math.max(T, -90), 90) + (T > 0 ? 5 : -16), y: contact.y - 9 });
     }
-    this.paintContact(pen, { x: contact.x, y: state === "separation" ? (contact.y + plateTop) / 2 : contact.y }, state);
+    this.paintContact_(pen, { x: contact.x, y: state === "separation" ? (contact.y + plateTop) / 2 : contact.y }, state);
   }
 
   /** The contact point, its state in colour and in form: stick a square, slip a disc, separation a ring. */
-  private paintContact(pen: CanvasRenderingContext2D, at: Point, state: "slip" | "stick" | "separation"): void {
+  private paintContact_(pen: CanvasRenderingContext2D, at: Point, state: "slip" | "stick" | "separation"): void {
     const colours = palette();
     pen.beginPath();
     if (state === "stick") pen.rect(at.x - 6, at.y - 6, 12, 12);
@@ -294,14 +294,14 @@ export class Mechanism {
     pen.fillText(state, 14, 18.5);
   }
 
-  private tell(): void {
-    const state = stateAt(this.motion as Motion, this.clock.time);
-    const magnified = plain(this.scales.length * 2.6e-4, 2); // a CSS pixel is 0.26 mm
+  private tell_(): void {
+    const state = stateAt(this.motion_ as Motion, this.clock.time);
+    const magnified = plain(this.scales_.length * 2.6e-4, 2); // a CSS pixel is 0.26 mm
     setText(
-      this.readout,
-      `t = ${(this.clock.time * 1000).toFixed(2)} ms · V = ${this.at("surface_velocity").toFixed(3)} m/s · ` +
-        `N = ${quantity(this.at("normal_force"), "N", 3)} · T = ${quantity(this.at("friction_force"), "N", 3)} · drawn × ${magnified}`,
+      this.readout_,
+      `t = ${(this.clock.time * 1000).toFixed(2)} ms · V = ${this.at_("surface_velocity").toFixed(3)} m/s · ` +
+        `N = ${quantity(this.at_("normal_force"), "N", 3)} · T = ${quantity(this.at_("friction_force"), "N", 3)} · drawn × ${magnified}`,
     );
-    if (!this.clock.playing) this.surface.canvas.setAttribute("aria-label", `The rubbing system: ${state}, ${this.readout.textContent}`);
+    if (!this.clock.playing) this.surface_.canvas.setAttribute("aria-label", `The rubbing system: ${state}, ${this.readout_.textContent}`);
   }
 }

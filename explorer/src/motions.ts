@@ -17,50 +17,50 @@ export class Motions {
   motion: Motion | null = null;
   isFine = false;
   problem = "";
-  private readonly requests = new Latest<Wish>((wish, signal) => this.fetch(wish, signal));
-  private readonly listeners: (() => void)[] = [];
-  private current: Wish | null = null;
-  private wantsFine = false;
-  private timer = 0;
+  private readonly requests_ = new Latest<Wish>((wish, signal) => this.fetch_(wish, signal));
+  private readonly listeners_: (() => void)[] = [];
+  private current_: Wish | null = null;
+  private wantsFine_ = false;
+  private timer_ = 0;
 
   listen(listener: () => void): void {
-    this.listeners.push(listener);
+    this.listeners_.push(listener);
   }
 
   /** A new design has been run. */
   renew(design: Design, simulation: Simulation): void {
     const run = simulation.case.run;
     const to = typeof run === "object" ? Math.min(Number(run.duration), simulation.outcome.time || Infinity) : 1;
-    this.current = { design, to, fine: false };
-    clearTimeout(this.timer);
-    this.requests.askNow(this.current);
+    this.current_ = { design, to, fine: false };
+    clearTimeout(this.timer_);
+    this.requests_.askNow(this.current_);
   }
 
   /** Whether anyone looks closely enough for the fine motion. */
   refine(wanted: boolean): void {
-    this.wantsFine = wanted;
-    if (wanted && this.current && this.motion && !this.isFine) this.later();
+    this.wantsFine_ = wanted;
+    if (wanted && this.current_ && this.motion && !this.isFine) this.later_();
   }
 
-  private later(): void {
-    clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => {
-      if (this.current && this.wantsFine && !this.isFine) this.requests.ask({ ...this.current, fine: true });
+  private later_(): void {
+    clearTimeout(this.timer_);
+    this.timer_ = window.setTimeout(() => {
+      if (this.current_ && this.wantsFine_ && !this.isFine) this.requests_.ask({ ...this.current_, fine: true });
     }, 350);
   }
 
-  private async fetch(wish: Wish, signal: AbortSignal): Promise<void> {
+  private async fetch_(wish: Wish, signal: AbortSignal): Promise<void> {
     try {
       const interval = wish.fine ? null : Math.max(wish.to / coarseSamples, 1e-7);
       this.motion = await api.motion(wish.design, { from: 0, to: wish.to, interval }, signal);
       this.isFine = wish.fine;
       this.problem = "";
-      if (!wish.fine && this.wantsFine) this.later();
+      if (!wish.fine && this.wantsFine_) this.later_();
     } catch (error) {
       if (api.isAbort(error)) return;
       this.problem = api.sentence(error);
     }
-    for (const listener of this.listeners) listener();
+    for (const listener of this.listeners_) listener();
   }
 }
 
