@@ -49,8 +49,8 @@ export class Chart {
     private readonly store_: Store,
     private readonly start_: Start,
   ) {
-    this.resolved_ = (start.presets.find(({ name }) => name === store.state.design.preset) ?? start.presets[0])?.case as Case;
-    this.controls_ = new AxisControls(store, start, () => this.unzoom_());
+    this.resolved_ = (start_.presets.find(({ name }) => name === store_.state.design.preset) ?? start_.presets[0])?.case as Case;
+    this.controls_ = new AxisControls(store_, start_, () => this.unzoom_());
     this.panels_ = (["going", "coming"] as const).map((direction) => this.panel_(direction));
     this.box_.append(...this.panels_.map(({ surface: { canvas } }) => h("div", { class: "map" }, canvas)));
     this.element = h(

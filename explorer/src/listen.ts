@@ -27,7 +27,7 @@ export class Listen implements ViewPart {
   ) {
     this.flip_ = button("A ⇄ B", () => this.switch(), { id: "flip", class: "primary", title: "Hear the other one from the same place on (x)" });
     this.recordings_ = select("Recording as B", [["", "a recording as B …"]], (id) => {
-      if (id) store.update({ other: { library: Number(id) } });
+      if (id) store_.update({ other: { library: Number(id) } });
     });
     this.element = h(
       "div",
@@ -37,9 +37,9 @@ export class Listen implements ViewPart {
         { class: "bar" },
         this.picker_.element,
         button("Keep this cell as B", () => this.keep_(), { id: "keep" }),
-        start.library ? this.recordings_ : null,
+        start_.library ? this.recordings_ : null,
         this.flip_,
-        button("Forget B", () => store.update({ other: null }), { id: "forget", class: "quiet" }),
+        button("Forget B", () => store_.update({ other: null }), { id: "forget", class: "quiet" }),
       ),
       this.hint_,
       h("div", { class: "two" }, this.a_.element, this.b_.element),

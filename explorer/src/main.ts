@@ -57,23 +57,23 @@ class Page {
   private simulated_: Design | null = null;
 
   constructor(private readonly start_: Start) {
-    const store = (this.store_ = new Store(defaultsOf(start)));
+    const store = (this.store_ = new Store(defaultsOf(start_)));
     setTheme(store.state.theme);
     this.verdict_ = new VerdictBar((direction) => store.update({ direction }, "replace"));
-    this.parameters_ = new Parameters(store, start);
-    this.chart_ = new Chart(store, start);
+    this.parameters_ = new Parameters(store, start_);
+    this.chart_ = new Chart(store, start_);
     this.mechanism_ = new Mechanism(this.clock_);
-    this.listen_ = new Listen(store, start);
+    this.listen_ = new Listen(store, start_);
     const parts = {
       response: new Response(store, this.motions_, this.clock_),
       spectra: new Spectra(),
-      modes: new Modes(start),
+      modes: new Modes(start_),
       energy: new Energy(),
       listen: this.listen_,
-      quiet: new Quiet(store, start),
+      quiet: new Quiet(store, start_),
       library: new LibraryView(store),
     };
-    this.views_ = new Views(store, parts, (view) => view !== "library" || start.library);
+    this.views_ = new Views(store, parts, (view) => view !== "library" || start_.library);
     this.motions_.listen(() => {
       const { motion } = this.motions_;
       if (motion && this.simulation_) this.mechanism_.show(motion, this.simulation_, store.state.direction);

@@ -48,8 +48,8 @@ export class Response implements ViewPart {
       h("div", { class: "stage history" }, canvas),
       h("div", { class: "stage phase" }, phase),
     );
-    clock.listen(() => this.looked_ && this.follow_());
-    motions.listen(() => this.take_());
+    clock_.listen(() => this.looked_ && this.follow_());
+    motions_.listen(() => this.take_());
     onTheme(() => this.repaint_());
   }
 

@@ -35,7 +35,7 @@ export class SoundSlot {
     this.spectrogram_ = new Spectrogram(`Spectrogram of ${name}`);
     this.element = h(
       "div",
-      { class: "card slot", "data-slot": name },
+      { class: "card slot", "data-slot": name_ },
       this.heading_,
       this.audio,
       this.verdict_,

@@ -18,7 +18,7 @@ export class Spectrogram {
   private content_: Analysis["spectrogram"] | null = null;
 
   constructor(private readonly name_: string) {
-    const canvas = h("canvas", { role: "img", "aria-label": name });
+    const canvas = h("canvas", { role: "img", "aria-label": name_ });
     this.surface_ = surface(canvas, (s) => this.paint_(s));
     this.element = h("div", { class: "stage spectrogram" }, canvas);
     onTheme(() => this.surface_.invalidate());

@@ -11,7 +11,7 @@ export class Store {
   private dragged_ = false;
 
   constructor(private readonly defaults_: State) {
-    this.current_ = fromFragment(location.hash, defaults);
+    this.current_ = fromFragment(location.hash, defaults_);
     history.replaceState(null, "", this.link());
     addEventListener("popstate", () => this.take_(fromFragment(location.hash, this.defaults_)));
   }

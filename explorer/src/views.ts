@@ -33,9 +33,9 @@ export class Views {
     list.addEventListener("keydown", (event) => this.key_(event));
     const body = h("div", { class: "panes" });
     for (const view of views.filter(available)) {
-      const part = parts[view];
+      const part = parts_[view];
       const tab = h("button", { type: "button", role: "tab", id: `tab-${view}`, "aria-controls": `view-${view}`, "data-view": view }, part.title);
-      tab.addEventListener("click", () => store.update({ view }, store.state.view === view ? "replace" : "push"));
+      tab.addEventListener("click", () => store_.update({ view }, store_.state.view === view ? "replace" : "push"));
       const pane = h("div", { class: "pane", role: "tabpanel", id: `view-${view}`, "aria-labelledby": `tab-${view}` }, part.element);
       this.tabs_.set(view, tab);
       this.panes_.set(view, pane);
