@@ -17,103 +17,103 @@ interface AxisRow {
 
 export class AxisControls {
   readonly element: HTMLElement;
-  private readonly rows: Record<Name, AxisRow>;
-  private readonly figure: HTMLSelectElement;
-  private readonly quantities: QuantityField[];
+  private readonly rows_: Record<Name, AxisRow>;
+  private readonly figure_: HTMLSelectElement;
+  private readonly quantities_: QuantityField[];
 
   constructor(
-    private readonly store: Store,
+    private readonly store_: Store,
     start: Start,
     unzoom: () => void,
   ) {
-    this.quantities = start.fields.filter((field): field is QuantityField => field.kind === "quantity" && field.usual !== null);
-    this.rows = { x: this.row("x"), y: this.row("y") };
+    this.quantities_ = start.fields.filter((field): field is QuantityField => field.kind === "quantity" && field.usual !== null);
+    this.rows_ = { x: this.row_("x"), y: this.row_("y") };
     const figures = [["category", "category"], ...start.figures.map(({ name }) => [name, words(name)])];
-    this.figure = select("Shown in the chart", figures as [string, string][], (figure) => this.store.update({ figure }), {
+    this.figure_ = select("Shown in the chart", figures as [string, string][], (figure) => this.store_.update({ figure }), {
       id: "figure",
     });
     this.element = h(
       "div",
       { class: "axes" },
-      label("show", this.figure),
-      label("over", this.rows.x.parameter),
-      label("and", this.rows.y.parameter),
-      this.ends(),
-      button("Swap", () => this.store.update({ x: this.store.state.y, y: this.store.state.x }), { class: "quiet", title: "Swap the axes" }),
+      label("show", this.figure_),
+      label("over", this.rows_.x.parameter),
+      label("and", this.rows_.y.parameter),
+      this.ends_(),
+      button("Swap", () => this.store_.update({ x: this.store_.state.y, y: this.store_.state.x }), { class: "quiet", title: "Swap the axes" }),
       button("Unzoom", unzoom, { id: "unzoom", class: "quiet", title: "Back to the last axes (double click, or - on the chart)" }),
     );
   }
 
   /** The axis of a parameter between its usual ends. */
   whole(axis: Axis): Axis {
-    const field = this.quantities.find(({ key }) => key === axis.parameter);
+    const field = this.quantities_.find(({ key }) => key === axis.parameter);
     return field?.usual ? { ...axis, ...field.usual } : axis;
   }
 
   show(state: State, resolved: Case): void {
-    const known = this.quantities.filter(({ key }) => valueIn(resolved, key) !== undefined);
+    const known = this.quantities_.filter(({ key }) => valueIn(resolved, key) !== undefined);
     const options = known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")] as const);
     for (const name of ["x", "y"] as const) {
       const axis = state[name];
-      const row = this.rows[name];
+      const row = this.rows_[name];
       const extra = known.some(({ key }) => key === axis.parameter) ? [] : [[axis.parameter, title(axis.parameter)] as const];
       setOptions(row.parameter, [...options, ...extra]);
       row.parameter.value = axis.parameter;
       row.scale.value = axis.scale;
-      const unit = this.quantities.find(({ key }) => key === axis.parameter)?.unit ?? "";
+      const unit = this.quantities_.find(({ key }) => key === axis.parameter)?.unit ?? "";
       for (const end of ["from", "to"] as const)
         if (document.activeElement !== row[end]) row[end].value = unit === "1" ? plain(axis[end], 6) : quantity(axis[end], unit, 6);
     }
-    this.figure.value = state.figure;
+    this.figure_.value = state.figure;
   }
 
-  private row(name: Name): AxisRow {
-    const parameter = select(`Parameter of the ${name} axis`, [], (key) => this.choose(name, key), { id: `axis-${name}` });
+  private row_(name: Name): AxisRow {
+    const parameter = select(`Parameter of the ${name} axis`, [], (key) => this.choose_(name, key), { id: `axis-${name}` });
     const end = (which: "from" | "to"): HTMLInputElement => {
       const input = h("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${name} axis, ${which}`, id: `${name}-${which}` });
-      input.addEventListener("change", () => this.move(name, which, input));
+      input.addEventListener("change", () => this.move_(name, which, input));
       return input;
     };
     const scale = select(`Scale of the ${name} axis`, [["linear", "linear"], ["log", "log"]], (value) => {
-      const axis = this.store.state[name];
-      if (value === "log" && axis.from <= 0) this.change(name, { ...axis, from: axis.to / 1000, scale: "log" });
-      else this.change(name, { ...axis, scale: value === "log" ? "log" : "linear" });
+      const axis = this.store_.state[name];
+      if (value === "log" && axis.from <= 0) this.change_(name, { ...axis, from: axis.to / 1000, scale: "log" });
+      else this.change_(name, { ...axis, scale: value === "log" ? "log" : "linear" });
     });
     return { parameter, from: end("from"), to: end("to"), scale };
   }
 
-  private ends(): HTMLElement {
+  private ends_(): HTMLElement {
     const line = (name: Name): HTMLElement => {
-      const { from, to, scale } = this.rows[name];
+      const { from, to, scale } = this.rows_[name];
       return h("div", { class: "ends" }, h("b", {}, name), from, "to", to, scale);
     };
     const points = select("Points of each axis", [16, 32, 64, 128].map((n) => [String(n), `${n} × ${n} cells`]), (value) => {
-      const { x, y } = this.store.state;
-      this.store.update({ x: { ...x, points: Number(value) }, y: { ...y, points: Number(value) } });
+      const { x, y } = this.store_.state;
+      this.store_.update({ x: { ...x, points: Number(value) }, y: { ...y, points: Number(value) } });
     });
     points.value = "64";
     return h("details", { class: "drop" }, h("summary", {}, "Range"), h("div", { class: "sheet" }, line("x"), line("y"), points));
   }
 
-  private choose(name: Name, key: string): void {
-    const { state } = this.store;
+  private choose_(name: Name, key: string): void {
+    const { state } = this.store_;
     const other = name === "x" ? "y" : "x";
-    if (state[other].parameter === key) this.store.update({ x: state.y, y: state.x });
-    else this.change(name, this.whole({ ...state[name], parameter: key }));
+    if (state[other].parameter === key) this.store_.update({ x: state.y, y: state.x });
+    else this.change_(name, this.whole({ ...state[name], parameter: key }));
   }
 
-  private move(name: Name, which: "from" | "to", input: HTMLInputElement): void {
-    const axis = this.store.state[name];
-    const unit = this.quantities.find(({ key }) => key === axis.parameter)?.unit ?? "";
+  private move_(name: Name, which: "from" | "to", input: HTMLInputElement): void {
+    const axis = this.store_.state[name];
+    const unit = this.quantities_.find(({ key }) => key === axis.parameter)?.unit ?? "";
     const value = read(input.value, unit);
     const next = { ...axis, [which]: value ?? NaN };
     const sound = value !== null && next.from < next.to && (axis.scale === "linear" || next.from > 0);
     input.setAttribute("aria-invalid", String(!sound));
-    if (sound) this.change(name, { ...next, [which]: Number(exact(value)) });
+    if (sound) this.change_(name, { ...next, [which]: Number(exact(value)) });
   }
 
-  private change(name: Name, axis: Axis): void {
-    this.store.update(name === "x" ? { x: axis } : { y: axis });
+  private change_(name: Name, axis: Axis): void {
+    this.store_.update(name === "x" ? { x: axis } : { y: axis });
   }
 }
 

@@ -8,26 +8,26 @@ export class Clock {
   to = 1;
   slow = 1000; // seconds of watching per second of motion
   playing = false;
-  private last = 0;
-  private frame = 0;
-  private readonly listeners: (() => void)[] = [];
+  private last_ = 0;
+  private frame_ = 0;
+  private readonly listeners_: (() => void)[] = [];
 
   listen(listener: () => void): void {
-    this.listeners.push(listener);
+    this.listeners_.push(listener);
   }
 
   play(): void {
     if (this.playing) return;
     this.playing = true;
-    this.last = performance.now();
-    this.frame = requestAnimationFrame((now) => this.tick(now));
-    this.tell();
+    this.last_ = performance.now();
+    this.frame_ = requestAnimationFrame((now) => this.tick_(now));
+    this.tell_();
   }
 
   pause(): void {
     this.playing = false;
-    cancelAnimationFrame(this.frame);
-    this.tell();
+    cancelAnimationFrame(this.frame_);
+    this.tell_();
   }
 
   toggle(): void {
@@ -38,7 +38,7 @@ export class Clock {
   /** Goes to a time, within what is played. */
   seek(time: number): void {
     this.time = Math.min(Math.max(time, this.from), this.to);
-    this.tell();
+    this.tell_();
   }
 
   limit(from: number, to: number): void {
@@ -46,17 +46,17 @@ export class Clock {
     this.seek(this.time);
   }
 
-  private tick(now: number): void {
+  private tick_(now: number): void {
     if (!this.playing) return;
-    const passed = Math.min(now - this.last, 100) / 1000;
-    this.last = now;
+    const passed = Math.min(now - this.last_, 100) / 1000;
+    this.last_ = now;
     this.time += passed / this.slow;
     if (this.time > this.to) this.time = this.from;
-    this.tell();
-    this.frame = requestAnimationFrame((next) => this.tick(next));
+    this.tell_();
+    this.frame_ = requestAnimationFrame((next) => this.tick_(next));
   }
 
-  private tell(): void {
-    for (const listener of this.listeners) listener();
+  private tell_(): void {
+    for (const listener of this.listeners_) listener();
   }
 }

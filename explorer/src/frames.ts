@@ -3,19 +3,19 @@ import type { ContactState, MotionHeader } from "./types.ts";
 
 /** Cuts text that arrives in pieces into lines. */
 export class Lines {
-  private rest = "";
+  private rest_ = "";
 
   /** The lines that this piece completes. */
   add(piece: string): string[] {
-    const lines = (this.rest + piece).split("\n");
-    this.rest = lines.pop() ?? "";
+    const lines = (this.rest_ + piece).split("\n");
+    this.rest_ = lines.pop() ?? "";
     return lines.filter((line) => line.trim() !== "");
   }
 
   /** What was left without an end of line. */
   end(): string[] {
-    const last = this.rest.trim();
-    this.rest = "";
+    const last = this.rest_.trim();
+    this.rest_ = "";
     return last === "" ? [] : [last];
   }
 }

@@ -3,52 +3,52 @@
  * had its time: without that, a slider moving faster than the answers come would never show one.
  */
 export class Latest<Wish> {
-  private running: { controller: AbortController; since: number } | null = null;
-  private waiting: { wish: Wish } | null = null;
-  private timer = 0;
+  private running_: { controller: AbortController; since: number } | null = null;
+  private waiting_: { wish: Wish } | null = null;
+  private timer_ = 0;
 
   /** @param patience how long a running wish may go on when a newer one waits [ms] */
   constructor(
-    private readonly work: (wish: Wish, signal: AbortSignal) => Promise<void>,
-    private readonly patience = 0,
+    private readonly work_: (wish: Wish, signal: AbortSignal) => Promise<void>,
+    private readonly patience_ = 0,
   ) {}
 
   ask(wish: Wish): void {
-    this.waiting = { wish };
-    if (!this.running) {
-      void this.next();
+    this.waiting_ = { wish };
+    if (!this.running_) {
+      void this.next_();
       return;
     }
-    const left = this.patience - (performance.now() - this.running.since);
-    clearTimeout(this.timer);
-    if (left <= 0) this.running.controller.abort();
-    else this.timer = window.setTimeout(() => this.waiting && this.running?.controller.abort(), left);
+    const left = this.patience_ - (performance.now() - this.running_.since);
+    clearTimeout(this.timer_);
+    if (left <= 0) this.running_.controller.abort();
+    else this.timer_ = window.setTimeout(() => this.waiting_ && this.running_?.controller.abort(), left);
   }
 
   /** Aborts what runs and forgets what waits. */
   cancel(): void {
-    this.waiting = null;
-    this.running?.controller.abort();
+    this.waiting_ = null;
+    this.running_?.controller.abort();
   }
 
   /** Starts the wish at once, whatever runs. */
   askNow(wish: Wish): void {
-    this.waiting = { wish };
-    if (this.running) this.running.controller.abort();
-    else void this.next();
+    this.waiting_ = { wish };
+    if (this.running_) this.running_.controller.abort();
+    else void this.next_();
   }
 
-  private async next(): Promise<void> {
-    while (this.waiting) {
-      const { wish } = this.waiting;
-      this.waiting = null;
+  private async next_(): Promise<void> {
+    while (this.waiting_) {
+      const { wish } = this.waiting_;
+      this.waiting_ = null;
       const controller = new AbortController();
-      this.running = { controller, since: performance.now() };
+      this.running_ = { controller, since: performance.now() };
       try {
-        await this.work(wish, controller.signal);
+        await this.work_(wish, controller.signal);
       } finally {
-        this.running = null;
-        clearTimeout(this.timer);
+        this.running_ = null;
+        clearTimeout(this.timer_);
       }
     }
   }

@@ -8,18 +8,18 @@ import type { Start } from "./types.ts";
 
 export class Legend {
   readonly element = h("div", { class: "legend", id: "legend" });
-  private shown = "";
+  private shown_ = "";
 
   show(data: ChartData | null, figure: string, start: Start): void {
     const key = data?.figure ? `${figure} ${data.figureRange.join(" ")}` : `categories ${hasGaps(data)}`;
     const theme = document.documentElement.dataset.theme ?? "";
-    if (this.shown === key + theme) return;
-    this.shown = key + theme;
-    if (data?.figure) this.scale(data, figure, start);
-    else this.swatches(hasGaps(data));
+    if (this.shown_ === key + theme) return;
+    this.shown_ = key + theme;
+    if (data?.figure) this.scale_(data, figure, start);
+    else this.swatches_(hasGaps(data));
   }
 
-  private swatches(gaps: boolean): void {
+  private swatches_(gaps: boolean): void {
     const names = ["none", "squeak", "squeal", "creak", "undecided", ...(gaps ? ["failed"] : [])];
     this.element.replaceChildren(
       ...names.map((name) => {
@@ -30,7 +30,7 @@ export class Legend {
     );
   }
 
-  private scale(data: ChartData, figure: string, start: Start): void {
+  private scale_(data: ChartData, figure: string, start: Start): void {
     const unit = start.figures.find(({ name }) => name === figure)?.unit ?? "";
     const [low, high] = data.figureRange;
     const bar = h("span", { class: "scale", "aria-hidden": "true" });

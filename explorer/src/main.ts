@@ -3,14 +3,27 @@ import "uplot/dist/uPlot.min.css";
 import "./page.css";
 import * as api from "./api.ts";
 import { Chart } from "./chart.ts";
+import { Clock } from "./clock.ts";
 import { button, h } from "./dom.ts";
+import { Energy } from "./energy.ts";
+import { Help } from "./help.ts";
 import { Latest } from "./latest.ts";
+import { LibraryView } from "./library.ts";
+import { Listen } from "./listen.ts";
+import { Mechanism } from "./mechanism.ts";
+import { Modes } from "./modes.ts";
+import { Motions } from "./motions.ts";
 import { Complaint, Parameters } from "./parameters.ts";
+import { Quiet } from "./quiet.ts";
+import { Response } from "./response.ts";
+import { Share } from "./share.ts";
+import { Spectra } from "./spectra.ts";
 import { themes, type Design, type State } from "./state.ts";
-import { Store } from "./store.ts";
+import { Store, type Step } from "./store.ts";
 import { onTheme, setTheme } from "./theme.ts";
-import type { Simulation, Start } from "./types.ts";
+import type { Case, Simulation, Start } from "./types.ts";
 import { VerdictBar } from "./verdict.ts";
+import { Views } from "./views.ts";
 
 function defaultsOf(start: Start): State {
   const own = start.presets.find(({ name }) => name === "file") ?? start.presets.find(({ name }) => name === "squeal");
@@ -27,59 +40,146 @@ function defaultsOf(start: Start): State {
   };
 }
 
-function begin(start: Start): void {
-  const store = new Store(defaultsOf(start));
-  setTheme(store.state.theme);
-  const complaint = new Complaint();
-  const verdict = new VerdictBar((direction) => store.update({ direction }, "replace"));
-  const parameters = new Parameters(store, start);
-  const chart = new Chart(store, start);
-  const presetCase = (name: string) => start.presets.find((preset) => preset.name === name)?.case;
-  let simulation: Simulation | null = null;
+class Page {
+  private readonly store_: Store;
+  private readonly clock_ = new Clock();
+  private readonly motions_ = new Motions();
+  private readonly complaint_ = new Complaint();
+  private readonly help_ = new Help();
+  private readonly verdict_: VerdictBar;
+  private readonly parameters_: Parameters;
+  private readonly chart_: Chart;
+  private readonly mechanism_: Mechanism;
+  private readonly listen_: Listen;
+  private readonly views_: Views;
+  private readonly runs_ = new Latest<Design>((design, signal) => this.simulate_(design, signal), 150);
+  private simulation_: Simulation | null = null;
+  private simulated_: Design | null = null;
 
-  const simulate = async (design: Design, signal: AbortSignal): Promise<void> => {
-    verdict.busy();
+  constructor(private readonly start_: Start) {
+    const store = (this.store_ = new Store(defaultsOf(start_)));
+    setTheme(store.state.theme);
+    this.verdict_ = new VerdictBar((direction) => store.update({ direction }, "replace"));
+    this.parameters_ = new Parameters(store, start_);
+    this.chart_ = new Chart(store, start_);
+    this.mechanism_ = new Mechanism(this.clock_);
+    this.listen_ = new Listen(store, start_);
+    const parts = {
+      response: new Response(store, this.motions_, this.clock_),
+      spectra: new Spectra(),
+      modes: new Modes(start_),
+      energy: new Energy(),
+      listen: this.listen_,
+      quiet: new Quiet(store, start_),
+      library: new LibraryView(store),
+    };
+    this.views_ = new Views(store, parts, (view) => view !== "library" || start_.library);
+    this.motions_.listen(() => {
+      const { motion } = this.motions_;
+      if (motion && this.simulation_) this.mechanism_.show(motion, this.simulation_, store.state.direction);
+    });
+    onTheme(() => {
+      this.verdict_.repaint(store.state.direction);
+      this.views_.show({ state: store.state, simulation: this.simulation_, step: "replace" });
+    });
+    store.listen((state, before, step) => this.follow_(state, before, step));
+    document.addEventListener("keydown", (event) => this.key_(event));
+    this.layOut_();
+    this.begin_();
+  }
+
+  private layOut_(): void {
+    const tools = h(
+      "div",
+      { class: "tools" },
+      new Share(this.store_, this.start_, this.chart_).element,
+      button("◐", () => this.nextTheme_(), { id: "theme", class: "icon", "aria-label": "Change the theme", title: "Theme: the system's, light, dark" }),
+      button("?", () => this.help_.toggle(), { id: "help-button", class: "icon", "aria-label": "Keys", title: "Keys (?)" }),
+    );
+    document.body.replaceChildren(
+      h("header", {}, h("h1", { title: `Stridor ${this.start_.version}` }, "Stridor"), this.verdict_.element, this.verdict_.announcement, tools),
+      this.complaint_.element,
+      h("main", {}, this.parameters_.element, this.mechanism_.element, this.chart_.element, this.views_.element),
+      this.help_.element,
+    );
+  }
+
+  private begin_(): void {
+    const { state } = this.store_;
+    const first = this.presetCase_(state.design.preset);
+    if (first) this.parameters_.show(state, first);
+    this.chart_.follow(state, "replace");
+    this.runs_.ask(state.design);
+    this.views_.show({ state, simulation: null, step: "replace" });
+  }
+
+  private presetCase_(name: string): Case | undefined {
+    return this.start_.presets.find((preset) => preset.name === name)?.case;
+  }
+
+  private follow_(state: State, before: State, step: Step): void {
+    if (state.theme !== before.theme) setTheme(state.theme);
+    const isNew = JSON.stringify(state.design) !== JSON.stringify(before.design);
+    const wasDragged = step !== "drag" && this.simulated_ !== state.design;
+    if (isNew || wasDragged) this.runs_.ask(state.design);
+    if (state.direction !== before.direction) {
+      this.verdict_.repaint(state.direction);
+      this.mechanism_.goTo(state.direction);
+    }
+    const samePreset = state.design.preset === before.design.preset;
+    const known = samePreset ? (this.simulation_?.case ?? this.presetCase_(state.design.preset)) : this.presetCase_(state.design.preset);
+    if (known) this.parameters_.show(state, known);
+    this.chart_.follow(state, step);
+    if (!isNew) this.views_.show({ state, simulation: this.simulation_, step });
+  }
+
+  private async simulate_(design: Design, signal: AbortSignal): Promise<void> {
+    this.verdict_.busy();
     try {
-      simulation = await api.simulate(design, signal);
-      complaint.show("");
-      parameters.blame(null);
-      verdict.show(simulation, store.state.direction);
-      parameters.show(store.state, simulation.case);
-      chart.know(simulation);
+      const simulation = await api.simulate(design, signal);
+      if (signal.aborted) return;
+      this.simulation_ = simulation;
+      this.simulated_ = design;
+      this.complaint_.show("");
+      this.parameters_.blame(null);
+      const { state } = this.store_;
+      this.verdict_.show(simulation, state.direction);
+      this.parameters_.show(state, simulation.case);
+      this.chart_.know(simulation);
+      const step = this.store_.isDragging ? "drag" : "replace";
+      if (step !== "drag") this.motions_.renew(design, simulation);
+      this.views_.show({ state, simulation, step });
     } catch (error) {
       if (api.isAbort(error)) return;
-      complaint.show(api.sentence(error));
-      parameters.blame(error instanceof api.Failure ? error.error : null);
+      this.simulated_ = design;
+      this.complaint_.show(api.sentence(error));
+      this.parameters_.blame(error instanceof api.Failure ? error.error : null);
     }
-  };
-  const runs = new Latest<Design>(simulate, 150);
+  }
 
-  const theme = button("◐", () => {
-    const next = themes[(themes.indexOf(store.state.theme) + 1) % themes.length] ?? "auto";
-    store.update({ theme: next }, "replace");
-  }, { id: "theme", class: "icon", title: "Theme: as the system, light, dark", "aria-label": "Change the theme" });
+  private nextTheme_(): void {
+    const { theme } = this.store_.state;
+    this.store_.update({ theme: themes[(themes.indexOf(theme) + 1) % themes.length] ?? "auto" }, "replace");
+  }
 
-  store.listen((state, before, step) => {
-    if (state.theme !== before.theme) setTheme(state.theme);
-    if (JSON.stringify(state.design) !== JSON.stringify(before.design)) runs.ask(state.design);
-    if (state.direction !== before.direction) verdict.repaint(state.direction);
-    const known = state.design.preset === before.design.preset ? simulation?.case : presetCase(state.design.preset);
-    if (known) parameters.show(state, known);
-    chart.follow(state, step);
-  });
-  onTheme(() => verdict.repaint(store.state.direction));
-
-  document.body.replaceChildren(
-    h("header", {}, h("h1", {}, "Stridor"), verdict.element, verdict.announcement, theme),
-    complaint.element,
-    h("main", {}, parameters.element, chart.element),
-  );
-  const first = presetCase(store.state.design.preset) ?? start.presets[0]?.case;
-  if (first) parameters.show(store.state, first);
-  runs.ask(store.state.design);
-  chart.follow(store.state, "replace");
+  private key_(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    if (event.ctrlKey || event.metaKey || event.altKey || target.matches("input[type=text], select, dialog *")) return;
+    const { state } = this.store_;
+    const preset = this.start_.presets[Number(event.key) - 1];
+    if (event.key === "?") this.help_.toggle();
+    else if (event.key === "p") this.clock_.toggle();
+    else if (event.key === "d") this.store_.update({ direction: state.direction === "going" ? "coming" : "going" }, "replace");
+    else if (event.key === "x" && state.view === "listen") this.listen_.switch();
+    else if (preset) this.store_.update({ design: { preset: preset.name, set: {} }, span: null });
+    else return;
+    event.preventDefault();
+  }
 }
 
-api.start().then(begin, (error: unknown) => {
-  document.body.replaceChildren(h("p", { class: "complaint", role: "alert" }, api.sentence(error)));
-});
+api.start().then(
+  (start) => new Page(start),
+  (error: unknown) => {
+    document.body.replaceChildren(h("p", { class: "complaint", role: "alert" }, api.sentence(error)));
+  },
+);

@@ -38,95 +38,95 @@ interface Row {
 
 export class Parameters {
   readonly element = h("section", { class: "panel parameters", "aria-label": "Parameters" });
-  private readonly rows: Row[] = [];
-  private readonly groups = new Map<string, HTMLElement>();
-  private readonly presets = new Map<string, HTMLInputElement>();
-  private readonly resetAll: HTMLButtonElement;
+  private readonly rows_: Row[] = [];
+  private readonly groups_ = new Map<string, HTMLElement>();
+  private readonly presets_ = new Map<string, HTMLInputElement>();
+  private readonly resetAll_: HTMLButtonElement;
 
   constructor(
-    private readonly store: Store,
-    private readonly start: Start,
+    private readonly store_: Store,
+    private readonly start_: Start,
   ) {
-    this.resetAll = button("Reset all", () => this.store.update({ design: { ...this.store.state.design, set: {} } }), {
+    this.resetAll_ = button("Reset all", () => this.store_.update({ design: { ...this.store_.state.design, set: {} } }), {
       id: "reset-all",
       class: "quiet",
       title: "Back to the preset's own values",
     });
     this.element.append(
-      this.presetPicker(),
-      h("div", { class: "heading" }, h("h2", {}, "Parameters"), this.resetAll),
-      this.fields(),
+      this.presetPicker_(),
+      h("div", { class: "heading" }, h("h2", {}, "Parameters"), this.resetAll_),
+      this.fields_(),
     );
   }
 
   /** Shows a design whose resolved case is known; rows that mean nothing for it are hidden. */
   show(state: State, resolved: Case): void {
-    for (const [name, input] of this.presets) input.checked = name === state.design.preset;
-    const preset = this.start.presets.find(({ name }) => name === state.design.preset)?.case ?? resolved;
-    for (const row of this.rows) {
+    for (const [name, input] of this.presets_) input.checked = name === state.design.preset;
+    const preset = this.start_.presets.find(({ name }) => name === state.design.preset)?.case ?? resolved;
+    for (const row of this.rows_) {
       const { key } = row.field;
       const value = state.design.set[key] ?? valueIn(resolved, key);
       row.element.hidden = valueIn(resolved, key) === undefined && state.design.set[key] === undefined;
       row.element.classList.toggle("changed", state.design.set[key] !== undefined);
       if (value !== undefined) row.show(value, valueIn(preset, key));
     }
-    for (const [, group] of this.groups)
+    for (const [, group] of this.groups_)
       group.hidden = ![...group.querySelectorAll<HTMLElement>(".row")].some((row) => !row.hidden);
-    this.resetAll.disabled = Object.keys(state.design.set).length === 0;
+    this.resetAll_.disabled = Object.keys(state.design.set).length === 0;
   }
 
   /** Marks the field that the server refused; null: none. */
   blame(error: ServerError | null): void {
-    for (const row of this.rows) {
+    for (const row of this.rows_) {
       const guilty = error?.key === row.field.key;
       row.element.classList.toggle("refused", guilty);
       for (const input of row.element.querySelectorAll("input")) input.setAttribute("aria-invalid", String(guilty));
     }
   }
 
-  private presetPicker(): HTMLElement {
+  private presetPicker_(): HTMLElement {
     const group = h("fieldset", { id: "preset", class: "segments" }, h("legend", { class: "unseen" }, "Case"));
-    for (const { name, title } of this.start.presets) {
+    for (const { name, title } of this.start_.presets) {
       const input = h("input", { type: "radio", name: "preset", value: name, "data-preset": name });
       input.addEventListener("change", () =>
-        this.store.update({ design: { preset: name, set: {} }, span: null }),
+        this.store_.update({ design: { preset: name, set: {} }, span: null }),
       );
-      this.presets.set(name, input);
+      this.presets_.set(name, input);
       group.append(h("label", { title }, input, h("span", {}, name)));
     }
     return group;
   }
 
-  private fields(): HTMLElement {
+  private fields_(): HTMLElement {
     const list = h("div", { class: "fields" });
-    for (const field of this.start.fields) {
+    for (const field of this.start_.fields) {
       if (field.kind === "text" || field.section === "") continue;
-      const row = field.kind === "quantity" ? this.quantityRow(field) : this.choiceRow(field);
-      this.rows.push(row);
-      this.group(list, field.section).append(row.element);
+      const row = field.kind === "quantity" ? this.quantityRow_(field) : this.choiceRow_(field);
+      this.rows_.push(row);
+      this.group_(list, field.section).append(row.element);
     }
     return list;
   }
 
-  private group(list: HTMLElement, section: string): HTMLElement {
-    const known = this.groups.get(section);
+  private group_(list: HTMLElement, section: string): HTMLElement {
+    const known = this.groups_.get(section);
     if (known) return known;
     const title = sectionTitles[section] ?? section;
     const group = folded.has(section)
       ? h("details", { "data-section": section }, h("summary", {}, h("h3", {}, title)))
       : h("div", { "data-section": section }, h("h3", {}, title));
-    this.groups.set(section, group);
+    this.groups_.set(section, group);
     list.append(group);
     return group;
   }
 
-  private set(field: Field, value: string, step: "push" | "drag"): void {
-    this.store.update({ design: withValues(this.store.state.design, { [field.key]: value }) }, step);
+  private set_(field: Field, value: string, step: "push" | "drag"): void {
+    this.store_.update({ design: withValues(this.store_.state.design, { [field.key]: value }) }, step);
   }
 
-  private resetButton(field: Field): HTMLButtonElement {
+  private resetButton_(field: Field): HTMLButtonElement {
     const reset = (): void =>
-      this.store.update({ design: withoutKeys(this.store.state.design, [field.key]) });
+      this.store_.update({ design: withoutKeys(this.store_.state.design, [field.key]) });
     return button("↺", reset, {
       class: "reset",
       "data-reset": field.key,
@@ -135,7 +135,7 @@ export class Parameters {
     });
   }
 
-  private quantityRow(field: QuantityField): Row {
+  private quantityRow_(field: QuantityField): Row {
     const { key, unit } = field;
     const number = h("input", {
       type: "text",
@@ -145,15 +145,15 @@ export class Parameters {
       "data-field": key,
       "aria-label": `${words(key)}, ${unit === "1" ? "no unit" : unit}`,
     });
-    const reset = this.resetButton(field);
-    const slider = field.usual ? new Slider(field, field.usual, (value, step) => this.set(field, value, step)) : null;
+    const reset = this.resetButton_(field);
+    const slider = field.usual ? new Slider(field, field.usual, (value, step) => this.set_(field, value, step)) : null;
 
     let shown = "";
     const commit = (): void => {
       if (number.value === shown) return;
       const value = read(number.value, unit);
       number.setAttribute("aria-invalid", String(value === null));
-      if (value !== null) this.set(field, exact(value), "push");
+      if (value !== null) this.set_(field, exact(value), "push");
     };
     number.addEventListener("change", commit);
     number.addEventListener("focus", () => number.select());
@@ -181,14 +181,14 @@ export class Parameters {
     return { field, element, show };
   }
 
-  private choiceRow(field: Extract<Field, { kind: "choice" }>): Row {
+  private choiceRow_(field: Extract<Field, { kind: "choice" }>): Row {
     const choices = field.choices.map((name) => [name, name] as const);
-    const picker = select(field.sentence, choices, (value) => this.set(field, value, "push"), { "data-key": field.key });
+    const picker = select(field.sentence, choices, (value) => this.set_(field, value, "push"), { "data-key": field.key });
     const element = h(
       "div",
       { class: "row choice", "data-row": field.key, title: field.sentence },
       h("label", { class: "name" }, h("span", {}, words(field.key))),
-      this.resetButton(field),
+      this.resetButton_(field),
       picker,
     );
     const show = (value: number | string): void => {
@@ -203,31 +203,31 @@ export class Parameters {
 /** A slider over the usual values of a quantity, by its magnitude: the sign stays as it is. */
 class Slider {
   readonly input: HTMLInputElement;
-  private sign = 1;
+  private sign_ = 1;
 
   constructor(
     field: QuantityField,
-    private readonly usual: NonNullable<QuantityField["usual"]>,
+    private readonly usual_: NonNullable<QuantityField["usual"]>,
     change: (value: string, step: "push" | "drag") => void,
   ) {
     this.input = h("input", { type: "range", min: 0, max: steps, step: 1, "data-key": field.key, "aria-label": field.sentence });
-    this.input.addEventListener("input", () => change(exact(this.value()), "drag"));
-    this.input.addEventListener("change", () => change(exact(this.value()), "push"));
+    this.input.addEventListener("input", () => change(exact(this.value_()), "drag"));
+    this.input.addEventListener("change", () => change(exact(this.value_()), "push"));
   }
 
   show(value: number, text: string): void {
-    const { from, to, scale } = this.usual;
-    this.sign = value < 0 && from >= 0 ? -1 : 1;
-    const part = share(value * this.sign, from, to, scale);
+    const { from, to, scale } = this.usual_;
+    this.sign_ = value < 0 && from >= 0 ? -1 : 1;
+    const part = share(value * this.sign_, from, to, scale);
     const place = String(Math.round(steps * Math.min(Math.max(Number.isFinite(part) ? part : 0, 0), 1)));
-    if (rounded(value) !== this.value()) this.input.value = place;
+    if (rounded(value) !== this.value_()) this.input.value = place;
     this.input.setAttribute("aria-valuetext", text);
     this.input.style.setProperty("--part", `${this.input.valueAsNumber / 10}%`);
   }
 
-  private value(): number {
-    const { from, to, scale } = this.usual;
-    return this.sign * rounded(at(this.input.valueAsNumber / steps, from, to, scale));
+  private value_(): number {
+    const { from, to, scale } = this.usual_;
+    return this.sign_ * rounded(at(this.input.valueAsNumber / steps, from, to, scale));
   }
 }
 

@@ -6,47 +6,47 @@ export type Step = "push" | "replace" | "drag";
 export type Listener = (state: State, before: State, step: Step) => void;
 
 export class Store {
-  private current: State;
-  private listeners: Listener[] = [];
-  private dragged = false;
+  private current_: State;
+  private listeners_: Listener[] = [];
+  private dragged_ = false;
 
-  constructor(private readonly defaults: State) {
-    this.current = fromFragment(location.hash, defaults);
+  constructor(private readonly defaults_: State) {
+    this.current_ = fromFragment(location.hash, defaults_);
     history.replaceState(null, "", this.link());
-    addEventListener("popstate", () => this.take(fromFragment(location.hash, this.defaults)));
+    addEventListener("popstate", () => this.take_(fromFragment(location.hash, this.defaults_)));
   }
 
   get state(): State {
-    return this.current;
+    return this.current_;
   }
 
   get isDragging(): boolean {
-    return this.dragged;
+    return this.dragged_;
   }
 
   /** The fragment, with its "#", that brings this state back. */
   link(): string {
-    return "#" + toFragment(this.current, this.defaults);
+    return "#" + toFragment(this.current_, this.defaults_);
   }
 
   listen(listener: Listener): void {
-    this.listeners.push(listener);
+    this.listeners_.push(listener);
   }
 
   update(change: Partial<State>, step: Step = "push"): void {
-    const before = this.current;
-    this.current = { ...before, ...change };
-    this.dragged = step === "drag";
+    const before = this.current_;
+    this.current_ = { ...before, ...change };
+    this.dragged_ = step === "drag";
     const link = this.link();
     if (step === "push" && link !== location.hash) history.pushState(null, "", link);
     if (step === "replace") history.replaceState(null, "", link);
-    for (const listener of this.listeners) listener(this.current, before, step);
+    for (const listener of this.listeners_) listener(this.current_, before, step);
   }
 
-  private take(state: State): void {
-    const before = this.current;
-    this.current = state;
-    this.dragged = false;
-    for (const listener of this.listeners) listener(state, before, "replace");
+  private take_(state: State): void {
+    const before = this.current_;
+    this.current_ = state;
+    this.dragged_ = false;
+    for (const listener of this.listeners_) listener(state, before, "replace");
   }
 }

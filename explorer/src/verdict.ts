@@ -19,13 +19,13 @@ export function phaseOf(simulation: Simulation, direction: Direction): PhaseResu
 
 export class VerdictBar {
   readonly element = h("div", { id: "verdict", class: "verdict", "aria-busy": "true" });
-  private readonly live = h("p", { class: "unseen", "aria-live": "polite", id: "announcement" });
-  private last: Simulation | null = null;
+  private readonly live_ = h("p", { class: "unseen", "aria-live": "polite", id: "announcement" });
+  private last_: Simulation | null = null;
 
-  constructor(private readonly choose: (direction: Direction) => void) {}
+  constructor(private readonly choose_: (direction: Direction) => void) {}
 
   get announcement(): HTMLElement {
-    return this.live;
+    return this.live_;
   }
 
   busy(): void {
@@ -33,11 +33,11 @@ export class VerdictBar {
   }
 
   repaint(chosen: Direction): void {
-    if (this.last) this.show(this.last, chosen);
+    if (this.last_) this.show(this.last_, chosen);
   }
 
   show(simulation: Simulation, chosen: Direction): void {
-    this.last = simulation;
+    this.last_ = simulation;
     delete this.element.dataset.going;
     delete this.element.dataset.coming;
     delete this.element.dataset.all;
@@ -45,14 +45,14 @@ export class VerdictBar {
       const direction = directionOf(result, simulation);
       this.element.dataset[direction] = result.verdict.category;
       this.element.dataset[result.phase] = result.verdict.category;
-      return this.chip(result, direction, chosen);
+      return this.chip_(result, direction, chosen);
     });
     this.element.replaceChildren(...chips);
     this.element.setAttribute("aria-busy", "false");
-    setText(this.live, simulation.phases.map(spoken).join("; "));
+    setText(this.live_, simulation.phases.map(spoken).join("; "));
   }
 
-  private chip(result: PhaseResult, direction: Direction, chosen: Direction): HTMLElement {
+  private chip_(result: PhaseResult, direction: Direction, chosen: Direction): HTMLElement {
     const { verdict } = result;
     const swatch = h("span", { class: "swatch", "aria-hidden": "true" });
     paintSwatch(swatch, verdict.category);
@@ -64,7 +64,7 @@ export class VerdictBar {
         "data-phase": result.phase,
         "aria-pressed": String(direction === chosen),
         title: `${verdict.reasons.join("\n")}\n(click: regard this direction)`,
-        onclick: () => this.choose(direction),
+        onclick: () => this.choose_(direction),
       },
       swatch,
       h("span", { class: "phase" }, result.phase),

@@ -1,0 +1,103 @@
+/** Phase portrait of the joint: velocity over displacement, coloured by the state of the contact. Painting only. */
+import type { Palette } from "./colours.ts";
+import { plain } from "./format.ts";
+import { lastAtMost, valueAt, type Motion } from "./frames.ts";
+import { ticks } from "./scale.ts";
+import { font, type Surface } from "./surface.ts";
+import type { ContactState } from "./types.ts";
+
+const mostPoints = 12_000;
+
+export function paintPortrait(
+  surface: Surface,
+  motion: Motion,
+  span: readonly [number, number],
+  now: number,
+  palette: Palette,
+): void {
+  const x = motion.columns.get("x1")?.values;
+  const v = motion.columns.get("x1_velocity")?.values;
+  if (!x || !v) return;
+  const first = Math.max(0, Math.floor((span[0] - motion.start) / motion.interval));
+  const last = Math.min(motion.samples - 1, Math.ceil((span[1] - motion.start) / motion.interval));
+  const stride = Math.max(1, Math.ceil((last - first) / mostPoints));
+  const ends = (values: Float32Array): [number, number] => {
+    let [low, high] = [Infinity, -Infinity];
+    for (let k = first; k <= last; k += stride) {
+      low = Math.min(low, values[k] as number);
+      high = Math.max(high, values[k] as number);
+    }
+    const room = 0.06 * (high - low) || 1e-9;
+    return [low - room, high + room];
+  };
+  const [x0, x1] = ends(x);
+  const [v0, v1] = ends(v);
+  const box = { left: 46, top: 8, width: surface.width - 54, height: surface.height - 42 };
+  if (box.width < 20 || box.height < 20) return;
+  const px = (value: number): number => box.left + (box.width * (value - x0)) / (x1 - x0);
+  const py = (value: number): number => box.top + (box.height * (v1 - value)) / (v1 - v0);
+  const { pen } = surface;
+  frame(surface, palette, box, { x: [x0, x1], v: [v0, v1] }, px, py);
+
+  pen.save();
+  pen.beginPath();
+  pen.rect(box.left, box.top, box.width, box.height);
+  pen.clip();
+  pen.lineWidth = 1.1;
+  let stay = Math.max(lastAtMost(motion.from, span[0]), 0);
+  const paths = new Map<ContactState, Path2D>();
+  for (let k = first; k + stride <= last; k += stride) {
+    const time = motion.start + k * motion.interval;
+    while (stay + 1 < motion.state.length && (motion.from[stay + 1] as number) <= time) ++stay;
+    const state = motion.state[stay] ?? "slip";
+    const path = paths.get(state) ?? new Path2D();
+    paths.set(state, path);
+    path.moveTo(px(x[k] as number), py(v[k] as number));
+    path.lineTo(px(x[k + stride] as number), py(v[k + stride] as number));
+  }
+  for (const [state, path] of paths) {
+    pen.strokeStyle = palette.state[state];
+    pen.stroke(path);
+  }
+  if (now >= span[0] && now <= span[1]) {
+    pen.beginPath();
+    pen.arc(px(valueAt(motion, "x1", now)), py(valueAt(motion, "x1_velocity", now)), 5, 0, 2 * Math.PI);
+    pen.fillStyle = palette.accent;
+    pen.fill();
+    pen.strokeStyle = palette.panel;
+    pen.lineWidth = 2;
+    pen.stroke();
+  }
+  pen.restore();
+}
+
+function frame(
+  surface: Surface,
+  palette: Palette,
+  box: { left: number; top: number; width: number; height: number },
+  ends: { x: [number, number]; v: [number, number] },
+  px: (value: number) => number,
+  py: (value: number) => number,
+): void {
+  const { pen, height } = surface;
+  pen.strokeStyle = palette.line;
+  pen.lineWidth = 1;
+  pen.strokeRect(box.left + 0.5, box.top + 0.5, box.width, box.height);
+  pen.font = font(10);
+  pen.fillStyle = palette.muted;
+  pen.textAlign = "center";
+  pen.textBaseline = "top";
+  for (const value of ticks(ends.x[0] * 1e3, ends.x[1] * 1e3, "linear", Math.max(2, box.width / 60)))
+    pen.fillText(plain(value), px(value / 1e3), box.top + box.height + 4);
+  pen.fillText("x₁ [mm]", box.left + box.width / 2, height - 15);
+  pen.textAlign = "right";
+  pen.textBaseline = "middle";
+  for (const value of ticks(ends.v[0], ends.v[1], "linear", Math.max(2, box.height / 36)))
+    pen.fillText(plain(value), box.left - 5, py(value));
+  pen.save();
+  pen.translate(8, box.top + box.height / 2);
+  pen.rotate(-Math.PI / 2);
+  pen.textAlign = "center";
+  pen.fillText("ẋ₁ [m/s]", 0, 0);
+  pen.restore();
+}

@@ -1,0 +1,124 @@
+/** Ways out of the page: link, command, TOML, picture, table, report. */
+import * as api from "./api.ts";
+import type { Chart } from "./chart.ts";
+import { categories, light } from "./colours.ts";
+import { button, download, h, setText } from "./dom.ts";
+import { plotBox, type ChartData } from "./map.ts";
+import { command } from "./state.ts";
+import type { Store } from "./store.ts";
+import type { Surface } from "./surface.ts";
+import type { Axis, Start } from "./types.ts";
+
+export class Share {
+  readonly element: HTMLElement;
+  private readonly note_ = h("p", { class: "note", role: "status", id: "share-note" });
+
+  constructor(
+    private readonly store_: Store,
+    private readonly start_: Start,
+    private readonly chart_: Chart,
+  ) {
+    const entry = (label: string, id: string, hint: string, action: () => Promise<string> | string): HTMLElement =>
+      button(label, () => void this.run_(action), { id, title: hint });
+    const sheet = h(
+      "div",
+      { class: "sheet" },
+      entry("Copy link", "copy-link", "The whole state of the page as an address", () => this.copy_(location.origin + "/" + store_.link(), "link")),
+      entry("Copy as command", "copy-command", "The command that simulates this design", () => this.copy_(command(store_.state.design), "command")),
+      entry("Copy as TOML", "copy-toml", "The design as a case file", async () => this.copy_(await api.toml(store_.state.design, null), "case file")),
+      entry("Copy chart_ as TOML", "copy-chart-toml", "The chart_ as a file for stridor chart", async () => this.copy_(await api.toml(store_.state.design, this.axes_()), "chart file")),
+      entry("Chart as PNG", "save-png", "The chart_ as a picture, light, twice the size of the screen", () => this.png_()),
+      entry("Chart as CSV", "save-csv", "The chart_'s cells as a table", () => this.csv_()),
+      entry("Report", "save-report", "One file that opens without Stridor", async () => this.report_()),
+      this.note_,
+    );
+    this.element = h("details", { class: "drop", id: "share" }, h("summary", {}, "Share"), sheet);
+  }
+
+  private axes_(): { x: Axis; y: Axis; refine: number } {
+    const { x, y } = this.store_.state;
+    return { x, y, refine: this.start_.chart.refine };
+  }
+
+  private async run_(action: () => Promise<string> | string): Promise<void> {
+    try {
+      setText(this.note_, "…");
+      setText(this.note_, await action());
+    } catch (error) {
+      setText(this.note_, api.sentence(error));
+    }
+  }
+
+  private async copy_(text: string, what: string): Promise<string> {
+    await navigator.clipboard.writeText(text);
+    this.note_.dataset.copied = text;
+    return `The ${what} is in the clipboard.`;
+  }
+
+  private async png_(): Promise<string> {
+    const canvas = paintPicture(this.chart_);
+    if (!canvas) return "There is no chart yet.";
+    const blob = await new Promise<Blob | null>((take) => canvas.toBlob(take, "image/png"));
+    if (blob) download("noise-chart.png", blob);
+    return "noise-chart.png";
+  }
+
+  private csv_(): string {
+    const data = this.chart_.current;
+    if (!data) return "There is no chart yet.";
+    download("noise-chart.csv", new Blob([table(data, this.store_.state.figure, this.header_())], { type: "text/csv" }));
+    return "noise-chart.csv";
+  }
+
+  private async report_(): Promise<string> {
+    setText(this.note_, "Writing the report …");
+    download("stridor-report.html", await api.report(this.store_.state.design, this.axes_()));
+    return "stridor-report.html";
+  }
+
+  private header_(): string[] {
+    return [`# program: stridor ${this.start_.version}`, `# reproduce: ${command(this.store_.state.design)}`];
+  }
+}
+
+/** Both directions side by side in the colours of figures, at twice the screen's size. */
+function paintPicture(chart: Chart): HTMLCanvasElement | null {
+  if (!chart.current) return null;
+  const [ratio, width, height] = [2, 560, 420];
+  const canvas = h("canvas", { width: 2 * width * ratio, height: height * ratio });
+  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+  pen.fillStyle = "#FFFFFF";
+  pen.fillRect(0, 0, canvas.width, canvas.height);
+  (["going", "coming"] as const).forEach((direction, k) => {
+    pen.setTransform(ratio, 0, 0, ratio, k * width * ratio, 0);
+    const surface = { canvas, pen, width, height, ratio, invalidate: () => {}, draw: () => {} } satisfies Surface;
+    const look = { ...chart.lookOf(direction), palette: light, chosen: false };
+    if (plotBox(surface, look).width > 0) chart.paintOn(surface, direction, look);
+  });
+  return canvas;
+}
+
+/** The cells of a chart, direction slowest and x fastest, as `stridor chart` writes them. */
+export function table(data: ChartData, figure: string, header: readonly string[]): string {
+  const drawn = data.figure ? [figure] : [];
+  const lines = [
+    ...header,
+    `# x: ${data.x.parameter}`,
+    `# y: ${data.y.parameter}`,
+    ["x", "y", "direction", "category", "source", ...drawn].join(","),
+    [data.x.unit, data.y.unit, "-", "-", "-", ...drawn.map(() => "1")].join(","),
+  ];
+  data.directions.forEach((direction, d) => {
+    data.y.values.forEach((y, iy) => {
+      data.x.values.forEach((x, ix) => {
+        const index = (d * data.y.points + iy) * data.x.points + ix;
+        const category = categories[data.category[index] as number] ?? "";
+        const source = data.computed ? (data.computed[index] ? "computed" : "inferred") : "";
+        const value = data.figure?.[index];
+        const shown = value === undefined ? [] : [Number.isFinite(value) ? String(value) : ""];
+        lines.push([x, y, direction, category, source, ...shown].join(","));
+      });
+    });
+  });
+  return lines.join("\n") + "\n";
+}

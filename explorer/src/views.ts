@@ -1,0 +1,69 @@
+/** The tabs below: of several views of one design, the one that is looked at. */
+import { h } from "./dom.ts";
+import { views, type State, type View } from "./state.ts";
+import type { Step, Store } from "./store.ts";
+import type { Simulation } from "./types.ts";
+
+export interface Context {
+  state: State;
+  simulation: Simulation | null;
+  step: Step;
+}
+
+/** A view shows a context when it is looked at, and asks the server only for what it does not show yet. */
+export interface ViewPart {
+  readonly title: string;
+  readonly element: HTMLElement;
+  show(context: Context): void;
+  hide?(): void;
+}
+
+export class Views {
+  readonly element: HTMLElement;
+  private readonly tabs_ = new Map<View, HTMLButtonElement>();
+  private readonly panes_ = new Map<View, HTMLElement>();
+  private shown_: View | null = null;
+
+  constructor(
+    private readonly store_: Store,
+    private readonly parts_: Record<View, ViewPart>,
+    available: (view: View) => boolean,
+  ) {
+    const list = h("div", { class: "tabs", role: "tablist", "aria-label": "Views" });
+    list.addEventListener("keydown", (event) => this.key_(event));
+    const body = h("div", { class: "panes" });
+    for (const view of views.filter(available)) {
+      const part = parts_[view];
+      const tab = h("button", { type: "button", role: "tab", id: `tab-${view}`, "aria-controls": `view-${view}`, "data-view": view }, part.title);
+      tab.addEventListener("click", () => store_.update({ view }, store_.state.view === view ? "replace" : "push"));
+      const pane = h("div", { class: "pane", role: "tabpanel", id: `view-${view}`, "aria-labelledby": `tab-${view}` }, part.element);
+      this.tabs_.set(view, tab);
+      this.panes_.set(view, pane);
+      list.append(tab);
+      body.append(pane);
+    }
+    this.element = h("section", { class: "panel views", "aria-label": "Views of the design" }, list, body);
+  }
+
+  show(context: Context): void {
+    const { view } = context.state;
+    for (const [name, tab] of this.tabs_) {
+      tab.setAttribute("aria-selected", String(name === view));
+      tab.tabIndex = name === view ? 0 : -1;
+    }
+    for (const [name, pane] of this.panes_) pane.hidden = name !== view;
+    if (this.shown_ && this.shown_ !== view) this.parts_[this.shown_].hide?.();
+    this.shown_ = view;
+    this.parts_[view].show(context);
+  }
+
+  private key_(event: KeyboardEvent): void {
+    const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (by === undefined) return;
+    const names = [...this.tabs_.keys()];
+    const next = names[(names.indexOf(this.store_.state.view) + by + names.length) % names.length] as View;
+    this.store_.update({ view: next });
+    this.tabs_.get(next)?.focus();
+    event.preventDefault();
+  }
+}
