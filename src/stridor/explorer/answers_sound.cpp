@@ -67,16 +67,33 @@ Json decibels(std::span<const double> squares, double reference) {
     return array;
 }
 
+// the middles of equal steps from 0 on
+Json middles(std::size_t count, double step) {
+    Json array = Json::array();
+    for (std::size_t k = 0; k < count; ++k)
+        array.push_back((static_cast<double>(k) + 0.5) * step);
+    return array;
+}
+
+// the ends of equal steps from `first` on
+Json multiples(std::size_t count, double step, std::size_t first) {
+    Json array = Json::array();
+    for (std::size_t k = 0; k < count; ++k)
+        array.push_back(static_cast<double>(k + first) * step);
+    return array;
+}
+
+// a row per moment
 Json spectrogram_object(const signal::Spectrogram& spectrogram, double reference) {
     std::vector<float> levels;
     levels.reserve(spectrogram.density.size());
     for (const double density : spectrogram.density)
         levels.push_back(
             static_cast<float>(std::max(floor_level, signal::level_of(density * spectrogram.row, reference))));
-    return {{"columns", spectrogram.columns()},
-            {"rows", spectrogram.rows},
-            {"column", spectrogram.column},
-            {"row", spectrogram.row},
+    return {{"rows", spectrogram.columns()},
+            {"columns", spectrogram.rows},
+            {"time", middles(spectrogram.columns(), spectrogram.column)},
+            {"frequency", middles(spectrogram.rows, spectrogram.row)},
             {"level", base64_of<float>(levels)}};
 }
 
@@ -104,13 +121,20 @@ Response analysis_of(signal::Source& source) {
     Json levels = Json::array();
     for (const double level : sound.level.decibels)
         levels.push_back(std::max(floor_level, std::round(10.0 * level) / 10.0));
+    const std::size_t instants = levels.size();
+    const std::string unit = signal::level_unit(sound.unit);
     const Json document{{"schema", "stridor.explorer.analysis/1"},
                         {"unit", sound.unit},
-                        {"level_unit", signal::level_unit(sound.unit)},
                         {"rate", sound.rate},
                         {"duration", sound.duration},
-                        {"level", {{"interval", sound.level.interval}, {"decibels", std::move(levels)}}},
-                        {"spectrum", {{"spacing", sound.spectrum.spacing}, {"level", decibels(lines, reference)}}},
+                        {"level",
+                         {{"time", multiples(instants, sound.level.interval, 1)},
+                          {"decibels", std::move(levels)},
+                          {"reference", unit}}},
+                        {"spectrum",
+                         {{"frequency", multiples(lines.size(), sound.spectrum.spacing, 0)},
+                          {"level", decibels(lines, reference)},
+                          {"unit", unit}}},
                         {"spectrogram", spectrogram_object(sound.spectrogram, reference)},
                         {"verdict", verdict_object(classification::classify_recording(sound.stretches,
                                                                                       parameters::SoundThresholds{}))}};

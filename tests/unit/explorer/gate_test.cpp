@@ -10,9 +10,9 @@ namespace {
 
 class GateTest : public testing::Test {
 protected:
+    std::vector<std::string> tokens_;  // before what fills it
     Gate gate_{
         {"localhost", "127.0.0.1", "[::1]"}, "8000", [this](const std::string& token) { tokens_.push_back(token); }};
-    std::vector<std::string> tokens_;
 
     Request get(const std::string& path) {
         Request request;

@@ -1,0 +1,173 @@
+// The page in a real browser, as a user meets it.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFile, writeFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { openPage, program, startExplorer } from "./session.mjs";
+
+let explorer;
+let browser;
+let page;
+
+before(async () => {
+  explorer = await startExplorer();
+  browser = await openPage(explorer);
+  page = browser.page;
+  await browser.goto();
+});
+
+after(async () => {
+  await browser?.close();
+  assert.equal(await explorer?.stop(), 0);
+});
+
+const verdict = (direction) => page.locator("#verdict").getAttribute(`data-${direction}`);
+
+async function settled() {
+  await page.waitForSelector('#verdict[aria-busy="false"]');
+  await page.waitForSelector('#chart[data-done="true"]');
+}
+
+async function choose(preset) {
+  await page.locator(`input[data-preset="${preset}"]`).check({ force: true });
+  await settled();
+}
+
+async function setSlider(key, value) {
+  const field = page.locator(`[data-field="${key}"]`);
+  await field.fill(String(value));
+  await field.press("Enter");
+  await settled();
+}
+
+test("opens with the paper's squeal and leaves no token in the address", async () => {
+  await settled();
+  assert.equal(await verdict("going"), "squeal");
+  assert.equal(await verdict("coming"), "none");
+  assert.ok(!page.url().includes("token"));
+});
+
+test("every preset has its category", async () => {
+  const categories = { squeak: ["squeak", null], creak: ["creak", "creak"], quiet: ["none", "none"], squeal: ["squeal", "none"] };
+  for (const [preset, [going, coming]] of Object.entries(categories)) {
+    await choose(preset);
+    assert.equal(await verdict("going"), going, preset);
+    if (coming) assert.equal(await verdict("coming"), coming, preset);
+  }
+});
+
+test("a click on the chart runs the cell, and says what the command line says to the last digit", async () => {
+  await choose("squeal");
+  const answered = page.waitForResponse((response) => response.url().endsWith("/api/simulate"));
+  const map = page.locator("#chart canvas").first();
+  const box = await map.boundingBox();
+  await map.click({ position: { x: box.width * 0.6, y: box.height * 0.3 } });
+  const response = await answered;
+  const design = response.request().postDataJSON();
+  assert.ok(design.set.some((item) => item.startsWith("contact.preload=")));
+  const text = execFileSync(program, ["init", design.preset]);
+  const overrides = design.set.flatMap((item) => ["--set", item]);
+  const printed = execFileSync(program, ["simulate", "-", "--json", ...overrides], { input: text, encoding: "utf8" });
+  assert.equal(await response.text(), printed);
+});
+
+test("dragging a slider redraws the chart while it moves", async () => {
+  await choose("squeal");
+  const slider = page.locator('input[type="range"][data-key="joint.incidence_angle"]');
+  const redraws = async () => Number(await page.locator("#chart").getAttribute("data-redraws"));
+  const before = await redraws();
+  const box = await slider.boundingBox();
+  await page.mouse.move(box.x + box.width * 0.4, box.y + box.height / 2);
+  await page.mouse.down();
+  for (let step = 0; step < 20; ++step) {
+    await page.mouse.move(box.x + box.width * (0.4 + 0.01 * step), box.y + box.height / 2);
+    await page.waitForTimeout(50);
+  }
+  assert.ok((await redraws()) > before + 3);
+  await page.mouse.up();
+  await settled();
+});
+
+test("the address holds the whole state: a copy of it shows the same, and back goes back", async () => {
+  await choose("squeal");
+  await setSlider("contact.preload", 35);
+  const address = page.url();
+  assert.match(address, /contact\.preload/);
+  const category = await verdict("going");
+  await choose("quiet");
+  await page.goBack();
+  await settled();
+  assert.equal(page.url(), address);
+  assert.equal(await page.locator('[data-field="contact.preload"]').inputValue(), "35");
+  const fragment = new URL(address).hash;
+  await page.goto("about:blank");
+  await page.goto(`${explorer.origin}/${fragment}`);
+  await settled();
+  assert.equal(await verdict("going"), category);
+  assert.equal(await page.locator('[data-field="contact.preload"]').inputValue(), "35");
+});
+
+test("arrow keys move the cell", async () => {
+  await choose("squeal");
+  const before = page.url();
+  await page.locator("#chart canvas").first().focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction((old) => location.href !== old, before);
+  await settled();
+});
+
+test("a wrong value is refused in words, and the old one stays", async () => {
+  await choose("squeal");
+  const field = page.locator('[data-field="contact.preload"]');
+  await field.fill("nonsense");
+  await field.press("Enter");
+  await page.waitForSelector("#complaint:not([hidden]), [data-field='contact.preload']:invalid, [aria-invalid='true']");
+  await setSlider("contact.preload", 20);
+  assert.equal(await verdict("going"), "squeal");
+});
+
+test("a cell can be heard", async () => {
+  await choose("squeal");
+  await page.locator("#tab-listen").click();
+  const player = page.locator("#view-listen audio").first();
+  await player.waitFor({ state: "attached" });
+  await page.waitForFunction(() => document.querySelector("#view-listen audio")?.readyState >= 2);
+  await player.evaluate((audio) => audio.play());
+  await page.waitForFunction(() => document.querySelector("#view-listen audio").currentTime > 0.05);
+  await player.evaluate((audio) => audio.pause());
+});
+
+test("keep quiet names a change that makes it quiet with one click", async () => {
+  await choose("squeal");
+  await page.locator("#tab-quiet").click();
+  await page.waitForSelector("#apply-change", { timeout: 60000 });
+  await page.locator("#apply-change").click();
+  await page.waitForFunction(() => document.querySelector("#verdict").dataset.going === "none", null, { timeout: 30000 });
+  await settled();
+  assert.equal(await verdict("coming"), "none");
+});
+
+test("the report opens from a file, without Stridor and without a script", async () => {
+  await choose("squeal");
+  await page.locator("#share summary").click();
+  const download = page.waitForEvent("download", { timeout: 90000 });
+  await page.getByRole("button", { name: /report/i }).click();
+  const path = await (await download).path();
+  const text = await readFile(path, "utf8");
+  assert.ok(!/<script/i.test(text));
+  const file = `${path}.html`;
+  await writeFile(file, text);
+  const context = page.context();
+  const other = await context.newPage();
+  const requests = [];
+  other.on("request", (request) => requests.push(request.url()));
+  await other.goto(`file://${file}`);
+  assert.ok((await other.locator("svg").count()) >= 2);
+  assert.match(await other.locator("body").innerText(), /squeal/);
+  assert.deepEqual(requests.filter((url) => !url.startsWith("file://") && !url.startsWith("data:")), []);
+  await other.close();
+});
+
+test("nothing went wrong on the way, and nothing left the page's own origin", () => {
+  assert.deepEqual(browser.sins, []);
+});

@@ -1,0 +1,76 @@
+// The program and a real browser, for the tests: starts `stridor explore`, opens its link in headless Chromium, and
+// notes what must never happen: console errors, page errors, requests to anywhere else.
+import { spawn } from "node:child_process";
+import { mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { chromium } from "playwright-core";
+
+const program = process.env.STRIDOR_PROGRAM;
+const executablePath = process.env.STRIDOR_CHROMIUM ?? "/usr/bin/chromium";
+if (!program) throw new Error("STRIDOR_PROGRAM must name the stridor to test");
+
+export { program };
+
+/** Starts the explorer; `link()` gives the newest link that it printed. */
+export async function startExplorer(options = []) {
+  const child = spawn(program, ["explore", "--no-browser", ...options], { stdio: ["ignore", "pipe", "pipe"] });
+  let link = null;
+  let wake = () => {};
+  createInterface({ input: child.stdout }).on("line", (line) => {
+    link = line;
+    wake();
+  });
+  while (link === null) {
+    await new Promise((resolve, reject) => {
+      wake = resolve;
+      child.once("exit", (code) => reject(new Error(`stridor explore ended with ${code}`)));
+    });
+  }
+  const ended = new Promise((resolve) => child.once("exit", (code) => resolve(code)));
+  return {
+    link: () => link,
+    origin: new URL(link).origin,
+    async stop() {
+      child.kill("SIGTERM");
+      return ended;
+    },
+  };
+}
+
+/** A page on the explorer, with the list of its sins. */
+export async function openPage(explorer, options = {}) {
+  const folder = await mkdtemp(join(tmpdir(), "stridor-browser-"));
+  const context = await chromium.launchPersistentContext(folder, {
+    executablePath,
+    headless: true,
+    acceptDownloads: true,
+    viewport: { width: 1440, height: 900 },
+    args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+      "--disable-component-update", "--disable-sync", "--autoplay-policy=no-user-gesture-required"],
+    ...options,
+  });
+  const sins = [];
+  const page = context.pages()[0] ?? (await context.newPage());
+  page.on("console", (message) => {
+    if (message.type() === "error" || message.type() === "warning") sins.push(`console: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => sins.push(`page: ${error.message}`));
+  page.on("request", (request) => {
+    const url = request.url();
+    const isOwn = url.startsWith(`${explorer.origin}/`) || url.startsWith("data:") || url.startsWith("blob:");
+    if (!isOwn) sins.push(`request: ${url}`);
+  });
+  return {
+    page,
+    sins,
+    async goto(fragment = "") {
+      await page.goto(`${explorer.link()}${fragment}`);
+    },
+    async close() {
+      await context.close();
+      await rm(folder, { recursive: true, force: true });
+    },
+  };
+}
