@@ -30,6 +30,7 @@ export class Spectrogram {
     const level = floatsOf(content.level);
     this.top_ = -Infinity;
     for (const value of level) if (Number.isFinite(value) && value > this.top_) this.top_ = value;
+    this.top_ = 10 * Math.ceil(this.top_ / 10);
     const { rows, columns } = content;
     if (rows < 1 || columns < 1) return;
     const image = new ImageData(rows, columns);
