@@ -52,7 +52,7 @@ class Page {
   private readonly mechanism_: Mechanism;
   private readonly listen_: Listen;
   private readonly views_: Views;
-  private readonly runs_ = new Latest<Design>((design, signal) => this.simulate_(design, signal), 150);
+  private readonly runs_ = new Latest<Design>((design, signal) => this.simulate_(design, signal));
   private simulation_: Simulation | null = null;
   private simulated_: Design | null = null; // what the simulation is of
   private moved_: Design | null = null; // what the motion is of
@@ -121,7 +121,8 @@ class Page {
   private follow_(state: State, before: State, step: Step): void {
     if (state.theme !== before.theme) setTheme(state.theme);
     const isNew = !same(state.design, before.design);
-    if (isNew) this.runs_.ask(state.design);
+    if (isNew && step === "drag") this.runs_.ask(state.design);
+    else if (isNew) this.runs_.askNow(state.design);
     else if (step !== "drag") this.settle_();
     if (state.direction !== before.direction) {
       this.verdict_.repaint(state.direction);
@@ -160,6 +161,7 @@ class Page {
       this.views_.show({ state, simulation, step });
     } catch (error) {
       if (api.isAbort(error)) return;
+      this.verdict_.fail();
       this.complaint_.show(api.sentence(error));
       this.parameters_.blame(error instanceof api.Failure ? error.error : null);
     }
