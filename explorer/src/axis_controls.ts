@@ -39,8 +39,8 @@ export class AxisControls {
       label("over", this.rows_.x.parameter),
       label("and", this.rows_.y.parameter),
       this.ends_(),
-      button("Swap", () => this.store_.update({ x: this.store_.state.y, y: this.store_.state.x }), { class: "quiet", title: "Swap the axes" }),
-      button("Unzoom", unzoom, { id: "unzoom", class: "quiet", title: "Back to the last axes (double click, or - on the chart)" }),
+      button("⇄", () => this.store_.update({ x: this.store_.state.y, y: this.store_.state.x }), { class: "icon", "aria-label": "Swap the axes", title: "Swap the axes" }),
+      button("⤢", unzoom, { id: "unzoom", class: "icon", "aria-label": "Unzoom", title: "Back to the last axes (double click, or - on the chart)" }),
     );
   }
 

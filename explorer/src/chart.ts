@@ -7,10 +7,10 @@ import { exact, percent, plain, quantity, symbolText, title, unitText, words } f
 import { bytesOf, floatsOf } from "./frames.ts";
 import { Latest } from "./latest.ts";
 import { Legend } from "./legend.ts";
-import { cellAt, cellBox, indexOf, paintDesign, paintFrame, paintMap, plotBox, type ChartData, type Look } from "./map.ts";
+import { cellAt, cellBox, indexOf, paintDesign, paintFrame, paintMap, plotBox, shareAt, type ChartData, type Look } from "./map.ts";
+import { namePlaces, spread } from "./regions.ts";
 import { quantityOf } from "./parameters.ts";
 import { nearest, zoomed } from "./scale.ts";
-import { shareAt } from "./map.ts";
 import { chartDesign, withValues, type State } from "./state.ts";
 import type { Step, Store } from "./store.ts";
 import { surface, type Surface } from "./surface.ts";
@@ -18,7 +18,7 @@ import { onTheme, palette } from "./theme.ts";
 import type { Axis, Case, ChartFrame, Direction, Simulation, Start } from "./types.ts";
 import { phaseOf } from "./verdict.ts";
 
-const patience = 180; // [ms] a chart that follows a slider may take this long before a newer one replaces it
+const patience = 180; // [ms] how long a chart that follows a slider is refined when a newer one waits
 
 interface Panel {
   direction: Direction;
@@ -37,7 +37,7 @@ export class Chart {
   private readonly controls_: AxisControls;
   private readonly legend_ = new Legend();
   private readonly zooms_: { x: Axis; y: Axis }[] = [];
-  private readonly requests_ = new Latest<api.ChartWish>((wish, signal) => this.fetch_(wish, signal), patience);
+  private readonly requests_ = new Latest<api.ChartWish>((wish, signal, shown) => this.fetch_(wish, signal, shown), patience);
   private readonly probe_ = new Latest<{ direction: Direction; ix: number; iy: number }>((wish, signal) => this.look_(wish, signal));
   private probeTimer_ = 0;
   private data_: ChartData | null = null;
@@ -108,11 +108,20 @@ export class Chart {
     const stacked = this.box_.classList.contains("stacked");
     return {
       palette: palette(),
-      title: direction === "going" ? "going (V > 0)" : "coming (V < 0)",
+      title: (direction === "going" ? "going (V > 0)" : "coming (V < 0)") + this.range_(),
       xTitle: this.axisTitle_(state.x),
       yTitle: direction === "going" || stacked ? this.axisTitle_(state.y) : "",
       chosen: direction === state.direction,
     };
+  }
+
+  /** Of a figure, its name and ends, so that a picture alone says what it shows. */
+  private range_(): string {
+    if (!this.data_?.figure) return "";
+    const { figure } = this.store_.state;
+    const unit = this.start_.figures.find(({ name }) => name === figure)?.unit ?? "";
+    const [low, high] = this.data_.figureRange;
+    return `: ${words(figure)} ${quantity(low, unit, 3)} to ${quantity(high, unit, 3)}`;
   }
 
   private wish_(state: State, preview: boolean): api.ChartWish {
@@ -127,7 +136,7 @@ export class Chart {
     return title(axis.parameter) + sign + (unit ? ` [${unit}]` : "");
   }
 
-  private async fetch_(wish: api.ChartWish, signal: AbortSignal): Promise<void> {
+  private async fetch_(wish: api.ChartWish, signal: AbortSignal, shown: () => void): Promise<void> {
     const began = performance.now();
     this.box_.setAttribute("aria-busy", "true");
     try {
@@ -140,6 +149,7 @@ export class Chart {
         this.note_(frame, wish, performance.now() - began);
         for (const { surface } of this.panels_) surface.draw();
         this.legend_.show(data, wish.figure, this.start_);
+        shown();
       }
     } catch (error) {
       if (!api.isAbort(error)) {
@@ -164,6 +174,8 @@ export class Chart {
       category: bytesOf(frame.category),
       computed: frame.computed_mask ? bytesOf(frame.computed_mask) : null,
       figure,
+      painted: figure && spread(figure, frame.computed_mask ? bytesOf(frame.computed_mask) : null, x.points, y.points),
+      names: frame.done && !figure ? namePlaces(bytesOf(frame.category), x.points, y.points) : [],
       figureRange: figure ? rangeOf(figure) : [0, 1],
       boundaries: frame.boundaries ?? [],
       done: frame.done,
@@ -353,7 +365,7 @@ export class Chart {
     if (!panel.hover || !this.data_) return this.rest_();
     const { ix, iy } = panel.hover;
     setText(this.readout_, this.cellText_(panel.direction, ix, iy));
-    this.probeTimer_ = window.setTimeout(() => this.probe_.ask({ direction: panel.direction, ix, iy }), 140);
+    this.probeTimer_ = window.setTimeout(() => this.probe_.askNow({ direction: panel.direction, ix, iy }), 140);
   }
 
   private cellText_(direction: Direction, ix: number, iy: number): string {

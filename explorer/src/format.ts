@@ -34,6 +34,7 @@ export function quantity(value: number | null | undefined, unit: string, digits 
   if (!scalable.has(unit) || value === 0) return `${plain(value, digits)} ${unitText(unit)}`;
   if (unit === "kg") return Math.abs(value) < 1 ? `${plain(value * 1e3, digits)} g` : `${plain(value, digits)} kg`;
   const rounded = Math.abs(Number(value.toPrecision(digits)));
+  if (rounded < 1e-9) return `${plain(value, digits)} ${unitText(unit)}`;
   const [factor, prefix] = prefixes.find(([size]) => rounded >= size) ?? [1e-9, "n"];
   return `${plain(value / factor, digits)} ${prefix}${unitText(unit)}`;
 }

@@ -52,9 +52,10 @@ class Page {
   private readonly mechanism_: Mechanism;
   private readonly listen_: Listen;
   private readonly views_: Views;
-  private readonly runs_ = new Latest<Design>((design, signal) => this.simulate_(design, signal), 150);
+  private readonly runs_ = new Latest<Design>((design, signal) => this.simulate_(design, signal));
   private simulation_: Simulation | null = null;
-  private simulated_: Design | null = null;
+  private simulated_: Design | null = null; // what the simulation is of
+  private moved_: Design | null = null; // what the motion is of
 
   constructor(private readonly start_: Start) {
     const store = (this.store_ = new Store(defaultsOf(start_)));
@@ -119,9 +120,10 @@ class Page {
 
   private follow_(state: State, before: State, step: Step): void {
     if (state.theme !== before.theme) setTheme(state.theme);
-    const isNew = JSON.stringify(state.design) !== JSON.stringify(before.design);
-    const wasDragged = step !== "drag" && this.simulated_ !== state.design;
-    if (isNew || wasDragged) this.runs_.ask(state.design);
+    const isNew = !same(state.design, before.design);
+    if (isNew && step === "drag") this.runs_.ask(state.design);
+    else if (isNew) this.runs_.askNow(state.design);
+    else if (step !== "drag") this.settle_();
     if (state.direction !== before.direction) {
       this.verdict_.repaint(state.direction);
       this.mechanism_.goTo(state.direction);
@@ -131,6 +133,14 @@ class Page {
     if (known) this.parameters_.show(state, known);
     this.chart_.follow(state, step);
     if (!isNew) this.views_.show({ state, simulation: this.simulation_, step });
+  }
+
+  /** A slider was let go: what was left out while it moved is done now. */
+  private settle_(): void {
+    const { design } = this.store_.state;
+    if (!this.simulation_ || !same(this.simulated_, design) || same(this.moved_, design)) return;
+    this.moved_ = design;
+    this.motions_.renew(design, this.simulation_);
   }
 
   private async simulate_(design: Design, signal: AbortSignal): Promise<void> {
@@ -147,11 +157,11 @@ class Page {
       this.parameters_.show(state, simulation.case);
       this.chart_.know(simulation);
       const step = this.store_.isDragging ? "drag" : "replace";
-      if (step !== "drag") this.motions_.renew(design, simulation);
+      if (step !== "drag") this.settle_();
       this.views_.show({ state, simulation, step });
     } catch (error) {
       if (api.isAbort(error)) return;
-      this.simulated_ = design;
+      this.verdict_.fail();
       this.complaint_.show(api.sentence(error));
       this.parameters_.blame(error instanceof api.Failure ? error.error : null);
     }
@@ -175,6 +185,10 @@ class Page {
     else return;
     event.preventDefault();
   }
+}
+
+function same(one: Design | null, other: Design): boolean {
+  return JSON.stringify(one) === JSON.stringify(other);
 }
 
 api.start().then(

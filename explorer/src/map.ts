@@ -1,7 +1,8 @@
 /** One direction of a chart, painted: cells with their hatching, boundaries, axes, the chosen cell. */
-import { categories, fillOf, sequential, tile, type Palette } from "./colours.ts";
-import { plain } from "./format.ts";
-import { at, share, ticks } from "./scale.ts";
+import { paintAxes, type AxisLook, type Box } from "./axes.ts";
+import { categories, fillOf, sequential, textOn, tile, type Palette } from "./colours.ts";
+import type { NamePlace } from "./regions.ts";
+import { at, share } from "./scale.ts";
 import { font, type Surface } from "./surface.ts";
 import type { BoundaryLine, ChartAxisFrame, Direction } from "./types.ts";
 
@@ -12,16 +13,11 @@ export interface ChartData {
   category: Uint8Array; // [direction][y][x]
   computed: Uint8Array | null; // likewise; 1: computed, 0: inferred
   figure: Float32Array | null; // likewise; NaN unknown
+  painted: Float32Array | null; // the figure, cells that were not computed like their nearest neighbour
   figureRange: readonly [number, number];
+  names: NamePlace[]; // where a category's name fits
   boundaries: BoundaryLine[];
   done: boolean;
-}
-
-export interface Box {
-  left: number;
-  top: number;
-  width: number;
-  height: number;
 }
 
 export interface Look {
@@ -70,7 +66,8 @@ export function paintMap(surface: Surface, data: ChartData, direction: Direction
   if (data.figure) paintFigure(surface, box, data, direction, look);
   else paintCategories(surface, box, data, direction, look);
   paintBoundaries(surface, box, data, direction, look);
-  paintAxes(surface, box, data, look);
+  paintNames(surface, box, data, direction, look);
+  paintFrameOf(surface, box, data, look);
 }
 
 /** Device-pixel edges of cells, so that neighbours meet without a seam. */
@@ -122,13 +119,13 @@ function brushesOf(surface: Surface, palette: Palette) {
 }
 
 function paintFigure(surface: Surface, box: Box, data: ChartData, direction: Direction, look: Look): void {
-  const { x, y, figure } = data;
-  if (!figure) return;
+  const { x, y, painted } = data;
+  if (!painted) return;
   const image = new ImageData(x.points, y.points);
   const [low, high] = data.figureRange;
   for (let iy = 0; iy < y.points; ++iy)
     for (let ix = 0; ix < x.points; ++ix) {
-      const value = figure[indexOf(data, direction, ix, iy)] as number;
+      const value = painted[indexOf(data, direction, ix, iy)] as number;
       const pixel = 4 * ((y.points - 1 - iy) * x.points + ix);
       if (!Number.isFinite(value)) continue;
       image.data.set([...sequential((value - low) / (high - low || 1)), 255], pixel);
@@ -167,48 +164,35 @@ function paintBoundaries(surface: Surface, box: Box, data: ChartData, direction:
   pen.restore();
 }
 
-function paintAxes(surface: Surface, box: Box, data: ChartData, look: Look): void {
+function paintNames(surface: Surface, box: Box, data: ChartData, direction: Direction, look: Look): void {
   const { pen } = surface;
-  const { palette } = look;
-  pen.strokeStyle = palette.muted;
-  pen.lineWidth = 1;
-  pen.strokeRect(Math.round(box.left) - 0.5, Math.round(box.top) - 0.5, Math.round(box.width) + 1, Math.round(box.height) + 1);
-  pen.fillStyle = palette.ink;
+  pen.font = font(12);
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  for (const { d, category, x, y, cells } of data.names) {
+    const name = categories[category];
+    if (data.directions[d] !== direction || !name) continue;
+    const room = Math.min((cells * box.width) / data.x.points, (2 * cells * box.height) / data.y.points);
+    const width = pen.measureText(name).width + 8;
+    if (width > room) continue;
+    const [px, py] = [box.left + (box.width * x) / data.x.points, box.top + box.height * (1 - y / data.y.points)];
+    const { ground } = fillOf(look.palette, name);
+    pen.fillStyle = ground;
+    pen.fillRect(px - width / 2, py - 8, width, 16);
+    pen.fillStyle = textOn(ground);
+    pen.fillText(name, px, py + 0.5);
+  }
+}
+
+function paintFrameOf(surface: Surface, box: Box, data: ChartData, look: Look): void {
+  const { pen } = surface;
+  const axis = (frame: ChartAxisFrame, title: string): AxisLook => ({ ...frame, title, place: (value) => place(value, frame) });
+  paintAxes(pen, look.palette, box, axis(data.x, look.xTitle), axis(data.y, look.yTitle));
+  pen.fillStyle = look.palette.ink;
   pen.font = font(12, look.chosen ? 650 : 500);
   pen.textAlign = "left";
   pen.textBaseline = "alphabetic";
   pen.fillText(look.title, box.left, box.top - 9);
-
-  pen.font = font(11);
-  pen.fillStyle = palette.muted;
-  pen.textAlign = "center";
-  pen.textBaseline = "top";
-  const wide = Math.max(2, Math.floor(box.width / 70));
-  for (const value of ticks(data.x.from, data.x.to, data.x.scale, wide)) {
-    const px = Math.round(box.left + box.width * place(value, data.x)) + 0.5;
-    mark(pen, px, box.top + box.height, px, box.top + box.height + 4);
-    pen.fillText(plain(value), px, box.top + box.height + 7);
-  }
-  pen.fillStyle = palette.ink;
-  pen.fillText(look.xTitle, box.left + box.width / 2, box.top + box.height + 24);
-
-  const tall = Math.max(2, Math.floor(box.height / 45));
-  pen.fillStyle = palette.muted;
-  pen.textAlign = "right";
-  pen.textBaseline = "middle";
-  for (const value of ticks(data.y.from, data.y.to, data.y.scale, tall)) {
-    const py = Math.round(box.top + box.height * (1 - place(value, data.y))) + 0.5;
-    mark(pen, box.left - 4, py, box.left, py);
-    if (look.yTitle !== "") pen.fillText(plain(value), box.left - 7, py);
-  }
-  if (look.yTitle === "") return;
-  pen.save();
-  pen.translate(12, box.top + box.height / 2);
-  pen.rotate(-Math.PI / 2);
-  pen.textAlign = "center";
-  pen.fillStyle = palette.ink;
-  pen.fillText(look.yTitle, 0, 0);
-  pen.restore();
 }
 
 function mark(pen: CanvasRenderingContext2D, x0: number, y0: number, x1: number, y1: number): void {

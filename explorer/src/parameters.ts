@@ -30,6 +30,14 @@ export function quantityOf(state: State, resolved: Case, key: string): number {
   return Number(said ?? valueIn(resolved, key));
 }
 
+/** Keys that mean nothing any more once a choice is made anew. */
+const dependants: Record<string, string[]> = {
+  "drive.kind": ["drive.amplitude", "drive.frequency", "drive.velocity", "verdict.settling", "verdict.reversal"],
+  "contact.impact": ["contact.restitution"],
+  "run.initial": ["run.perturbation"],
+  "run.engine": ["run.step", "run.beta_2"],
+};
+
 interface Row {
   field: Field;
   element: HTMLElement;
@@ -42,11 +50,13 @@ export class Parameters {
   private readonly groups_ = new Map<string, HTMLElement>();
   private readonly presets_ = new Map<string, HTMLInputElement>();
   private readonly resetAll_: HTMLButtonElement;
+  private resolved_: Case;
 
   constructor(
     private readonly store_: Store,
     private readonly start_: Start,
   ) {
+    this.resolved_ = start_.presets[0]?.case as Case;
     this.resetAll_ = button("Reset all", () => this.store_.update({ design: { ...this.store_.state.design, set: {} } }), {
       id: "reset-all",
       class: "quiet",
@@ -61,6 +71,7 @@ export class Parameters {
 
   /** Shows a design whose resolved case is known; rows that mean nothing for it are hidden. */
   show(state: State, resolved: Case): void {
+    this.resolved_ = resolved;
     for (const [name, input] of this.presets_) input.checked = name === state.design.preset;
     const preset = this.start_.presets.find(({ name }) => name === state.design.preset)?.case ?? resolved;
     for (const row of this.rows_) {
@@ -121,12 +132,32 @@ export class Parameters {
   }
 
   private set_(field: Field, value: string, step: "push" | "drag"): void {
-    this.store_.update({ design: withValues(this.store_.state.design, { [field.key]: value }) }, step);
+    const { design } = this.store_.state;
+    const kept = field.kind === "choice" ? withoutKeys(design, dependants[field.key] ?? []) : design;
+    const needed = field.kind === "choice" ? this.companions_(field.key, value) : {};
+    this.store_.update({ design: withValues(kept, { ...needed, [field.key]: value }) }, step);
+  }
+
+  /** What a choice cannot do without and the present case may not have. */
+  private companions_(key: string, choice: string): Record<string, string> {
+    const { state } = this.store_;
+    const now = (name: string): number => quantityOf(state, this.resolved_, name);
+    if (key === "drive.kind" && choice === "constant") {
+      const top = 2 * Math.PI * now("drive.frequency") * now("drive.amplitude");
+      const speed = Number.isFinite(top) ? rounded(top) : 0.1;
+      return { "drive.velocity": exact(state.direction === "going" ? speed : -speed) };
+    }
+    if (key === "drive.kind" && choice === "sinusoidal") {
+      const speed = Math.abs(now("drive.velocity")) || 0.1;
+      return { "drive.amplitude": exact(rounded(speed / (2 * Math.PI * 5))), "drive.frequency": "5" };
+    }
+    if (key === "contact.impact" && choice === "restitution") return { "contact.restitution": "0.5" };
+    return {};
   }
 
   private resetButton_(field: Field): HTMLButtonElement {
     const reset = (): void =>
-      this.store_.update({ design: withoutKeys(this.store_.state.design, [field.key]) });
+      this.store_.update({ design: withoutKeys(this.store_.state.design, [field.key, ...(dependants[field.key] ?? [])]) });
     return button("↺", reset, {
       class: "reset",
       "data-reset": field.key,

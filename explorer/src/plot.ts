@@ -5,6 +5,8 @@ import { plain } from "./format.ts";
 import { font } from "./surface.ts";
 import { onTheme, palette } from "./theme.ts";
 
+const legendHeight = 27; // [px] of one line
+
 export interface Curve {
   label: string;
   colour: 0 | 1 | 2 | 3 | "muted";
@@ -53,8 +55,7 @@ export class Plot {
   }
 
   private size_(): { width: number; height: number } {
-    const legend = this.host_.querySelector(".u-legend");
-    return { width: this.host_.clientWidth, height: Math.max(80, this.host_.clientHeight - (legend?.clientHeight ?? 26)) };
+    return { width: this.host_.clientWidth, height: Math.max(80, this.host_.clientHeight - legendHeight) };
   }
 
   private remake_(): void {
@@ -64,7 +65,6 @@ export class Plot {
     if (!content || this.host_.clientWidth < 40) return;
     const data = [content.x, ...content.curves.map(({ values }) => values)] as uPlot.AlignedData;
     this.plot_ = new uPlot(this.options_(content), data, this.host_);
-    this.plot_.setSize(this.size_());
   }
 
   private options_(content: PlotContent): uPlot.Options {

@@ -1,9 +1,8 @@
 /** Phase portrait of the joint: velocity over displacement, coloured by the state of the contact. Painting only. */
+import { paintAxes } from "./axes.ts";
 import type { Palette } from "./colours.ts";
-import { plain } from "./format.ts";
 import { lastAtMost, valueAt, type Motion } from "./frames.ts";
-import { ticks } from "./scale.ts";
-import { font, type Surface } from "./surface.ts";
+import type { Surface } from "./surface.ts";
 import type { ContactState } from "./types.ts";
 
 const mostPoints = 12_000;
@@ -32,12 +31,18 @@ export function paintPortrait(
   };
   const [x0, x1] = ends(x);
   const [v0, v1] = ends(v);
-  const box = { left: 46, top: 8, width: surface.width - 54, height: surface.height - 42 };
+  const box = { left: 54, top: 8, width: surface.width - 62, height: surface.height - 46 };
   if (box.width < 20 || box.height < 20) return;
   const px = (value: number): number => box.left + (box.width * (value - x0)) / (x1 - x0);
   const py = (value: number): number => box.top + (box.height * (v1 - value)) / (v1 - v0);
   const { pen } = surface;
-  frame(surface, palette, box, { x: [x0, x1], v: [v0, v1] }, px, py);
+  paintAxes(
+    pen,
+    palette,
+    box,
+    { title: "x₁ [mm]", from: x0, to: x1, factor: 1000 },
+    { title: "ẋ₁ [m/s]", from: v0, to: v1 },
+  );
 
   pen.save();
   pen.beginPath();
@@ -68,36 +73,5 @@ export function paintPortrait(
     pen.lineWidth = 2;
     pen.stroke();
   }
-  pen.restore();
-}
-
-function frame(
-  surface: Surface,
-  palette: Palette,
-  box: { left: number; top: number; width: number; height: number },
-  ends: { x: [number, number]; v: [number, number] },
-  px: (value: number) => number,
-  py: (value: number) => number,
-): void {
-  const { pen, height } = surface;
-  pen.strokeStyle = palette.line;
-  pen.lineWidth = 1;
-  pen.strokeRect(box.left + 0.5, box.top + 0.5, box.width, box.height);
-  pen.font = font(10);
-  pen.fillStyle = palette.muted;
-  pen.textAlign = "center";
-  pen.textBaseline = "top";
-  for (const value of ticks(ends.x[0] * 1e3, ends.x[1] * 1e3, "linear", Math.max(2, box.width / 60)))
-    pen.fillText(plain(value), px(value / 1e3), box.top + box.height + 4);
-  pen.fillText("x₁ [mm]", box.left + box.width / 2, height - 15);
-  pen.textAlign = "right";
-  pen.textBaseline = "middle";
-  for (const value of ticks(ends.v[0], ends.v[1], "linear", Math.max(2, box.height / 36)))
-    pen.fillText(plain(value), box.left - 5, py(value));
-  pen.save();
-  pen.translate(8, box.top + box.height / 2);
-  pen.rotate(-Math.PI / 2);
-  pen.textAlign = "center";
-  pen.fillText("ẋ₁ [m/s]", 0, 0);
   pen.restore();
 }

@@ -31,8 +31,8 @@ export class SoundSlot {
   private readonly asked_ = new Asked<Source, Heard>(hear, (heard) => this.take_(heard), "Rendering …");
 
   constructor(private readonly name_: string) {
-    this.audio = h("audio", { controls: true, preload: "auto", id: `audio-${name}`, "aria-label": `Sound ${name}` });
-    this.spectrogram_ = new Spectrogram(`Spectrogram of ${name}`);
+    this.audio = h("audio", { controls: true, preload: "auto", id: `audio-${name_}`, "aria-label": `Sound ${name}` });
+    this.spectrogram_ = new Spectrogram(`Spectrogram of ${name_}`);
     this.element = h(
       "div",
       { class: "card slot", "data-slot": name_ },

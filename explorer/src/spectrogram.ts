@@ -1,10 +1,10 @@
 /** Level over time and frequency as a picture. Painting only. */
+import { paintAxes } from "./axes.ts";
 import { sequential } from "./colours.ts";
 import { h } from "./dom.ts";
 import { plain } from "./format.ts";
 import { floatsOf } from "./frames.ts";
-import { ticks } from "./scale.ts";
-import { font, surface, type Surface } from "./surface.ts";
+import { surface, type Surface } from "./surface.ts";
 import { onTheme, palette } from "./theme.ts";
 import type { Analysis } from "./types.ts";
 
@@ -30,6 +30,7 @@ export class Spectrogram {
     const level = floatsOf(content.level);
     this.top_ = -Infinity;
     for (const value of level) if (Number.isFinite(value) && value > this.top_) this.top_ = value;
+    this.top_ = 10 * Math.ceil(this.top_ / 10);
     const { rows, columns } = content;
     if (rows < 1 || columns < 1) return;
     const image = new ImageData(rows, columns);
@@ -48,32 +49,18 @@ export class Spectrogram {
     const { content_: content, picture_: picture } = this;
     if (!content || !picture) return;
     const { pen, width, height } = s;
-    const colours = palette();
-    const box = { left: 50, top: 6, width: width - 50 - 46, height: height - 40 };
+    const box = { left: 58, top: 6, width: width - 58 - 46, height: height - 46 };
     if (box.width < 20 || box.height < 20) return;
     pen.imageSmoothingEnabled = true;
     pen.drawImage(picture, box.left, box.top, box.width, box.height);
-    pen.strokeStyle = colours.line;
-    pen.strokeRect(box.left + 0.5, box.top + 0.5, box.width, box.height);
-    const [t0, t1] = [content.time[0] ?? 0, content.time.at(-1) ?? 1];
-    const [f0, f1] = [content.frequency[0] ?? 0, content.frequency.at(-1) ?? 1];
-    pen.font = font(10);
-    pen.fillStyle = colours.muted;
-    pen.textAlign = "center";
-    pen.textBaseline = "top";
-    for (const value of ticks(t0, t1, "linear", box.width / 80))
-      pen.fillText(plain(value), box.left + (box.width * (value - t0)) / (t1 - t0), box.top + box.height + 4);
-    pen.fillText("time [s]", box.left + box.width / 2, height - 15);
-    pen.textAlign = "right";
-    pen.textBaseline = "middle";
-    for (const value of ticks(f0, f1, "linear", box.height / 34))
-      pen.fillText(plain(value), box.left - 5, box.top + (box.height * (f1 - value)) / (f1 - f0));
-    pen.save();
-    pen.translate(8, box.top + box.height / 2);
-    pen.rotate(-Math.PI / 2);
-    pen.textAlign = "center";
-    pen.fillText("frequency [Hz]", 0, 0);
-    pen.restore();
+    const [t, f] = [content.time, content.frequency];
+    paintAxes(
+      pen,
+      palette(),
+      box,
+      { title: "time [s]", from: t[0] ?? 0, to: t.at(-1) ?? 1 },
+      { title: "frequency [Hz]", from: f[0] ?? 0, to: f.at(-1) ?? 1 },
+    );
     this.paintScale_(s, box);
   }
 

@@ -32,15 +32,25 @@ export class VerdictBar {
     this.element.setAttribute("aria-busy", "true");
   }
 
+  /** There is no verdict on the present design: the last one is not shown as if it were. */
+  fail(): void {
+    this.last_ = null;
+    this.clear_();
+    this.element.replaceChildren(h("span", { class: "note" }, "no result"));
+    this.element.setAttribute("aria-busy", "false");
+  }
+
+  private clear_(): void {
+    for (const name of ["going", "coming", "all"]) delete this.element.dataset[name];
+  }
+
   repaint(chosen: Direction): void {
     if (this.last_) this.show(this.last_, chosen);
   }
 
   show(simulation: Simulation, chosen: Direction): void {
     this.last_ = simulation;
-    delete this.element.dataset.going;
-    delete this.element.dataset.coming;
-    delete this.element.dataset.all;
+    this.clear_();
     const chips = simulation.phases.map((result) => {
       const direction = directionOf(result, simulation);
       this.element.dataset[direction] = result.verdict.category;
