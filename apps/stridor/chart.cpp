@@ -113,7 +113,7 @@ void add_chart(CLI::App& program) {
     command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
         ->check(CLI::Range(0, 4096));
     command->add_flag("--preview", options->preview,
-                      "a quick look: at most 64 by 64 points, refined, a quarter of the time simulated");
+                      "a quick look: at most 64 by 64 points, refined, a part of the time simulated");
     command->add_flag("--json", options->json, "print the chart as one JSON document (schema stridor.chart/1)");
     command->footer(
         "Ctrl-C stops and keeps all finished cells; the same command goes on. A killed run loses at most half a second "

@@ -252,12 +252,16 @@ Study preview(Study study) {
     constexpr int points = 64;
     constexpr int refinement = 3;
     constexpr double shorter = 0.25;
+    constexpr double periods = 2.0;
     for (Axis* axis : {&study.x, &study.y})
         axis->points = std::min(axis->points, points);
     study.refine = std::max(study.refine, refinement);
     if (is_constant(study)) {
         study.base.run.duration *= shorter;
         study.base.run.window = 0.5 * study.base.run.duration;
+    } else if (study.base.drive.kind == parameters::DriveKind::sinusoidal) {
+        study.base.run.duration = std::min(study.base.run.duration, periods / study.base.drive.frequency);
+        study.base.run.window = std::min(study.base.run.window, study.base.run.duration);
     }
     return study;
 }

@@ -68,8 +68,9 @@ parameters::Case case_at(const Study& study, const CellPlace& place);
 /// twice, a start twice, an unknown quantity to draw, a refinement beyond `most_refinement`; and for what is wrong with the case in every cell, whatever the axes say.
 void check(const Study& study);
 
-/// A quick look at a study: at most 64 by 64 points, refined, and of a constant drive a quarter of the simulated time, judged
-/// by its later half. Cells near boundaries, whose motion settles late or is irregular, may get another verdict.
+/// A quick look at a study: at most 64 by 64 points, refined; of a constant drive a quarter of the simulated time, judged
+/// by its later half; of a sinusoidal one the first two periods. Cells near boundaries, whose motion settles late or is
+/// irregular, may get another verdict.
 Study preview(Study study);
 
 /// All that decides the results, as lines of "key = value": the canonical case without the two quantities that the axes

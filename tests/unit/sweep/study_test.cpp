@@ -317,9 +317,10 @@ TEST(Preview, AsksForLessAndStaysAStudyThatCanBeComputed) {
     EXPECT_EQ(quick.base.run.duration, 0.25 * study.base.run.duration);
     EXPECT_EQ(quick.base.run.window, 0.5 * quick.base.run.duration);
     EXPECT_NO_THROW(check(quick));
-    // phases of a sinusoidal drive need their time
+    // a sinusoidal drive keeps two of its five periods: each phase occurs
     study.base = parameters::paper_case(parameters::PaperCase::squeal);
-    EXPECT_EQ(preview(study).base.run.duration, study.base.run.duration);
+    EXPECT_EQ(preview(study).base.run.duration, 0.4);
+    EXPECT_EQ(preview(study).base.run.window, 0.4);
     EXPECT_NO_THROW(check(preview(study)));
 }
 
