@@ -11,7 +11,7 @@ namespace stridor::parameters {
 /// Where one category ends and the next begins for the ear: thresholds of the figures of a sound, as `Thresholds` are of those
 /// of contact states. No part of a case: a recording has none. Reasons and sources: docs/methods/sound.md.
 struct SoundThresholds {
-    double least_clearness = -20.0;     // [dB] sound over background from which there is anything to judge
+    double least_clearness = -14.0;     // [dB] sound over background from which there is anything to judge
     double quiet_depth = 25.0;          // [dB] what lies this far below the loudest stretch is background
     double decay = 7.0;                 // [dB/s] fall of the level from which a sound dies away by itself ...
     double decay_straightness = 0.025;  // [1] ... if at most this share of the fall deviates from a straight line
