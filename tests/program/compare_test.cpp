@@ -1,5 +1,6 @@
 // Sounds side by side, from outside.
 
+#include "support/effort.hpp"
 #include "support/process.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +18,10 @@ using stridor::support::write_text;
 
 namespace {
 
-const std::vector<std::string> coarse{"--set", "chart.x.points=4",   "--set", "chart.y.points=3",
-                                      "--set", "run.duration=0.3 s", "--set", "run.window=0.15 s"};
+const std::vector<std::string> coarse{"--set", "chart.x.points=4",
+                                      "--set", "chart.y.points=3",
+                                      "--set", stridor::support::effort("run.duration=0.3 s", "run.duration=0.2 s"),
+                                      "--set", stridor::support::effort("run.window=0.15 s", "run.window=0.1 s")};
 
 const TemporaryFolder& folder() {
     static const TemporaryFolder shared;

@@ -1,3 +1,4 @@
+#include "support/effort.hpp"
 #include "support/process.hpp"
 
 #include <gtest/gtest.h>
@@ -6,6 +7,7 @@
 #include <csignal>
 #include <thread>
 
+using stridor::support::effort;
 using stridor::support::Finished;
 using stridor::support::Launch;
 using stridor::support::Process;
@@ -16,13 +18,13 @@ using stridor::support::write_text;
 
 namespace {
 
-// 8 by 8 cells in two directions, about a second of work on one core
+// 8 by 8 cells in two directions (4 by 4 in checked builds), about a second of work on one core
 std::vector<std::string> sweep(const std::string& out, const std::string& threads) {
     return {"chart",     "chart.toml",
             "--out",     out,
             "--threads", threads,
-            "--set",     "chart.x.points=8",
-            "--set",     "chart.y.points=8",
+            "--set",     effort("chart.x.points=8", "chart.x.points=4"),
+            "--set",     effort("chart.y.points=8", "chart.y.points=4"),
             "--set",     "run.duration=0.2",
             "--set",     "run.window=0.1",
             "--set",     "run.engine=beta_2",
@@ -64,8 +66,10 @@ TEST_F(Resume, AKilledSweepEndsWithTheSameBytesAsAnUninterruptedOne) {
 TEST_F(Resume, AKilledRefinedSweepFromSeveralStartsEndsWithTheSameBytes) {
     const auto refined = [](const std::string& out, const std::string& threads) {
         std::vector<std::string> arguments = sweep(out, threads);
-        for (const char* setting : {"chart.x.points=17", "chart.y.points=17", "chart.refine=3",
-                                    "chart.starts=rest,stuck", "run.duration=0.1", "run.window=0.05"})
+        for (const char* setting :
+             {effort("chart.x.points=17", "chart.x.points=9"), effort("chart.y.points=17", "chart.y.points=9"),
+              effort("chart.refine=3", "chart.refine=2"), "chart.starts=rest,stuck", "run.duration=0.1",
+              "run.window=0.05"})
             arguments.insert(arguments.end(), {"--set", setting});
         return arguments;
     };

@@ -4,6 +4,7 @@
 #include "stridor/signal/perturb.hpp"
 #include "stridor/signal/resample.hpp"
 #include "stridor/signal/sound_analysis.hpp"
+#include "support/effort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -125,8 +126,8 @@ TEST(SoundSearch, GivesTheSameForAnyNumberOfThreads) {
 
 TEST(SoundSearch, ListensToFewerCellsOfALargeChart) {
     Study study = chart();
-    study.x.points = 41;
-    study.y.points = 25;
+    study.x.points = support::effort(41, 31);
+    study.y.points = support::effort(25, 19);
     study.base.run.duration = 0.05;
     study.base.run.window = 0.03;
     SoundSearch options;
