@@ -26,7 +26,9 @@ export interface AxisLook {
 function marks(axis: AxisLook, wanted: number): { text: string; part: number }[] {
   const { from, to, scale = "linear", factor = 1 } = axis;
   const place = axis.place ?? ((value: number) => share(value, from, to, scale));
-  return ticks(from * factor, to * factor, scale, Math.max(2, Math.floor(wanted))).map((value) => ({
+  const values = (count: number): number[] => ticks(from * factor, to * factor, scale, count);
+  const few = values(Math.max(2, Math.floor(wanted)));
+  return (few.length < 2 ? values(2 * Math.ceil(wanted)) : few).map((value) => ({
     text: plain(value),
     part: place(value / factor),
   }));

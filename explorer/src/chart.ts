@@ -18,6 +18,7 @@ import { onTheme, palette } from "./theme.ts";
 import type { Axis, Case, ChartFrame, Direction, Simulation, Start } from "./types.ts";
 import { phaseOf } from "./verdict.ts";
 
+const stepPause = 1500; // [ms] arrow keys within it are one step of the history
 const patience = 180; // [ms] how long a chart that follows a slider is refined when a newer one waits
 
 interface Panel {
@@ -40,6 +41,7 @@ export class Chart {
   private readonly requests_ = new Latest<api.ChartWish>((wish, signal, shown) => this.fetch_(wish, signal, shown), patience);
   private readonly probe_ = new Latest<{ direction: Direction; ix: number; iy: number }>((wish, signal) => this.look_(wish, signal));
   private probeTimer_ = 0;
+  private stepped_ = -Infinity; // [ms] when an arrow key last moved the cell
   private data_: ChartData | null = null;
   private shownKey_ = "";
   private wasPreview_ = false;
@@ -337,7 +339,9 @@ export class Chart {
     const here = this.design_();
     const ix = Math.min(Math.max(nearest(x.values, here.x, x.scale) + dx, 0), x.points - 1);
     const iy = Math.min(Math.max(nearest(y.values, here.y, y.scale) + dy, 0), y.points - 1);
-    this.choose_(panel.direction, ix, iy, "replace");
+    const now = performance.now();
+    this.choose_(panel.direction, ix, iy, now - this.stepped_ < stepPause ? "replace" : "push");
+    this.stepped_ = now;
   }
 
   private zoomAbout_(): void {

@@ -211,7 +211,7 @@ export function paintDesign(surface: Surface, box: Box, data: ChartData, design:
   pen.beginPath();
   pen.rect(box.left - 1, box.top - 1, box.width + 2, box.height + 2);
   pen.clip();
-  for (const [colour, width] of [["#FFFFFF", 3], ["#111418", 1.2]] as const) {
+  for (const [colour, width] of [["#FFFFFF", 2.6], ["#111418", 1.2]] as const) {
     pen.globalAlpha = look.chosen ? 0.85 : 0.4;
     pen.strokeStyle = colour;
     pen.lineWidth = width;

@@ -74,7 +74,9 @@ export class Mechanism {
       clock.slow = slowness.reduce((best, slow) => (Math.abs(Math.log(slow / wanted)) < Math.abs(Math.log(best / wanted)) ? slow : best));
       this.speed_.value = String(clock.slow);
     }
-    if (this.placed_ !== direction) this.goTo(direction);
+    const velocity = valueAt(motion, "surface_velocity", clock.time);
+    const isElsewhere = direction === "going" ? velocity <= 0 : velocity >= 0;
+    if (this.placed_ !== direction || isElsewhere) this.goTo(direction);
     if (first && !matchMedia("(prefers-reduced-motion: reduce)").matches) clock.play();
     this.follow_();
   }
@@ -162,7 +164,7 @@ export class Mechanism {
     for (const [direction, name] of axes) {
       const up = direction.y > 0.05 ? -1 : 1; // a spring pulls alike on either side: keep it above the plate
       const d = { x: direction.x * up, y: direction.y * up };
-      const reach = Math.min((width / 2 - 26) / Math.max(Math.abs(d.x), 1e-6), (home.y - 20) / Math.max(-d.y, 1e-6), 0.46 * Math.max(width, height));
+      const reach = Math.min((width / 2 - 26) / Math.max(Math.abs(d.x), 1e-6), (home.y - 20) / Math.max(-d.y, 1e-6), 0.47 * height);
       const anchor = { x: home.x + d.x * reach, y: home.y + d.y * reach };
       pen.strokeStyle = colours.ink;
       springDashpot(pen, { x: body.x + d.x * 14, y: body.y + d.y * 14 }, anchor);
