@@ -39,16 +39,29 @@ struct NearestDesign {
 /// does not meet, of the chosen parameters only; shape [parameter].
 Heading flat_heading(const std::vector<double>& intercepts, std::span<const std::size_t> chosen);
 
+/// Do single points count that behave so while their neighbours do not?
+enum class Specks { ignored, counted };
+
+/// What is looked for.
+struct Target {
+    Condition condition{};
+    Specks specks = Specks::ignored;
+};
+
 /// The nearest designs along rays, one per heading, shape [heading]; nothing where a ray meets none.
 std::vector<std::optional<NearestDesign>> along_rays(const DesignSpace& space, std::span<const Heading> headings,
-                                                     const Condition& condition, DesignRunner& runner);
+                                                     const Target& target, DesignRunner& runner);
+
+/// Those of some designs that count: all, or, without specks, those that behave so a little further on as well.
+std::vector<std::optional<NearestDesign>> counted(const DesignSpace& space, std::vector<NearestDesign> designs,
+                                                  const Target& target, DesignRunner& runner);
 
 /// Headings towards the nearest few of many designs around the present one that behave so.
-std::vector<Heading> explored_headings(const DesignSpace& space, const Condition& condition, DesignRunner& runner);
+std::vector<Heading> explored_headings(const DesignSpace& space, const Target& target, DesignRunner& runner);
 
 /// A nearer design than the one given, changing the chosen parameters only; at worst that one.
 NearestDesign polished(const DesignSpace& space, NearestDesign start, std::span<const std::size_t> chosen,
-                       const Condition& condition, DesignRunner& runner);
+                       const Target& target, DesignRunner& runner);
 
 /// The nearest of designs; nothing if there are none.
 std::optional<NearestDesign> nearest_of(std::span<const std::optional<NearestDesign>> designs);
