@@ -123,8 +123,9 @@ std::string changes_list(const Advice& advice) {
                             (sweep::slips_quietly(advice.changes[k].verdict) ? "" : " (it then sticks throughout)")});
     const DesignChange& best = advice.changes[*advice.recommended];
     return columns(rows) +
-           fmt::format("\n* advised: {}\n  verified: it and the {} designs around it (1 % more and less) are quiet\n",
-                       sweep::settings_of(space, best), best.runs - 1);
+           fmt::format(
+               "\n* advised: {}\n  verified by {} runs: quiet from every start, and with 1 % more and less of each\n",
+               sweep::settings_of(space, best), best.runs);
 }
 
 // the parameters that a design as a whole is nearest through, the largest parts first

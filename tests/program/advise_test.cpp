@@ -70,8 +70,8 @@ TEST_F(Advise, HasAMarginPerParameterWithWhatLiesBeyond) {
     EXPECT_EQ(margin["value"], 0.6);
     EXPECT_EQ(margin["unit"], "1");
     EXPECT_EQ(margin["below"]["category"], "none");
-    EXPECT_NEAR(margin["below"]["value"].get<double>(), 0.4137, 2e-4);
-    EXPECT_NEAR(margin["below"]["distance"].get<double>(), 0.1863, 2e-4);
+    EXPECT_NEAR(margin["below"]["value"].get<double>(), 0.4137, 3e-3);
+    EXPECT_NEAR(margin["below"]["distance"].get<double>(), 0.1863, 3e-3);
     EXPECT_TRUE(margin["above"].is_null());
     EXPECT_EQ(margin["end_above"]["why"], "range");
     EXPECT_EQ(advice["ranking"], json::array({"contact.kinetic_friction"}));

@@ -88,6 +88,7 @@ Json quieting_object(const DesignSpace& space, const DesignChange& change) {
     Json verified = verdict_object(space, change.verdict);
     verified["runs"] = change.runs;
     verified["neighbourhood"] = sweep::neighbourhood;
+    verified["starts"] = sweep::start_names();
     return {{"set", std::move(set)},
             {"distance", change.distance},
             {"options", sweep::settings_of(space, change)},

@@ -194,13 +194,6 @@ std::vector<Heading> explored_headings(const DesignSpace& space, const Target& t
     return headings;
 }
 
-std::optional<NearestDesign> nearest_of(std::span<const std::optional<NearestDesign>> designs) {
-    const std::optional<NearestDesign>* best = nullptr;
-    for (const std::optional<NearestDesign>& design : designs)
-        if (design && (best == nullptr || design->distance < (*best)->distance)) best = &design;
-    return best == nullptr ? std::nullopt : *best;
-}
-
 NearestDesign polished(const DesignSpace& space, NearestDesign best, std::span<const std::size_t> chosen,
                        const Target& target, DesignRunner& runner) {
     double difference = first_difference;

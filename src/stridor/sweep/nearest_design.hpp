@@ -14,7 +14,7 @@
 /// A search without promise of the very nearest, but the same on every machine and for every number of threads:
 ///  1. rays from the present design, in directions that are asked for and towards points of a Sobol sequence around it that
 ///     behave so, are followed at `ray_points` equal steps, and the first place where it behaves so is bisected;
-///  2. the nearest of them is polished: of the directions that differ from its own in one parameter, those that behave so
+///  2. the nearest few are polished: of the directions that differ from its own in one parameter, those that behave so
 ///     at a radius smaller by 3 % are bisected, and the best is taken; where there is none, smaller differences are tried.
 /// Where the boundary is flat, of intercepts dᵢ with the axes, its nearest point lies in the direction 1/dᵢ.
 namespace stridor::sweep {
@@ -62,9 +62,6 @@ std::vector<Heading> explored_headings(const DesignSpace& space, const Target& t
 /// A nearer design than the one given, changing the chosen parameters only; at worst that one.
 NearestDesign polished(const DesignSpace& space, NearestDesign start, std::span<const std::size_t> chosen,
                        const Target& target, DesignRunner& runner);
-
-/// The nearest of designs; nothing if there are none.
-std::optional<NearestDesign> nearest_of(std::span<const std::optional<NearestDesign>> designs);
 
 /// The unit vector from the present design to another one.
 Heading heading_to(const DesignSpace& space, const Shares& shares);

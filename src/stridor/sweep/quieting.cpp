@@ -14,6 +14,8 @@ namespace {
 
 using parameters::Case;
 
+constexpr std::array every_start{parameters::Initial::rest, parameters::Initial::stuck, parameters::Initial::sliding};
+
 // how far beyond the boundary it is tried, one after the other [1, share of the range]
 constexpr std::array tried_safeties{safety, 0.03, 0.05, 0.08, 0.12};
 
@@ -29,6 +31,9 @@ Target target_for(Wanted wanted) {
 // of how many parameters pairs and triples are made, and how many of each are searched closely
 constexpr std::size_t combined_parameters = 6;
 constexpr std::size_t polished_combinations = 3;
+
+// so many of the designs found first are polished: the nearest one need not lead to the nearest one
+constexpr std::size_t polished_starts = 5;
 
 const parameters::Field& field_of(const DesignSpace& space, std::size_t parameter) {
     return *parameters::find_field(space.parameters[parameter].key);
@@ -60,7 +65,7 @@ double neighbour(const DesignSpace& space, const ParameterChange& change, int st
     return std::clamp(change.to + steps * neighbourhood * size, allowed.low, allowed.high);
 }
 
-// the changed design, then those around it
+// the changed design, those around it, and itself from the other starts: a contact may have a quiet and a noisy motion
 std::vector<Case> around(const DesignSpace& space, const DesignChange& change) {
     std::vector<Case> cases{space.base};
     for (const ParameterChange& each : change.set) {
@@ -72,6 +77,12 @@ std::vector<Case> around(const DesignSpace& space, const DesignChange& change) {
             }
         cases = std::move(more);
     }
+    const parameters::Initial own = space.base.run.initial;
+    for (const parameters::Initial start : every_start)
+        if (start != own) {
+            cases.push_back(cases.front());
+            cases.back().run.initial = start;
+        }
     return cases;
 }
 
@@ -354,12 +365,18 @@ std::optional<NearestDesign> nearest_design(const DesignSpace& space, std::span<
     std::vector<Heading> headings{flat_heading(axes, space.free)};
     for (const Heading& heading : explored_headings(space, target, runner))
         headings.push_back(heading);
-    std::vector<std::optional<NearestDesign>> starts = along_rays(space, headings, target, runner);
+    std::vector<NearestDesign> starts;
+    for (std::optional<NearestDesign>& design : along_rays(space, headings, target, runner))
+        if (design) starts.push_back(std::move(*design));
     for (std::optional<NearestDesign>& design : counted(space, single_designs(space, margins, wanted), target, runner))
-        starts.push_back(std::move(design));
-    const std::optional<NearestDesign> start = nearest_of(starts);
-    if (!start) return std::nullopt;
-    return polished(space, *start, space.free, target, runner);
+        if (design) starts.push_back(std::move(*design));
+    const auto is_nearer = [](const auto& a, const auto& b) { return a.distance < b.distance; };
+    std::stable_sort(starts.begin(), starts.end(), is_nearer);
+    if (starts.size() > polished_starts) starts.resize(polished_starts);
+    for (NearestDesign& start : starts)
+        start = polished(space, start, space.free, target, runner);
+    const auto nearest = std::min_element(starts.begin(), starts.end(), is_nearer);
+    return nearest == starts.end() ? std::nullopt : std::optional(*nearest);
 }
 
 }  // namespace stridor::sweep

@@ -14,8 +14,8 @@
 /// is quiet, too, but does no longer rub. Only where nothing else helps is such a change told.
 ///
 /// A change goes at least `safety` beyond the place where the design begins to be quiet, to a number with few digits, and is
-/// *verified*: the changed design was run and is quiet, and so is each one around it, with every changed value `neighbourhood`
-/// less and more in all combinations. What cannot be verified is not told.
+/// *verified*: the changed design was run and is quiet, from every start (run.initial), and so is each one around it, with
+/// every changed value `neighbourhood` less and more in all combinations. What cannot be verified is not told.
 namespace stridor::sweep {
 
 /// A change goes so far beyond the boundary, at least [1, share of the range].
@@ -42,7 +42,7 @@ struct DesignChange {
     std::vector<ParameterChange> set{};  // by parameter
     double distance = 0.0;               // [1] from the present design
     DesignVerdict verdict{};             // of the changed design
-    std::size_t runs = 0;                // [1] it and the designs around it, all quiet
+    std::size_t runs = 0;                // [1] of it, from every start, and of the designs around it: all quiet
 };
 
 /// May the contact stick throughout?

