@@ -2,11 +2,16 @@
 _stridor() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=""
     if ((COMP_CWORD == 1)); then
-        COMPREPLY=($(compgen -W "init check simulate stability chart figure listen rig convert library analyse classify evaluate compare match verify completion --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "init check simulate stability advise chart figure listen rig convert library analyse classify evaluate compare match verify completion --help --version" -- "$word"))
         return
     fi
     if [[ $previous == --set ]]; then
         COMPREPLY=($(compgen -W "title= joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= contact.preload= contact.static_friction= contact.kinetic_friction= contact.impact= contact.restitution= drive.kind= drive.amplitude= drive.frequency= drive.velocity= drive.file= run.duration= run.window= run.initial= run.perturbation= run.engine= run.early_ending= run.step= run.beta_2= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
+        compopt -o nospace
+        return
+    fi
+    if [[ $previous == @(--over|--tolerance) && ${COMP_WORDS[1]} == @(advise|stability) ]]; then
+        COMPREPLY=($(compgen -W "joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= contact.preload= contact.static_friction= contact.kinetic_friction= contact.restitution= drive.amplitude= drive.frequency= drive.velocity= run.duration= run.window= run.perturbation= run.step= run.beta_2= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
         compopt -o nospace
         return
     fi
@@ -19,6 +24,7 @@ _stridor() {
         check) options="--help --set --json" ;;
         simulate) options="--help --set --no-early --json --trace --trace-from --trace-to --trace-interval --history --figure --zoom" ;;
         stability) options="--help --set --over --figure --json" ;;
+        advise) options="--help --set --over --tolerance --samples --seed --threads --json" ;;
         chart) options="--help --set --no-early --out --threads --preview --json" ;;
         figure) options="--help" ;;
         listen) options="--help --set --cell --direction --judged --out --of --quantity --component --rate --seconds --level --full-scale --high-pass --fade --json" ;;

@@ -1,6 +1,5 @@
 #include "advise_text.hpp"
 
-#include "stridor/base/text.hpp"
 #include "terminal.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +31,7 @@ std::string measured(const DesignSpace& space, std::size_t parameter, double val
     return with_unit(space, parameter, fmt::format("{:.4g}", value));
 }
 
-// "none", or where the phases differ "going squeal, coming none"
+// "none", "both squeal", or where the phases differ "going squeal, coming none"
 std::string verdict_words(const DesignSpace& space, const DesignVerdict& verdict) {
     std::string text;
     bool are_equal = true;
@@ -42,13 +41,16 @@ std::string verdict_words(const DesignSpace& space, const DesignVerdict& verdict
         text += fmt::format("{}{} {}", k > 0 ? ", " : "",
                             record::phase_names[static_cast<std::size_t>(space.phases[k])], word);
     }
-    return are_equal ? std::string(sweep::word(verdict.phases.front())) : text;
+    const std::string first(sweep::word(verdict.phases.front()));
+    if (!are_equal) return text;
+    if (sweep::is_quiet(verdict)) return sweep::slips_quietly(verdict) ? first : first + " (sticks)";
+    return space.phases.size() == 2 ? "both " + first : first;
 }
 
 std::string change_words(const DesignSpace& space, const ParameterMargin& margin, const sweep::ScanSide& side) {
     if (side.change)
         return measured(space, margin.parameter, side.change->value) + " " + verdict_words(space, side.change->beyond);
-    return side.end == sweep::ScanEnd::range ? "-" : "- (invalid)";
+    return "-";
 }
 
 std::string quiet_words(const DesignSpace& space, const ParameterMargin& margin) {
@@ -77,6 +79,17 @@ std::string columns(const std::vector<std::vector<std::string>>& rows) {
     return text;
 }
 
+// why a parameter cannot go on
+std::string ends(const Advice& advice) {
+    std::string text;
+    for (const ParameterMargin& margin : advice.margins)
+        for (const sweep::ScanSide* side : {&margin.below, &margin.above})
+            if (side->end == sweep::ScanEnd::invalid)
+                text += fmt::format("{} ends at {}: {}\n", advice.space.parameters[margin.parameter].key,
+                                    measured(advice.space, margin.parameter, side->last), side->reason);
+    return text;
+}
+
 std::string margins_table(const Advice& advice) {
     const DesignSpace& space = advice.space;
     const bool was_quiet = sweep::is_quiet(advice.present);
@@ -87,15 +100,14 @@ std::string margins_table(const Advice& advice) {
                         change_words(space, margin, margin.below), change_words(space, margin, margin.above)});
         if (!was_quiet) rows.back().push_back(quiet_words(space, margin));
     }
-    return columns(rows);
+    return columns(rows) + ends(advice);
 }
 
 std::string setting_words(const DesignSpace& space, const DesignChange& change) {
     std::string text;
     for (const sweep::ParameterChange& each : change.set) {
-        const std::string to = with_unit(space, each.parameter, base::shortest(each.to));
         text += fmt::format("{}{} {:.4g} -> {}", text.empty() ? "" : ", ", space.parameters[each.parameter].key,
-                            each.from, to);
+                            each.from, with_unit(space, each.parameter, fmt::format("{:.6g}", each.to)));
     }
     return text;
 }
@@ -107,11 +119,13 @@ std::string changes_list(const Advice& advice) {
     std::vector<std::vector<std::string>> rows{{"", "distance", "quiet with"}};
     for (std::size_t k = 0; k < advice.changes.size(); ++k)
         rows.push_back({k == advice.recommended ? "*" : "", fmt::format("{:.3f}", advice.changes[k].distance),
-                        setting_words(space, advice.changes[k])});
+                        setting_words(space, advice.changes[k]) +
+                            (sweep::slips_quietly(advice.changes[k].verdict) ? "" : " (it then sticks throughout)")});
     const DesignChange& best = advice.changes[*advice.recommended];
     return columns(rows) +
-           fmt::format("\n* advised: {}\n  verified: it and the {} designs around it (1 % more and less) are quiet\n",
-                       sweep::settings_of(space, best), best.runs - 1);
+           fmt::format(
+               "\n* advised: {}\n  verified by {} runs: quiet from every start, and with 1 % more and less of each\n",
+               sweep::settings_of(space, best), best.runs);
 }
 
 // the parameters that a design as a whole is nearest through, the largest parts first

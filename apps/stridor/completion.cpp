@@ -34,6 +34,14 @@ std::vector<std::string> settings() {
     return words;
 }
 
+// keys of quantities with "=", for --over and --tolerance
+std::vector<std::string> quantities() {
+    std::vector<std::string> words = parameters::quantity_keys();
+    for (std::string& word : words)
+        word += "=";
+    return words;
+}
+
 // options of each subcommand of a command that has them, as cases of the second word
 std::string subcommand_cases(const CLI::App& command) {
     std::string cases;
@@ -110,6 +118,13 @@ std::string bash_script(const CLI::App& program) {
            "    if [[ $previous == --set ]]; then\n"
            "        COMPREPLY=($(compgen -W \"" +
            joined(settings()) +
+           "\" -- \"$word\"))\n"
+           "        compopt -o nospace\n"
+           "        return\n"
+           "    fi\n"
+           "    if [[ $previous == @(--over|--tolerance) && ${COMP_WORDS[1]} == @(advise|stability) ]]; then\n"
+           "        COMPREPLY=($(compgen -W \"" +
+           joined(quantities()) +
            "\" -- \"$word\"))\n"
            "        compopt -o nospace\n"
            "        return\n"

@@ -2,6 +2,7 @@
 
 #include "stridor/io/json_parts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -28,13 +29,16 @@ Json verdict_object(const DesignSpace& space, const DesignVerdict& verdict) {
     for (std::size_t k = 0; k < space.phases.size(); ++k)
         phases[std::string(name_of<record::Phase>(record::phase_names, space.phases[k]))] =
             sweep::word(verdict.phases[k]);
-    return {{"category", sweep::word(sweep::overall(verdict))}, {"phases", std::move(phases)}};
+    return {{"category", sweep::word(sweep::overall(verdict))},
+            {"phases", std::move(phases)},
+            {"sticks", sweep::is_quiet(verdict) && !sweep::slips_quietly(verdict)}};
 }
 
 Json change_object(const DesignSpace& space, const ParameterMargin& margin,
                    const std::optional<sweep::VerdictChange>& change) {
     if (!change) return nullptr;
     Json object = {{"value", change->value},
+                   {"before", change->before},
                    {"distance", std::abs(change->value - margin.value)},
                    {"relative", std::abs(change->value - margin.value) / std::abs(margin.value)},
                    {"share", std::abs(change->share - space.origin[margin.parameter])}};
@@ -63,6 +67,7 @@ Json margin_object(const DesignSpace& space, const ParameterMargin& margin) {
             {"from", parameter.from},
             {"to", parameter.to},
             {"scale", name_of<sweep::Scale>(sweep::scale_names, parameter.scale)},
+            {"free", std::find(space.free.begin(), space.free.end(), margin.parameter) != space.free.end()},
             {"below", change_object(space, margin, margin.below.change)},
             {"above", change_object(space, margin, margin.above.change)},
             {"quiet_below", change_object(space, margin, margin.below.quiet)},
@@ -83,6 +88,7 @@ Json quieting_object(const DesignSpace& space, const DesignChange& change) {
     Json verified = verdict_object(space, change.verdict);
     verified["runs"] = change.runs;
     verified["neighbourhood"] = sweep::neighbourhood;
+    verified["starts"] = sweep::start_names();
     return {{"set", std::move(set)},
             {"distance", change.distance},
             {"options", sweep::settings_of(space, change)},

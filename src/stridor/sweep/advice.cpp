@@ -24,10 +24,12 @@ std::vector<std::size_t> ranked_by_change(const DesignSpace& space, std::span<co
 }
 
 void find_changes(Advice& advice, DesignRunner& runner) {
-    advice.changes = single_changes(advice.space, advice.margins, runner);
+    advice.changes = single_changes(advice.space, advice.margins, Sticking::refused, runner);
+    std::vector<DesignChange> joint = joint_changes(advice.space, advice.margins, advice.nearest, runner);
+    if (advice.changes.empty() && joint.empty())
+        advice.changes = single_changes(advice.space, advice.margins, Sticking::accepted, runner);
     for (const DesignChange& change : advice.changes)
         advice.ranking.push_back(change.set.front().parameter);
-    std::vector<DesignChange> joint = joint_changes(advice.space, advice.margins, advice.nearest, runner);
     std::move(joint.begin(), joint.end(), std::back_inserter(advice.changes));
     std::stable_sort(advice.changes.begin(), advice.changes.end(),
                      [](const auto& a, const auto& b) { return a.distance < b.distance; });

@@ -28,19 +28,26 @@ using classification::Category;
 using parameters::Case;
 
 // a phase that the drive never reaches is undecided, as in a chart's cell
-StartVerdict verdict_on(const integration::Motion& motion, record::Phase phase, const Case& c) {
+void judge_phase(DesignVerdict& verdict, const integration::Motion& motion, record::Phase phase, const Case& c) {
     const auto& tallies = motion.record.phases;
     const auto found =
         std::find_if(tallies.begin(), tallies.end(), [&](const record::Tally& tally) { return tally.phase == phase; });
-    if (found == tallies.end()) return {Status::done, Category::undecided};
-    return {Status::done, classification::classify(analysis::evidence(*found), c.verdict).category};
+    const bool is_there = found != tallies.end();
+    const analysis::Evidence evidence = is_there ? analysis::evidence(*found) : analysis::Evidence{};
+    const Category category = is_there ? classification::classify(evidence, c.verdict).category : Category::undecided;
+    verdict.phases.push_back({Status::done, category});
+    verdict.stick.push_back(is_there ? evidence.judged_rates.stick : 0.0);
 }
 
 DesignVerdict judged(const DesignSpace& space, const Case& c, const Attempt& run) {
-    DesignVerdict verdict{{}, run.message};
-    for (const record::Phase phase : space.phases)
-        verdict.phases.push_back(run.status == Status::done ? verdict_on(run.motion, phase, c)
-                                                            : StartVerdict{run.status, Category::undecided});
+    DesignVerdict verdict{{}, {}, run.message};
+    if (run.status == Status::done) {
+        for (const record::Phase phase : space.phases)
+            judge_phase(verdict, run.motion, phase, c);
+        return verdict;
+    }
+    verdict.phases.assign(space.phases.size(), {run.status, Category::undecided});
+    verdict.stick.assign(space.phases.size(), 0.0);
     return verdict;
 }
 
@@ -128,6 +135,11 @@ bool is_quiet(const DesignVerdict& verdict) {
     return !verdict.phases.empty() && std::all_of(verdict.phases.begin(), verdict.phases.end(), [](const auto& phase) {
         return phase.status == Status::done && phase.category == Category::none;
     });
+}
+
+bool slips_quietly(const DesignVerdict& verdict) {
+    return is_quiet(verdict) &&
+           std::all_of(verdict.stick.begin(), verdict.stick.end(), [](double stick) { return stick < 1.0; });
 }
 
 bool is_noisy(const DesignVerdict& verdict) {

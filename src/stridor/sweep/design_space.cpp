@@ -143,7 +143,7 @@ const Field& quantity_named(const Case& c, std::string_view name) {
 DesignSpace design_space(const Case& c, std::span<const AskedRange> asked) {
     if (const std::vector<parameters::Finding> found = parameters::findings(c); !found.empty())
         throw Error(ErrorKind::input, found.front().problem);
-    DesignSpace space{c, {}, {}, record::schedule(c).phases};
+    DesignSpace space{c, {}, {}, {}, record::schedule(c).phases};
     const std::vector<AskedRange> usual = asked.empty() ? usual_ranges(c) : std::vector<AskedRange>{};
     for (const AskedRange& range : asked.empty() ? std::span<const AskedRange>(usual) : asked) {
         DesignParameter parameter = parameter_for(c, range);
@@ -152,6 +152,7 @@ DesignSpace design_space(const Case& c, std::span<const AskedRange> asked) {
                 refuse(parameter.key + " is asked for twice", "each parameter has one range", "");
         const Field& field = *parameters::find_field(parameter.key);
         space.origin.push_back(share_of(parameter, parameters::get_quantity(c, field)));
+        if (!asked.empty() || field.section != "drive") space.free.push_back(space.parameters.size());
         space.parameters.push_back(std::move(parameter));
     }
     return space;

@@ -5,6 +5,7 @@
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/study.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,6 +42,7 @@ struct DesignSpace {
     parameters::Case base;
     std::vector<DesignParameter> parameters;
     Shares origin;                      // where the base case stands, shape [parameter]
+    std::vector<std::size_t> free;      // the parameters that a change may concern; the others are only followed
     std::vector<record::Phase> phases;  // what is judged: all of a constant drive, else the going and coming phases
 };
 
@@ -56,8 +58,9 @@ struct AskedRange {
 /// changes nothing in this case.
 const parameters::Field& quantity_named(const parameters::Case& c, std::string_view name);
 
-/// The space of the ranges asked for, or, if there are none, of all quantities that have a usual range and belong to the
-/// case. A range is widened to hold the case's own value.
+/// The space of the ranges asked for, all of them free, or, if there are none, of all quantities that have a usual range
+/// and belong to the case. Of these the drive is not free: a product has to bear how it is moved, so its margins are of
+/// interest, but advice to move it otherwise is not. A range is widened to hold the case's own value.
 ///
 /// Throws `Error` (input) for a name that is none or comes twice, for ends out of the field's range or order, for a quantity
 /// without a usual range whose ends are not given, and for a case with `parameters::findings`.

@@ -129,8 +129,10 @@ void locate(const DesignSpace& space, const std::vector<Search>& searches, Desig
     brackets = bisect(space, std::move(brackets), conditions, scan_resolution, runner);
     for (std::size_t k = 0; k < searches.size(); ++k) {
         const std::size_t parameter = searches[k].parameter;
+        const DesignParameter& range = space.parameters[parameter];
         const double share = brackets[k].beyond[parameter];
-        *searches[k].result = VerdictChange{share, value_at(space.parameters[parameter], share), brackets[k].verdict};
+        *searches[k].result = VerdictChange{share, value_at(range, share),
+                                            value_at(range, brackets[k].before[parameter]), brackets[k].verdict};
     }
 }
 
@@ -220,7 +222,7 @@ std::vector<ParameterMargin> margins(const DesignSpace& space, const DesignVerdi
             const auto points = outwards(margin, space.origin[margin.parameter], side);
             ScanSide& found = side == Side::below ? margin.below : margin.above;
             look(space, searches, points, is_other, {margin.parameter, &found.change});
-            if (!is_quiet(present)) look(space, searches, points, is_quiet, {margin.parameter, &found.quiet});
+            if (!is_quiet(present)) look(space, searches, points, slips_quietly, {margin.parameter, &found.quiet});
         }
     locate(space, searches, runner);
     return margins;

@@ -19,17 +19,18 @@
 namespace stridor::sweep {
 
 /// Equal intervals of a parameter's range, at whose ends the verdict is asked for.
-inline constexpr int scan_intervals = 48;
+inline constexpr int scan_intervals = 64;
 
 /// Share of the range to which a change of verdict is located.
 inline constexpr double scan_resolution = 1e-4;
 
-/// A place where a verdict is another one than nearer to the present value, and is known to be: it was run there. The change
-/// lies between it and at most `scan_resolution` of the range before it.
+/// A place where a verdict is another one than nearer to the present value. Both sides of it were run: they are at most
+/// `scan_resolution` of the range apart.
 struct VerdictChange {
-    double share = 0.0;  // [1] of the range
-    double value = 0.0;  // in the field's unit
-    DesignVerdict beyond{};
+    double share = 0.0;      // [1] of the range, of `value`
+    double value = 0.0;      // in the field's unit: the other verdict
+    double before = 0.0;     // likewise: not yet
+    DesignVerdict beyond{};  // at `value`
 };
 
 /// Why a parameter is not followed further.
@@ -43,7 +44,7 @@ inline constexpr std::array<std::string_view, 2> scan_end_names{"range", "invali
 /// How far a parameter is followed to one side, and what is found there.
 struct ScanSide {
     std::optional<VerdictChange> change{};  // the nearest change of verdict
-    std::optional<VerdictChange> quiet{};   // the nearest quiet design, unless the present one is quiet
+    std::optional<VerdictChange> quiet{};   // the nearest that slips quietly, unless the present one is quiet
     double last = 0.0;                      // in the field's unit: the scan ends there
     ScanEnd end = ScanEnd::range;
     std::string reason{};  // end = invalid: what the contradiction is

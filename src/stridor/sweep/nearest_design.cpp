@@ -50,19 +50,20 @@ double exit_distance(const DesignSpace& space, const Heading& heading) {
 }
 
 std::optional<Bracket> first_meeting(const DesignSpace& space, std::span<const Shares> points,
-                                     std::span<const DesignVerdict> verdicts, const Condition& condition) {
+                                     std::span<const DesignVerdict> verdicts, const Target& target) {
     for (std::size_t k = 0; k < points.size(); ++k) {
         // once alone is a speck, unless the ray ends there
-        const bool goes_on = k + 1 == points.size() || condition(verdicts[k + 1]);
-        if (condition(verdicts[k]) && goes_on)
+        const bool goes_on =
+            target.specks == Specks::counted || k + 1 == points.size() || target.condition(verdicts[k + 1]);
+        if (target.condition(verdicts[k]) && goes_on)
             return Bracket{k > 0 ? points[k - 1] : space.origin, points[k], verdicts[k]};
     }
     return std::nullopt;
 }
 
-std::vector<NearestDesign> located(const DesignSpace& space, std::vector<Bracket> brackets, const Condition& condition,
+std::vector<NearestDesign> located(const DesignSpace& space, std::vector<Bracket> brackets, const Target& target,
                                    DesignRunner& runner) {
-    const std::vector<Condition> conditions(brackets.size(), condition);
+    const std::vector<Condition> conditions(brackets.size(), target.condition);
     std::vector<NearestDesign> designs;
     for (Bracket& bracket : bisect(space, std::move(brackets), conditions, ray_resolution, runner)) {
         const double far = distance(space.origin, bracket.beyond);
@@ -87,21 +88,21 @@ std::vector<Heading> variations(const Heading& heading, std::span<const std::siz
     return all;
 }
 
-// those of the headings that behave so somewhat nearer than `far`, and a little further on as well
+// those of the headings that behave so somewhat nearer than `far`
 std::vector<NearestDesign> nearer(const DesignSpace& space, std::vector<Heading> headings, double far,
-                                  const Condition& condition, DesignRunner& runner) {
+                                  const Target& target, DesignRunner& runner) {
     std::erase_if(headings, [&](const Heading& heading) { return exit_distance(space, heading) < shrinking * far; });
     std::vector<Shares> points;
-    for (const Heading& heading : headings) {
+    for (const Heading& heading : headings)
         points.push_back(point_along(space, heading, shrinking * far));
-        points.push_back(point_along(space, heading, shrinking * far + beyond_margin));
-    }
-    std::vector<DesignVerdict> verdicts = runner.judge(space, points);
+    const std::vector<DesignVerdict> verdicts = runner.judge(space, points);
+    std::vector<NearestDesign> found;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (target.condition(verdicts[k])) found.push_back({points[k], shrinking * far, verdicts[k]});
     std::vector<Bracket> brackets;
-    for (std::size_t k = 0; k < headings.size(); ++k)
-        if (condition(verdicts[2 * k]) && condition(verdicts[2 * k + 1]))
-            brackets.push_back({space.origin, points[2 * k], verdicts[2 * k]});
-    return located(space, std::move(brackets), condition, runner);
+    for (std::optional<NearestDesign>& design : counted(space, std::move(found), target, runner))
+        if (design) brackets.push_back({space.origin, std::move(design->shares), std::move(design->verdict)});
+    return located(space, std::move(brackets), target, runner);
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ Shares point_along(const DesignSpace& space, const Heading& heading, double dist
 }
 
 std::vector<std::optional<NearestDesign>> along_rays(const DesignSpace& space, std::span<const Heading> headings,
-                                                     const Condition& condition, DesignRunner& runner) {
+                                                     const Target& target, DesignRunner& runner) {
     std::vector<Shares> points;
     std::vector<std::size_t> followed;
     for (std::size_t k = 0; k < headings.size(); ++k) {
@@ -144,33 +145,48 @@ std::vector<std::optional<NearestDesign>> along_rays(const DesignSpace& space, s
     std::vector<std::size_t> met;
     for (std::size_t k = 0; k < followed.size(); ++k) {
         const auto of_ray = [&](const auto& all) { return std::span(all).subspan(k * ray_points, ray_points); };
-        if (auto bracket = first_meeting(space, of_ray(points), of_ray(verdicts), condition)) {
+        if (auto bracket = first_meeting(space, of_ray(points), of_ray(verdicts), target)) {
             brackets.push_back(std::move(*bracket));
             met.push_back(followed[k]);
         }
     }
     std::vector<std::optional<NearestDesign>> designs(headings.size());
-    std::vector<NearestDesign> found = located(space, std::move(brackets), condition, runner);
+    std::vector<NearestDesign> found = located(space, std::move(brackets), target, runner);
     for (std::size_t k = 0; k < met.size(); ++k)
         designs[met[k]] = std::move(found[k]);
     return designs;
 }
 
-std::vector<Heading> explored_headings(const DesignSpace& space, const Condition& condition, DesignRunner& runner) {
-    const std::size_t dimensions = space.parameters.size();
+std::vector<std::optional<NearestDesign>> counted(const DesignSpace& space, std::vector<NearestDesign> designs,
+                                                  const Target& target, DesignRunner& runner) {
+    std::vector<std::optional<NearestDesign>> kept(designs.size());
+    std::vector<Shares> farther;
+    if (target.specks == Specks::ignored)
+        for (const NearestDesign& design : designs)
+            farther.push_back(point_along(space, heading_to(space, design.shares), design.distance + beyond_margin));
+    const std::vector<DesignVerdict> verdicts = runner.judge(space, farther);
+    for (std::size_t k = 0; k < designs.size(); ++k)
+        if (farther.empty() || target.condition(verdicts[k])) kept[k] = std::move(designs[k]);
+    return kept;
+}
+
+std::vector<Heading> explored_headings(const DesignSpace& space, const Target& target, DesignRunner& runner) {
+    const std::size_t dimensions = space.free.size();
     if (dimensions > most_sobol_dimensions) return {};
     std::vector<Shares> points;
     for (std::size_t box = 0; box < explored_boxes.size(); ++box)
         for (const std::vector<double>& share : sobol_points(dimensions, explored_designs, {0, box})) {
             Shares point = space.origin;
-            for (std::size_t k = 0; k < dimensions; ++k)
-                point[k] = std::clamp(point[k] + explored_boxes[box] * (2.0 * share[k] - 1.0), 0.0, 1.0);
+            for (std::size_t k = 0; k < dimensions; ++k) {
+                double& moved = point[space.free[k]];
+                moved = std::clamp(moved + explored_boxes[box] * (2.0 * share[k] - 1.0), 0.0, 1.0);
+            }
             points.push_back(std::move(point));
         }
     const std::vector<DesignVerdict> verdicts = runner.judge(space, points);
     std::vector<std::pair<double, std::size_t>> found;
     for (std::size_t k = 0; k < points.size(); ++k)
-        if (condition(verdicts[k])) found.emplace_back(distance(space.origin, points[k]), k);
+        if (target.condition(verdicts[k])) found.emplace_back(distance(space.origin, points[k]), k);
     std::sort(found.begin(), found.end());
     std::vector<Heading> headings;
     for (std::size_t k = 0; k < std::min(kept_headings, found.size()); ++k)
@@ -178,20 +194,13 @@ std::vector<Heading> explored_headings(const DesignSpace& space, const Condition
     return headings;
 }
 
-std::optional<NearestDesign> nearest_of(std::span<const std::optional<NearestDesign>> designs) {
-    const std::optional<NearestDesign>* best = nullptr;
-    for (const std::optional<NearestDesign>& design : designs)
-        if (design && (best == nullptr || design->distance < (*best)->distance)) best = &design;
-    return best == nullptr ? std::nullopt : *best;
-}
-
 NearestDesign polished(const DesignSpace& space, NearestDesign best, std::span<const std::size_t> chosen,
-                       const Condition& condition, DesignRunner& runner) {
+                       const Target& target, DesignRunner& runner) {
     double difference = first_difference;
     for (int round = 0; round < most_rounds && difference > last_difference; ++round) {
         const Heading heading = heading_to(space, best.shares);
         const std::vector<NearestDesign> found =
-            nearer(space, variations(heading, chosen, difference), best.distance, condition, runner);
+            nearer(space, variations(heading, chosen, difference), best.distance, target, runner);
         const auto least = std::min_element(found.begin(), found.end(),
                                             [](const auto& a, const auto& b) { return a.distance < b.distance; });
         if (least == found.end() || least->distance >= best.distance)

@@ -14,7 +14,7 @@
 /// A search without promise of the very nearest, but the same on every machine and for every number of threads:
 ///  1. rays from the present design, in directions that are asked for and towards points of a Sobol sequence around it that
 ///     behave so, are followed at `ray_points` equal steps, and the first place where it behaves so is bisected;
-///  2. the nearest of them is polished: of the directions that differ from its own in one parameter, those that behave so
+///  2. the nearest few are polished: of the directions that differ from its own in one parameter, those that behave so
 ///     at a radius smaller by 3 % are bisected, and the best is taken; where there is none, smaller differences are tried.
 /// Where the boundary is flat, of intercepts dᵢ with the axes, its nearest point lies in the direction 1/dᵢ.
 namespace stridor::sweep {
@@ -39,19 +39,29 @@ struct NearestDesign {
 /// does not meet, of the chosen parameters only; shape [parameter].
 Heading flat_heading(const std::vector<double>& intercepts, std::span<const std::size_t> chosen);
 
+/// Do single points count that behave so while their neighbours do not?
+enum class Specks { ignored, counted };
+
+/// What is looked for.
+struct Target {
+    Condition condition{};
+    Specks specks = Specks::ignored;
+};
+
 /// The nearest designs along rays, one per heading, shape [heading]; nothing where a ray meets none.
 std::vector<std::optional<NearestDesign>> along_rays(const DesignSpace& space, std::span<const Heading> headings,
-                                                     const Condition& condition, DesignRunner& runner);
+                                                     const Target& target, DesignRunner& runner);
+
+/// Those of some designs that count: all, or, without specks, those that behave so a little further on as well.
+std::vector<std::optional<NearestDesign>> counted(const DesignSpace& space, std::vector<NearestDesign> designs,
+                                                  const Target& target, DesignRunner& runner);
 
 /// Headings towards the nearest few of many designs around the present one that behave so.
-std::vector<Heading> explored_headings(const DesignSpace& space, const Condition& condition, DesignRunner& runner);
+std::vector<Heading> explored_headings(const DesignSpace& space, const Target& target, DesignRunner& runner);
 
 /// A nearer design than the one given, changing the chosen parameters only; at worst that one.
 NearestDesign polished(const DesignSpace& space, NearestDesign start, std::span<const std::size_t> chosen,
-                       const Condition& condition, DesignRunner& runner);
-
-/// The nearest of designs; nothing if there are none.
-std::optional<NearestDesign> nearest_of(std::span<const std::optional<NearestDesign>> designs);
+                       const Target& target, DesignRunner& runner);
 
 /// The unit vector from the present design to another one.
 Heading heading_to(const DesignSpace& space, const Shares& shares);

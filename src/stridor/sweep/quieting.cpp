@@ -14,15 +14,26 @@ namespace {
 
 using parameters::Case;
 
+constexpr std::array every_start{parameters::Initial::rest, parameters::Initial::stuck, parameters::Initial::sliding};
+
 // how far beyond the boundary it is tried, one after the other [1, share of the range]
 constexpr std::array tried_safeties{safety, 0.03, 0.05, 0.08, 0.12};
 
 // a rounded value may lie so much farther than asked for [1, share of the range]
 constexpr double rounding_room = 0.01;
 
+Target target_for(Wanted wanted) {
+    if (wanted == Wanted::quiet) return {slips_quietly, Specks::ignored};
+    // no noise is too small to count
+    return {[](const DesignVerdict& verdict) { return !is_quiet(verdict) && !is_invalid(verdict); }, Specks::counted};
+}
+
 // of how many parameters pairs and triples are made, and how many of each are searched closely
 constexpr std::size_t combined_parameters = 6;
 constexpr std::size_t polished_combinations = 3;
+
+// so many of the designs found first are polished: the nearest one need not lead to the nearest one
+constexpr std::size_t polished_starts = 5;
 
 const parameters::Field& field_of(const DesignSpace& space, std::size_t parameter) {
     return *parameters::find_field(space.parameters[parameter].key);
@@ -54,7 +65,7 @@ double neighbour(const DesignSpace& space, const ParameterChange& change, int st
     return std::clamp(change.to + steps * neighbourhood * size, allowed.low, allowed.high);
 }
 
-// the changed design, then those around it
+// the changed design, those around it, and itself from the other starts: a contact may have a quiet and a noisy motion
 std::vector<Case> around(const DesignSpace& space, const DesignChange& change) {
     std::vector<Case> cases{space.base};
     for (const ParameterChange& each : change.set) {
@@ -66,13 +77,19 @@ std::vector<Case> around(const DesignSpace& space, const DesignChange& change) {
             }
         cases = std::move(more);
     }
+    const parameters::Initial own = space.base.run.initial;
+    for (const parameters::Initial start : every_start)
+        if (start != own) {
+            cases.push_back(cases.front());
+            cases.back().run.initial = start;
+        }
     return cases;
 }
 
-// the changes with what their runs say; nothing for those that are not quiet all around. Neighbours whose values contradict
-// each other are no designs, and asked for nothing.
+// the changes with what their runs say; nothing for those that do not meet the condition all around. Neighbours whose
+// values contradict each other are no designs, and asked for nothing.
 std::vector<std::optional<DesignChange>> verified(const DesignSpace& space, std::vector<DesignChange> changes,
-                                                  DesignRunner& runner) {
+                                                  const Condition& condition, DesignRunner& runner) {
     std::vector<Case> cases;
     std::vector<std::size_t> counts;
     for (const DesignChange& change : changes) {
@@ -85,15 +102,17 @@ std::vector<std::optional<DesignChange>> verified(const DesignSpace& space, std:
     auto first = verdicts.begin();
     for (std::size_t k = 0; k < changes.size(); ++k) {
         const auto last = first + static_cast<std::ptrdiff_t>(counts[k]);
-        const auto quiet = std::count_if(first, last, is_quiet);
+        const auto quiet = std::count_if(first, last, condition);
         const auto invalid = std::count_if(first, last, is_invalid);
         changes[k].verdict = *first;
         changes[k].runs = static_cast<std::size_t>(quiet);
-        if (is_quiet(*first) && quiet + invalid == last - first) results[k] = std::move(changes[k]);
+        if (condition(*first) && quiet + invalid == last - first) results[k] = std::move(changes[k]);
         first = last;
     }
     return results;
 }
+
+enum class Side { below, above };
 
 // the quiet stretches of a scan to one side, each as shares from its near to its far end
 struct Stretch {
@@ -101,7 +120,9 @@ struct Stretch {
     double far = 0.0;
 };
 
-std::vector<Stretch> quiet_stretches(const DesignSpace& space, const ParameterMargin& margin, bool is_above) {
+std::vector<Stretch> quiet_stretches(const DesignSpace& space, const ParameterMargin& margin, Side side,
+                                     const Condition& condition) {
+    const bool is_above = side == Side::above;
     const double origin = space.origin[margin.parameter];
     std::vector<const ScanPoint*> points;
     for (const ScanPoint& point : margin.scan)
@@ -110,22 +131,25 @@ std::vector<Stretch> quiet_stretches(const DesignSpace& space, const ParameterMa
     std::vector<Stretch> stretches;
     bool is_within = false;
     for (const ScanPoint* point : points) {
-        const bool quiet = is_quiet(point->verdict);
+        const bool quiet = condition(point->verdict);
         if (quiet && !is_within) stretches.push_back({point->share, point->share});
         if (quiet) stretches.back().far = point->share;
         is_within = quiet;
     }
     const std::optional<VerdictChange>& located = is_above ? margin.above.quiet : margin.below.quiet;
-    if (located && !stretches.empty()) stretches.front().near = located->share;
+    const bool is_its_start =
+        located && !stretches.empty() && std::abs(located->share - stretches.front().near) <= 1.0 / scan_intervals;
+    if (is_its_start) stretches.front().near = located->share;
     return stretches;
 }
 
 // what to try for one parameter, smallest change first
-std::vector<DesignChange> candidates(const DesignSpace& space, const ParameterMargin& margin) {
+std::vector<DesignChange> candidates(const DesignSpace& space, const ParameterMargin& margin,
+                                     const Condition& condition) {
     std::vector<DesignChange> changes;
-    for (const bool is_above : {false, true})
-        for (const Stretch& stretch : quiet_stretches(space, margin, is_above)) {
-            const double outwards = is_above ? 1.0 : -1.0;
+    for (const Side side : {Side::below, Side::above})
+        for (const Stretch& stretch : quiet_stretches(space, margin, side, condition)) {
+            const double outwards = side == Side::above ? 1.0 : -1.0;
             const double width = std::abs(stretch.far - stretch.near);
             for (const double beyond : tried_safeties) {
                 if (beyond > width) break;
@@ -142,7 +166,7 @@ std::vector<DesignChange> candidates(const DesignSpace& space, const ParameterMa
 // the first candidate of each list that can be verified
 std::vector<DesignChange> first_verified(const DesignSpace& space,
                                          const std::vector<std::vector<DesignChange>>& candidates,
-                                         DesignRunner& runner) {
+                                         const Condition& condition, DesignRunner& runner) {
     std::vector<DesignChange> found;
     std::vector<std::size_t> open(candidates.size());
     std::iota(open.begin(), open.end(), 0U);
@@ -151,7 +175,7 @@ std::vector<DesignChange> first_verified(const DesignSpace& space,
         std::vector<DesignChange> asked;
         for (const std::size_t k : open)
             asked.push_back(candidates[k][turn]);
-        const std::vector<std::optional<DesignChange>> results = verified(space, std::move(asked), runner);
+        const std::vector<std::optional<DesignChange>> results = verified(space, std::move(asked), condition, runner);
         std::vector<std::size_t> still_open;
         for (std::size_t k = 0; k < results.size(); ++k) {
             if (results[k])
@@ -165,15 +189,30 @@ std::vector<DesignChange> first_verified(const DesignSpace& space,
     return found;
 }
 
-// signed distances along the axes to the nearest design of that kind, 0 where there is none
+// signed distances along the axes to the nearest design of that kind, 0 where there is none, or a parameter is not free
 std::vector<double> intercepts(const DesignSpace& space, std::span<const ParameterMargin> margins, Wanted wanted) {
-    std::vector<double> all;
-    for (const ParameterMargin& margin : margins) {
+    std::vector<double> all(margins.size(), 0.0);
+    for (const std::size_t k : space.free) {
         const VerdictChange* found =
-            wanted == Wanted::quiet ? nearest_quiet(space, margin) : nearest_change(space, margin);
-        all.push_back(found != nullptr ? found->share - space.origin[margin.parameter] : 0.0);
+            wanted == Wanted::quiet ? nearest_quiet(space, margins[k]) : nearest_change(space, margins[k]);
+        if (found != nullptr) all[k] = found->share - space.origin[k];
     }
     return all;
+}
+
+// the nearest designs of that kind along single parameters
+std::vector<NearestDesign> single_designs(const DesignSpace& space, std::span<const ParameterMargin> margins,
+                                          Wanted wanted) {
+    std::vector<NearestDesign> designs;
+    for (const std::size_t k : space.free) {
+        const VerdictChange* found =
+            wanted == Wanted::quiet ? nearest_quiet(space, margins[k]) : nearest_change(space, margins[k]);
+        if (found == nullptr) continue;
+        Shares shares = space.origin;
+        shares[k] = found->share;
+        designs.push_back({std::move(shares), std::abs(found->share - space.origin[k]), found->beyond});
+    }
+    return designs;
 }
 
 // the parameters that help most: by their part in the nearest design, then by their own nearness
@@ -226,14 +265,16 @@ std::vector<NearestDesign> nearest_combinations(const DesignSpace& space, const 
                 part[k] = nearest->shares[k] - space.origin[k];
         headings.push_back(std::move(part));
     }
-    const std::vector<std::optional<NearestDesign>> met = along_rays(space, headings, is_quiet, runner);
+    const std::vector<std::optional<NearestDesign>> met =
+        along_rays(space, headings, target_for(Wanted::quiet), runner);
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t k = 0; k < met.size(); ++k)
         if (met[k]) order.emplace_back(met[k]->distance, k);
     std::sort(order.begin(), order.end());
     std::vector<NearestDesign> designs;
     for (std::size_t k = 0; k < std::min(polished_combinations, order.size()); ++k)
-        designs.push_back(polished(space, *met[order[k].second], combinations[order[k].second / 2], is_quiet, runner));
+        designs.push_back(polished(space, *met[order[k].second], combinations[order[k].second / 2],
+                                   target_for(Wanted::quiet), runner));
     std::stable_sort(designs.begin(), designs.end(),
                      [](const auto& a, const auto& b) { return a.distance < b.distance; });
     return designs;
@@ -281,11 +322,12 @@ double roundest(double near, double far) {
 }
 
 std::vector<DesignChange> single_changes(const DesignSpace& space, std::span<const ParameterMargin> margins,
-                                         DesignRunner& runner) {
+                                         Sticking sticking, DesignRunner& runner) {
+    const Condition condition = sticking == Sticking::refused ? slips_quietly : is_quiet;
     std::vector<std::vector<DesignChange>> tried;
-    for (const ParameterMargin& margin : margins)
-        tried.push_back(candidates(space, margin));
-    return first_verified(space, tried, runner);
+    for (const std::size_t k : space.free)
+        tried.push_back(candidates(space, margins[k], condition));
+    return first_verified(space, tried, condition, runner);
 }
 
 std::vector<DesignChange> joint_changes(const DesignSpace& space, std::span<const ParameterMargin> margins,
@@ -298,7 +340,7 @@ std::vector<DesignChange> joint_changes(const DesignSpace& space, std::span<cons
         for (const NearestDesign& design :
              nearest_combinations(space, axes, nearest, combinations(helpful, size), runner))
             tried.push_back(candidates(space, design));
-        const std::vector<DesignChange> found = first_verified(space, tried, runner);
+        const std::vector<DesignChange> found = first_verified(space, tried, slips_quietly, runner);
         if (!found.empty()) changes.push_back(found.front());
     }
     return changes;
@@ -318,20 +360,23 @@ const DesignChange* recommended(std::span<const DesignChange> changes) {
 
 std::optional<NearestDesign> nearest_design(const DesignSpace& space, std::span<const ParameterMargin> margins,
                                             Wanted wanted, DesignRunner& runner) {
-    const Condition condition = wanted == Wanted::quiet ? Condition(is_quiet) : [](const DesignVerdict& verdict) {
-        return !is_quiet(verdict) && !is_invalid(verdict);
-    };
+    const Target target = target_for(wanted);
     const std::vector<double> axes = intercepts(space, margins, wanted);
-    std::vector<std::size_t> all(axes.size());
-    std::iota(all.begin(), all.end(), 0U);
-    std::vector<Heading> headings{flat_heading(axes, all)};
-    for (const std::size_t k : all)
-        headings.push_back(flat_heading(axes, std::span(&k, 1)));
-    for (Heading& heading : explored_headings(space, condition, runner))
-        headings.push_back(std::move(heading));
-    const std::optional<NearestDesign> start = nearest_of(along_rays(space, headings, condition, runner));
-    if (!start) return std::nullopt;
-    return polished(space, *start, all, condition, runner);
+    std::vector<Heading> headings{flat_heading(axes, space.free)};
+    for (const Heading& heading : explored_headings(space, target, runner))
+        headings.push_back(heading);
+    std::vector<NearestDesign> starts;
+    for (std::optional<NearestDesign>& design : along_rays(space, headings, target, runner))
+        if (design) starts.push_back(std::move(*design));
+    for (std::optional<NearestDesign>& design : counted(space, single_designs(space, margins, wanted), target, runner))
+        if (design) starts.push_back(std::move(*design));
+    const auto is_nearer = [](const auto& a, const auto& b) { return a.distance < b.distance; };
+    std::stable_sort(starts.begin(), starts.end(), is_nearer);
+    if (starts.size() > polished_starts) starts.resize(polished_starts);
+    for (NearestDesign& start : starts)
+        start = polished(space, start, space.free, target, runner);
+    const auto nearest = std::min_element(starts.begin(), starts.end(), is_nearer);
+    return nearest == starts.end() ? std::nullopt : std::optional(*nearest);
 }
 
 }  // namespace stridor::sweep

@@ -10,11 +10,12 @@
 #include <span>
 #include <vector>
 
-/// The smallest change of a design that makes every phase quiet.
+/// The smallest change of a design that makes every phase quiet, and lets the contact slip: a contact that sticks throughout
+/// is quiet, too, but does no longer rub. Only where nothing else helps is such a change told.
 ///
 /// A change goes at least `safety` beyond the place where the design begins to be quiet, to a number with few digits, and is
-/// *verified*: the changed design was run and is quiet, and so is each one around it, with every changed value `neighbourhood`
-/// less and more in all combinations. What cannot be verified is not told.
+/// *verified*: the changed design was run and is quiet, from every start (run.initial), and so is each one around it, with
+/// every changed value `neighbourhood` less and more in all combinations. What cannot be verified is not told.
 namespace stridor::sweep {
 
 /// A change goes so far beyond the boundary, at least [1, share of the range].
@@ -41,14 +42,18 @@ struct DesignChange {
     std::vector<ParameterChange> set{};  // by parameter
     double distance = 0.0;               // [1] from the present design
     DesignVerdict verdict{};             // of the changed design
-    std::size_t runs = 0;                // [1] it and the designs around it, all quiet
+    std::size_t runs = 0;                // [1] of it, from every start, and of the designs around it: all quiet
 };
 
-/// The changes of a single parameter that make the design quiet, one for each that can, smallest first.
-std::vector<DesignChange> single_changes(const DesignSpace& space, std::span<const ParameterMargin> margins,
-                                         DesignRunner& runner);
+/// May the contact stick throughout?
+enum class Sticking { refused, accepted };
 
-/// The smallest changes of two and of three parameters, if there are any; `nearest` is the nearest quiet design.
+/// The changes of a single free parameter that make the design quiet, one for each that can, smallest first.
+std::vector<DesignChange> single_changes(const DesignSpace& space, std::span<const ParameterMargin> margins,
+                                         Sticking sticking, DesignRunner& runner);
+
+/// The smallest changes of two and of three free parameters that let it slip quietly, if there are any; `nearest` is the
+/// nearest such design.
 std::vector<DesignChange> joint_changes(const DesignSpace& space, std::span<const ParameterMargin> margins,
                                         const std::optional<NearestDesign>& nearest, DesignRunner& runner);
 
@@ -56,10 +61,12 @@ std::vector<DesignChange> joint_changes(const DesignSpace& space, std::span<cons
 const DesignChange* recommended(std::span<const DesignChange> changes);
 
 /// What is looked for from a design that is the opposite.
-enum class Wanted { quiet, not_quiet };
+enum class Wanted {
+    quiet,      // it slips quietly
+    not_quiet,  // anything else, but values that contradict each other
+};
 
-/// The nearest design of that kind, all parameters changed at once; values that contradict each other are no design. The
-/// margins are where the search begins.
+/// The nearest design of that kind, all free parameters changed at once. The margins are where the search begins.
 std::optional<NearestDesign> nearest_design(const DesignSpace& space, std::span<const ParameterMargin> margins,
                                             Wanted wanted, DesignRunner& runner);
 
