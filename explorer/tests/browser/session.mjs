@@ -30,6 +30,7 @@ export async function startExplorer(options = []) {
   }
   const ended = new Promise((resolve) => child.once("exit", (code) => resolve(code)));
   return {
+    pid: child.pid,
     link: () => link,
     origin: new URL(link).origin,
     async stop() {

@@ -1,0 +1,196 @@
+// The running program under attack: refused, memory bounded, still answering. What each layer does by itself is tested in
+// tests/unit/explorer.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { readFile } from "node:fs/promises";
+import { request } from "node:http";
+import { connect } from "node:net";
+import { after, before, test } from "node:test";
+import { program, startExplorer } from "./session.mjs";
+
+// what an attack may leave behind [MB]; sanitizers keep what is freed for a while
+const room = process.env.STRIDOR_SANITIZED ? 400 : 32;
+
+let explorer;
+let port;
+let host;
+let cookie;
+
+before(async () => {
+  explorer = await startExplorer();
+  port = Number(new URL(explorer.origin).port);
+  host = `127.0.0.1:${port}`;
+  const opened = await ask({ path: `/open${new URL(explorer.link()).search}`, cookie: "" });
+  assert.equal(opened.status, 303);
+  cookie = opened.headers["set-cookie"][0].split(";")[0];
+  await post("/api/simulate", { preset: "squeal" }); // so that memory has its usual size
+});
+
+after(async () => assert.equal(await explorer?.stop(), 0));
+
+function ask({ path = "/", method = "GET", headers = {}, body = null, cookie: session = cookie }) {
+  return new Promise((resolve, reject) => {
+    const sent = request({ host: "127.0.0.1", port, path, method, agent: false,
+      headers: { Host: host, ...(session ? { Cookie: session } : {}), ...headers } }, (response) => {
+      const parts = [];
+      response.on("data", (part) => parts.push(part));
+      response.on("end", () => resolve({ status: response.statusCode, headers: response.headers,
+        body: Buffer.concat(parts).toString() }));
+      response.on("error", reject);
+    });
+    sent.on("error", reject);
+    if (body !== null) sent.write(body);
+    sent.end();
+  });
+}
+
+function post(path, body, headers = {}) {
+  return ask({ path, method: "POST", body: typeof body === "string" || Buffer.isBuffer(body) ? body : JSON.stringify(body),
+    headers: { "Content-Type": "application/json", Origin: `http://${host}`, ...headers } });
+}
+
+// bytes on a bare connection, as many as it takes
+function pour(head, piece, most) {
+  return new Promise((resolve) => {
+    const socket = connect(port, "127.0.0.1");
+    let poured = 0;
+    let answer = "";
+    const go = () => {
+      while (poured < most && !socket.destroyed) {
+        poured += piece.length;
+        if (!socket.write(piece)) return socket.once("drain", go);
+      }
+      socket.end();
+    };
+    socket.on("data", (data) => (answer += data));
+    socket.on("error", () => {});
+    socket.on("close", () => resolve({ poured, answer }));
+    socket.on("connect", () => { socket.write(head); go(); });
+    setTimeout(() => socket.destroy(), 30000).unref();
+  });
+}
+
+async function residentMegabytes() {
+  const status = await readFile(`/proc/${explorer.pid}/status`, "utf8");
+  return Number(/VmHWM:\s+(\d+)/.exec(status)[1]) / 1024;
+}
+
+async function isStillAnswering() {
+  assert.equal((await ask({})).status, 200);
+}
+
+test("foreign names, origins and sessions are refused", async () => {
+  for (const name of ["evil.example", `evil.example:${port}`, "127.0.0.1.evil.example", ""])
+    assert.equal((await ask({ headers: { Host: name } })).status, 421, name);
+  for (const origin of ["http://evil.example", "null", "http://localhost:1", `https://${host}`])
+    assert.equal((await post("/api/simulate", { preset: "squeal" }, { Origin: origin })).status, 403, origin);
+  assert.equal((await ask({ headers: { "Sec-Fetch-Site": "cross-site" } })).status, 403);
+  for (const session of ["", "stridor-1=1", `stridor-${port}=${"0".repeat(64)}`])
+    assert.equal((await ask({ cookie: session })).status, 401, session);
+  for (const token of ["", "token=", "token=1", `token=${"f".repeat(64)}`])
+    assert.equal((await ask({ path: `/open?${token}`, cookie: "" })).status, 403, token);
+  for (const method of ["PUT", "DELETE", "OPTIONS"]) assert.equal((await ask({ method })).status, 405, method);
+  await isStillAnswering();
+});
+
+test("a link opens once, and the next one is printed", async () => {
+  const link = explorer.link();
+  const path = `/open${new URL(link).search}`;
+  assert.equal((await ask({ path, cookie: "" })).status, 303);
+  assert.equal((await ask({ path, cookie: "" })).status, 403);
+  await new Promise((resolve) => setTimeout(resolve, 200));
+  assert.notEqual(explorer.link(), link);
+});
+
+test("paths reach no file", async () => {
+  for (const path of ["/../../../etc/passwd", "/..%2f..%2fetc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd",
+    "/page.js/..", "/api/library/../../etc/passwd", "/api/library/1/audio/../../x", "/\\..\\..", "/page.js%00.html"]) {
+    const answer = await ask({ path });
+    assert.notEqual(answer.status, 200, path);
+    assert.ok(!answer.body.includes("root:"), path);
+  }
+});
+
+test("600 MB of chunks are refused after a few, in little memory", async () => {
+  const before = await residentMegabytes();
+  const head = `POST /api/simulate HTTP/1.1\r\nHost: ${host}\r\nTransfer-Encoding: chunked\r\n\r\n`;
+  const piece = `100000\r\n${"x".repeat(0x100000)}\r\n`;
+  const { poured } = await pour(head, piece, 600e6);
+  assert.ok(poured < 100e6, `${poured}`);
+  await isStillAnswering();
+  assert.ok((await residentMegabytes()) - before < room);
+});
+
+test("three million header lines are refused after a few, in little memory", async () => {
+  const before = await residentMegabytes();
+  const { poured } = await pour(`GET / HTTP/1.1\r\nHost: ${host}\r\n`, "X-Header-Line: 1\r\n".repeat(10000), 54e6);
+  assert.ok(poured < 20e6, `${poured}`);
+  await isStillAnswering();
+  assert.ok((await residentMegabytes()) - before < room);
+});
+
+test("a chunk of negative size is no chunk", async () => {
+  const head = `POST /api/simulate HTTP/1.1\r\nHost: ${host}\r\nTransfer-Encoding: chunked\r\n\r\n`;
+  const { answer } = await pour(head, "-2\r\nab\r\n", 8);
+  assert.match(answer, /^HTTP\/1\.1 400/);
+  await isStillAnswering();
+});
+
+test("two hundred connections that say nothing do not keep others out for ever", async () => {
+  const sockets = Array.from({ length: 200 }, () => connect(port, "127.0.0.1").on("error", () => {}));
+  await new Promise((resolve) => setTimeout(resolve, 300));
+  sockets.forEach((socket) => socket.destroy());
+  await new Promise((resolve) => setTimeout(resolve, 200));
+  await isStillAnswering();
+});
+
+test("malformed JSON of every kind is an error in words", async () => {
+  let state = 12345;
+  const random = (below) => {
+    state = (state * 1103515245 + 12345) % 2147483648;
+    return Math.floor((state / 2147483648) * below);
+  };
+  const whole = JSON.stringify({ preset: "squeal", set: ["contact.preload=20", "run.duration=0.3", "run.window=0.3"],
+    chart: { x: { parameter: "contact.preload", from: 1, to: 80, points: 4 },
+      y: { parameter: "contact.kinetic_friction", from: 0, to: 0.8, points: 4 } } });
+  const paths = ["simulate", "motion", "chart", "stability", "toml", "sound", "analysis"];
+  for (let run = 0; run < 400; ++run) {
+    const bytes = Buffer.from(whole);
+    for (let change = 0; change <= random(4); ++change) bytes[random(bytes.length)] = random(256);
+    const cut = bytes.subarray(0, random(3) === 0 ? random(bytes.length) : bytes.length);
+    const answer = await post(`/api/${paths[run % paths.length]}`, cut);
+    assert.ok([200, 400, 422].includes(answer.status), `${answer.status} ${cut}`);
+    if (answer.status !== 200) assert.ok(JSON.parse(answer.body).error.what.length > 0);
+  }
+  for (const body of ["", "[".repeat(900000), "{\"a\":".repeat(100000), "\u0000", "1e999", "{\"preset\":\"squeal\",\"set\":[1e400]}"])
+    assert.equal((await post("/api/simulate", body)).status, 400);
+  await isStillAnswering();
+});
+
+test("an abandoned chart does not go on computing", async () => {
+  const body = JSON.stringify({ preset: "squeal", set: ["run.duration=50", "run.window=50"],
+    chart: { x: { parameter: "contact.preload", from: 1, to: 80, points: 256 },
+      y: { parameter: "contact.kinetic_friction", from: 0, to: 0.8, points: 256 } } });
+  const socket = connect(port, "127.0.0.1");
+  socket.write(`POST /api/chart HTTP/1.1\r\nHost: ${host}\r\nOrigin: http://${host}\r\nCookie: ${cookie}\r\n` +
+    `Content-Type: application/json\r\nContent-Length: ${body.length}\r\n\r\n${body}`);
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  socket.destroy();
+  await new Promise((resolve) => setTimeout(resolve, 1500));
+  const ticks = async () => {
+    const fields = (await readFile(`/proc/${explorer.pid}/stat`, "utf8")).split(") ")[1].split(" ");
+    return Number(fields[11]) + Number(fields[12]);
+  };
+  const before = await ticks();
+  await new Promise((resolve) => setTimeout(resolve, 1000));
+  assert.ok((await ticks()) - before < 30, "it still computes");
+});
+
+test("other addresses are refused unless asked for twice", () => {
+  const refused = spawnSync(program, ["explore", "--no-browser", "--address", "0.0.0.0"], { encoding: "utf8" });
+  assert.equal(refused.status, 2);
+  assert.match(refused.stderr, /--allow-remote/);
+  assert.equal(spawnSync(program, ["explore", "--address", "nonsense", "--allow-remote"]).status, 2);
+  assert.equal(spawnSync(program, ["explore", "--no-browser", "--port", String(port)]).status, 5);
+  assert.equal(spawnSync(program, ["explore", "/nowhere/case.toml"]).status, 5);
+});
