@@ -2,9 +2,10 @@
 # LIBRARIES and PUBLIC_LIBRARIES take third-party targets from StridorDependencies.cmake.
 #
 #   stridor_module(NAME [SOURCES a.cpp ...] [HEADERS only_header.hpp ...] [DEPENDS modules ...]
-#                  [LIBRARIES targets ...] [PUBLIC_LIBRARIES targets ...])
-#   stridor_program(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...])
-#   stridor_test(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [LABEL label] [TIMEOUT seconds] [PROGRAM])
+#                  [LIBRARIES targets ...] [PUBLIC_LIBRARIES targets ...] [APART sources ...])
+#   stridor_program(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [APART sources ...])
+#   stridor_test(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [APART sources ...] [LABEL label]
+#                [TIMEOUT seconds] [COST seconds] [PROGRAM])
 #   stridor_example(NAME SOURCE main.cpp [DEPENDS modules ...] [ARGUMENTS ...])
 #   stridor_benchmark(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [OWN_MAIN])
 
@@ -41,6 +42,24 @@ function(stridor_spare_wiring target)
     endif()
 endfunction()
 
+# The same for sources that do little but call an eigenvalue solver, whose templates take half a minute with it.
+function(stridor_spare_sources)
+    if(STRIDOR_SANITIZED)
+        set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=undefined)
+    endif()
+endfunction()
+
+# Under sanitizers the sources of a target are compiled up to eight at a time: one parse of the headers and one copy of each
+# template instead of eight, a third of the time. Names in the unnamed namespaces of two sources may then clash; such a
+# source stands in the APART of its target. -Wshadow would see the names of the neighbours: the release build looks after it.
+function(stridor_join_sources target)
+    if(STRIDOR_SANITIZED)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+        set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+        target_compile_options(${target} PRIVATE -Wno-shadow)
+    endif()
+endfunction()
+
 function(stridor_link_modules target scope)
     foreach(module IN LISTS ARGN)
         if(NOT TARGET stridor_${module})
@@ -61,7 +80,7 @@ endfunction()
 # A static library stridor_NAME, known as stridor::NAME. Its public headers are the .hpp beside each source and the
 # HEADERS; both are installed, and each must compile on its own. Without SOURCES the module is header-only.
 function(stridor_module name)
-    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;HEADERS;DEPENDS;LIBRARIES;PUBLIC_LIBRARIES")
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;HEADERS;DEPENDS;LIBRARIES;PUBLIC_LIBRARIES;APART")
     stridor_check_arguments(stridor_module ${name})
 
     set(headers)
@@ -93,6 +112,9 @@ function(stridor_module name)
     set_target_properties(${target} PROPERTIES INTERFACE_HEADER_SETS_TO_VERIFY alone)
 
     stridor_compile_options(${target} ${scope})
+    if(ARG_SOURCES)
+        stridor_join_sources(${target} ${ARG_APART})
+    endif()
     stridor_link_modules(${target} ${scope} ${ARG_DEPENDS})
     target_link_libraries(${target} ${scope} ${ARG_PUBLIC_LIBRARIES})
     if(ARG_LIBRARIES)
@@ -103,29 +125,35 @@ endfunction()
 
 # An executable that users run: built as ${CMAKE_BINARY_DIR}/NAME and installed.
 function(stridor_program name)
-    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;DEPENDS;LIBRARIES")
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;DEPENDS;LIBRARIES;APART")
     stridor_check_arguments(stridor_program ${name})
     add_executable(${name} ${ARG_SOURCES})
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")
     target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
     stridor_compile_options(${name} PRIVATE)
     stridor_spare_wiring(${name})
+    stridor_join_sources(${name} ${ARG_APART})
     stridor_link_modules(${name} PRIVATE ${ARG_DEPENDS})
     target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES})
     set_property(GLOBAL APPEND PROPERTY STRIDOR_PROGRAM_TARGETS ${name})
 endfunction()
 
-# A GoogleTest executable NAME_test whose cases appear in CTest under their own names, with one LABEL (default: fast).
+# A GoogleTest executable NAME_test whose cases appear in CTest under their own names, with one LABEL (default: fast). Under
+# sanitizers it is one test, `NAME`: a thousand starts of a sanitized process cost more than most of what they test, and
+# cases that share a simulation make it once. The longest (COST, what it takes under sanitizers) start first.
 # Sources may include "support/..." from tests/, find the checkout at STRIDOR_SOURCE_DIR, and, with PROGRAM, the built
 # program at STRIDOR_PROGRAM (both are string literals).
 function(stridor_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 ARG "PROGRAM" "LABEL;TIMEOUT" "SOURCES;DEPENDS;LIBRARIES")
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "PROGRAM" "LABEL;TIMEOUT;COST" "SOURCES;DEPENDS;LIBRARIES;APART")
     stridor_check_arguments(stridor_test ${name})
     if(NOT ARG_LABEL)
         set(ARG_LABEL fast)
     endif()
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 600)
+    endif()
+    if(NOT ARG_COST)
+        set(ARG_COST 1)
     endif()
 
     set(target ${name}_test)
@@ -134,6 +162,7 @@ function(stridor_test name)
     target_compile_definitions(${target} PRIVATE STRIDOR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     stridor_compile_options(${target} PRIVATE)
     stridor_spare_wiring(${target})
+    stridor_join_sources(${target} ${ARG_APART})
     stridor_link_modules(${target} PRIVATE ${ARG_DEPENDS})
     target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main rapidcheck)
     # the headers every test includes are parsed once for all; what is measured is the library, not the test's own code
@@ -142,6 +171,11 @@ function(stridor_test name)
     if(ARG_PROGRAM)
         add_dependencies(${target} stridor)
         target_compile_definitions(${target} PRIVATE STRIDOR_PROGRAM="$<TARGET_FILE:stridor>")
+    endif()
+    if(STRIDOR_SANITIZED)
+        add_test(NAME ${name} COMMAND ${target} --gtest_brief=1)
+        set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 1200 COST ${ARG_COST})
+        return()
     endif()
     gtest_discover_tests(${target}
         DISCOVERY_MODE PRE_TEST
