@@ -23,6 +23,11 @@ std::vector<std::size_t> ranked_by_change(const DesignSpace& space, std::span<co
     return ranking;
 }
 
+bool concerns_the_same(const DesignChange& a, const DesignChange& b) {
+    return std::equal(a.set.begin(), a.set.end(), b.set.begin(), b.set.end(),
+                      [](const auto& x, const auto& y) { return x.parameter == y.parameter; });
+}
+
 void find_changes(Advice& advice, DesignRunner& runner) {
     advice.changes = single_changes(advice.space, advice.margins, Sticking::refused, runner);
     std::vector<DesignChange> joint = joint_changes(advice.space, advice.margins, advice.nearest, runner);
@@ -33,6 +38,13 @@ void find_changes(Advice& advice, DesignRunner& runner) {
     std::move(joint.begin(), joint.end(), std::back_inserter(advice.changes));
     std::stable_sort(advice.changes.begin(), advice.changes.end(),
                      [](const auto& a, const auto& b) { return a.distance < b.distance; });
+    // a pair may have turned out to be one parameter, known already
+    std::vector<DesignChange> distinct;
+    for (DesignChange& change : advice.changes)
+        if (std::none_of(distinct.begin(), distinct.end(),
+                         [&](const DesignChange& nearer) { return concerns_the_same(nearer, change); }))
+            distinct.push_back(std::move(change));
+    advice.changes = std::move(distinct);
     if (const DesignChange* best = recommended(advice.changes))
         advice.recommended = static_cast<std::size_t>(best - advice.changes.data());
 }

@@ -17,7 +17,7 @@ using parameters::Case;
 constexpr std::array every_start{parameters::Initial::rest, parameters::Initial::stuck, parameters::Initial::sliding};
 
 // how far beyond the boundary it is tried, one after the other [1, share of the range]
-constexpr std::array tried_safeties{safety, 0.03, 0.05, 0.08, 0.12};
+constexpr std::array tried_safeties{safety, 0.03, 0.04, 0.06, 0.08, 0.1, 0.12};
 
 // a rounded value may lie so much farther than asked for [1, share of the range]
 constexpr double rounding_room = 0.01;
