@@ -5,7 +5,7 @@ import { lastAtMost, valueAt, type Motion } from "./frames.ts";
 import type { Surface } from "./surface.ts";
 import type { ContactState } from "./types.ts";
 
-const mostPoints = 12_000;
+const mostPoints = 6_000;
 
 export function paintPortrait(
   surface: Surface,
