@@ -1,14 +1,13 @@
 /** The chart: two directions side by side, streamed as it is refined, followed while a slider is dragged. */
 import * as api from "./api.ts";
 import { AxisControls } from "./axis_controls.ts";
+import { merged } from "./chart_data.ts";
 import { categories } from "./colours.ts";
 import { h, setText } from "./dom.ts";
 import { exact, percent, plain, quantity, symbolText, title, unitText, words } from "./format.ts";
-import { bytesOf, floatsOf } from "./frames.ts";
 import { Latest } from "./latest.ts";
 import { Legend } from "./legend.ts";
 import { cellAt, cellBox, indexOf, paintDesign, paintFrame, paintMap, plotBox, shareAt, type ChartData, type Look } from "./map.ts";
-import { namePlaces, spread } from "./regions.ts";
 import { quantityOf } from "./parameters.ts";
 import { nearest, zoomed } from "./scale.ts";
 import { chartDesign, withValues, type State } from "./state.ts";
@@ -144,7 +143,7 @@ export class Chart {
     try {
       let data: ChartData | null = null;
       for await (const frame of api.chart(wish, signal)) {
-        data = this.merged_(data, frame, wish);
+        data = merged(data, frame, wish.figure !== "category");
         if (!data) continue;
         this.data_ = data;
         this.problem_.hidden = true;
@@ -162,26 +161,6 @@ export class Chart {
     } finally {
       this.box_.setAttribute("aria-busy", "false");
     }
-  }
-
-  private merged_(before: ChartData | null, frame: ChartFrame, wish: api.ChartWish): ChartData | null {
-    const x = frame.x ?? before?.x;
-    const y = frame.y ?? before?.y;
-    if (!x || !y) return null;
-    const figure = wish.figure !== "category" && frame.figure ? floatsOf(frame.figure) : null;
-    return {
-      x,
-      y,
-      directions: frame.directions ?? before?.directions,
-      category: bytesOf(frame.category),
-      computed: frame.computed_mask ? bytesOf(frame.computed_mask) : null,
-      figure,
-      painted: figure && spread(figure, frame.computed_mask ? bytesOf(frame.computed_mask) : null, x.points, y.points),
-      names: frame.done && !figure ? namePlaces(bytesOf(frame.category), x.points, y.points) : [],
-      figureRange: figure ? rangeOf(figure) : [0, 1],
-      boundaries: frame.boundaries ?? [],
-      done: frame.done,
-    };
   }
 
   private note_(frame: ChartFrame, wish: api.ChartWish, took: number): void {
@@ -417,14 +396,4 @@ export class Chart {
       panel.surface.canvas.setAttribute("aria-label", label);
     }
   }
-}
-
-function rangeOf(values: Float32Array): [number, number] {
-  let [low, high] = [Infinity, -Infinity];
-  for (const value of values)
-    if (Number.isFinite(value)) {
-      low = Math.min(low, value);
-      high = Math.max(high, value);
-    }
-  return low <= high ? [low, high] : [0, 1];
 }

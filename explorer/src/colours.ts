@@ -131,6 +131,17 @@ export function textOn(ground: string): string {
 /** The marks of a texture, to be laid over its ground: a tile repeated from the canvas' corner. */
 export function tile(fill: Fill, ratio: number): HTMLCanvasElement | null {
   if (fill.texture === "plain") return null;
+  const key = `${fill.texture} ${fill.mark} ${ratio}`;
+  const known = tiles.get(key);
+  if (known) return known;
+  const made = newTile(fill, ratio);
+  tiles.set(key, made);
+  return made;
+}
+
+const tiles = new Map<string, HTMLCanvasElement>();
+
+function newTile(fill: Fill, ratio: number): HTMLCanvasElement {
   const size = Math.round(8 * ratio);
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = size;

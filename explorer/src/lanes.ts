@@ -181,7 +181,7 @@ function paintLane(surface: Surface, trees: Pyramids, view: LanesView, lane: Lan
   const { motion } = trees;
   const index = (time: number): number => (time - motion.start) / motion.interval;
   const [first, end] = [index(view.span[0]), index(view.span[1])];
-  const count = Math.max(2, Math.round(box.inner));
+  const count = Math.max(2, Math.round(box.inner * surface.ratio));
   const curves = lane.curves
     .map((curve) => ({ ...curve, tree: trees.of(curve.column) }))
     .filter((curve): curve is typeof curve & { tree: Pyramid } => curve.tree !== null)
@@ -209,22 +209,30 @@ function paintLane(surface: Surface, trees: Pyramids, view: LanesView, lane: Lan
   pen.rect(marginLeft, box.top, box.inner, box.height);
   pen.clip();
   for (const curve of curves) {
-    pen.strokeStyle = curve.colour === "muted" ? view.palette.muted : view.palette.traces[curve.colour];
+    pen.fillStyle = pen.strokeStyle = curve.colour === "muted" ? view.palette.muted : view.palette.traces[curve.colour];
+    if (end - first > 2 * count) {
+      fillParts(pen, curve.parts, y, box.inner / count);
+      continue;
+    }
     pen.lineWidth = 1.2;
     pen.beginPath();
-    if (end - first > 2 * count) strokeParts(pen, curve.parts, y, box.inner / count);
-    else strokeSamples(pen, curve.tree.samples, first, end, y, box.inner);
+    strokeSamples(pen, curve.tree.samples, first, end, y, box.inner);
     pen.stroke();
   }
   pen.restore();
   paintTitle(surface, view, lane, box, motion);
 }
 
-function strokeParts(pen: CanvasRenderingContext2D, parts: Float32Array, y: (value: number) => number, step: number): void {
+/** A bar per pixel from the smallest to the largest value, long enough to meet its neighbour: far cheaper than a path. */
+function fillParts(pen: CanvasRenderingContext2D, parts: Float32Array, y: (value: number) => number, step: number): void {
+  let [before, after] = [NaN, NaN]; // top and bottom of the last bar
   for (let part = 0; 2 * part < parts.length; ++part) {
-    const at = marginLeft + (part + 0.5) * step;
-    pen.lineTo(at, y(parts[2 * part] as number));
-    pen.lineTo(at, y(parts[2 * part + 1] as number));
+    let top = y(parts[2 * part + 1] as number);
+    let bottom = y(parts[2 * part] as number);
+    if (top > after) top = after;
+    if (bottom < before) bottom = before;
+    [before, after] = [y(parts[2 * part + 1] as number), y(parts[2 * part] as number)];
+    pen.fillRect(marginLeft + part * step, top - 0.5, step, Math.max(bottom - top, 0) + 1);
   }
 }
 
@@ -245,16 +253,15 @@ function strokeSamples(
 function limits(parts: Float32Array[], spiky: boolean): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (const part of parts) {
-    const lows = part.filter((_, k) => k % 2 === 0);
-    const highs = part.filter((_, k) => k % 2 === 1);
     if (spiky) {
-      lows.sort();
-      highs.sort();
-      low = Math.min(low, lows[Math.floor(0.01 * lows.length)] ?? 0);
-      high = Math.max(high, highs[Math.floor(0.97 * (highs.length - 1))] ?? 1);
+      const sorted = part.slice().sort(); // a low and a high per pixel
+      low = Math.min(low, sorted[Math.floor(0.005 * sorted.length)] ?? 0);
+      high = Math.max(high, sorted[Math.floor(0.985 * (sorted.length - 1))] ?? 1);
     } else {
-      for (const value of lows) low = Math.min(low, value);
-      for (const value of highs) high = Math.max(high, value);
+      for (const value of part) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
     }
   }
   if (!(low <= high) || !Number.isFinite(low) || !Number.isFinite(high)) return [-1, 1];

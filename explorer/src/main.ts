@@ -131,7 +131,8 @@ class Page {
     const samePreset = state.design.preset === before.design.preset;
     const known = samePreset ? (this.simulation_?.case ?? this.presetCase_(state.design.preset)) : this.presetCase_(state.design.preset);
     if (known) this.parameters_.show(state, known);
-    this.chart_.follow(state, step);
+    const isOnlyView = !isNew && state.span !== before.span && state.direction === before.direction;
+    if (!isOnlyView) this.chart_.follow(state, step);
     if (!isNew) this.views_.show({ state, simulation: this.simulation_, step });
   }
 

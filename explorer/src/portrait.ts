@@ -5,7 +5,8 @@ import { lastAtMost, valueAt, type Motion } from "./frames.ts";
 import type { Surface } from "./surface.ts";
 import type { ContactState } from "./types.ts";
 
-const mostPoints = 12_000;
+const mostPoints = 5_000;
+const finest = 2e-5; // [s] a 50th of a period at 1 kHz
 
 export function paintPortrait(
   surface: Surface,
@@ -17,9 +18,13 @@ export function paintPortrait(
   const x = motion.columns.get("x1")?.values;
   const v = motion.columns.get("x1_velocity")?.values;
   if (!x || !v) return;
-  const first = Math.max(0, Math.floor((span[0] - motion.start) / motion.interval));
-  const last = Math.min(motion.samples - 1, Math.ceil((span[1] - motion.start) / motion.interval));
-  const stride = Math.max(1, Math.ceil((last - first) / mostPoints));
+  // no coarser than the orbit needs; of a longer span, the part about the present time
+  const stride = Math.max(1, Math.floor(finest / motion.interval));
+  const index = (time: number): number => Math.round((time - motion.start) / motion.interval);
+  const [begin, end] = [Math.max(0, index(span[0])), Math.min(motion.samples - 1, index(span[1]))];
+  const reach = stride * mostPoints;
+  const first = Math.max(begin, Math.min(index(now) - reach / 2, end - reach));
+  const last = Math.min(end, first + reach);
   const ends = (values: Float32Array): [number, number] => {
     let [low, high] = [Infinity, -Infinity];
     for (let k = first; k <= last; k += stride) {
@@ -49,7 +54,7 @@ export function paintPortrait(
   pen.rect(box.left, box.top, box.width, box.height);
   pen.clip();
   pen.lineWidth = 1.1;
-  let stay = Math.max(lastAtMost(motion.from, span[0]), 0);
+  let stay = Math.max(lastAtMost(motion.from, motion.start + first * motion.interval), 0);
   const paths = new Map<ContactState, Path2D>();
   for (let k = first; k + stride <= last; k += stride) {
     const time = motion.start + k * motion.interval;

@@ -24,6 +24,7 @@ export class Response implements ViewPart {
   private hover_: number | null = null;
   private grip_: { x: number; span: readonly [number, number]; moved: boolean } | null = null;
   private saver_ = 0;
+  private portraitTimer_ = 0;
   private looked_ = false;
 
   constructor(
@@ -74,7 +75,16 @@ export class Response implements ViewPart {
 
   private repaint_(): void {
     this.lanes_.invalidate();
-    this.portrait_.invalidate();
+    this.repaintPortrait_();
+  }
+
+  /** The portrait has thousands of strokes: while a hand is moving it is painted now and then. */
+  private repaintPortrait_(): void {
+    if (this.portraitTimer_) return;
+    this.portraitTimer_ = window.setTimeout(() => {
+      this.portraitTimer_ = 0;
+      this.portrait_.invalidate();
+    }, 160);
   }
 
   private toggle_(name: string, on: boolean): void {
@@ -107,7 +117,7 @@ export class Response implements ViewPart {
     this.saver_ = window.setTimeout(() => {
       const rounded = this.span_ ? ([digits(this.span_[0]), digits(this.span_[1])] as const) : null;
       this.store_.update({ span: rounded }, "replace");
-    }, 400);
+    }, 700);
   }
 
   private follow_(): void {
@@ -117,7 +127,7 @@ export class Response implements ViewPart {
       this.span_ = moved(this.shown_, by, this.limits_());
     }
     this.lanes_.invalidate();
-    this.portrait_.invalidate();
+    this.repaintPortrait_();
   }
 
   private listen_(canvas: HTMLCanvasElement): void {
