@@ -2,7 +2,7 @@
 _stridor() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=""
     if ((COMP_CWORD == 1)); then
-        COMPREPLY=($(compgen -W "init check simulate stability advise chart figure listen rig convert library analyse classify evaluate compare match verify completion --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "init check simulate stability advise chart figure listen rig convert library analyse classify evaluate compare match explore verify completion --help --version" -- "$word"))
         return
     fi
     if [[ $previous == --set ]]; then
@@ -36,6 +36,7 @@ _stridor() {
         evaluate) options="--help --set --of --perturb-every --recordings --csv --threads --json" ;;
         compare) options="--help --label --library --of --quantity --json" ;;
         match) options="--help --chart --set --best --every --store --out --with-level --threads --library --of --quantity --json" ;;
+        explore) options="--help --set --port --no-browser --unix-socket --library --threads --address --allow-remote --host-name" ;;
         verify) options="--help" ;;
         completion) options="--help" ;;
     esac

@@ -64,8 +64,8 @@ export class LibraryView implements ViewPart {
   }
 
   private row_(entry: LibraryEntry, fields: string[], library: Library): HTMLElement {
-    const swatch = h("span", { class: "swatch", title: `by ear: ${entry.verdict?.category ?? "unknown"}` });
-    paintSwatch(swatch, entry.verdict?.category ?? "failed");
+    const swatch = h("span", { class: "swatch", title: `by ear: ${entry.category ?? "unknown"}` });
+    paintSwatch(swatch, entry.category ?? "failed");
     const cell = (name: string): HTMLElement => {
       const value = entry[name];
       const text = typeof value === "number" ? quantity(value, library.units[name] ?? "") : String(value ?? "");

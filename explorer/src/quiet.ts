@@ -71,21 +71,21 @@ export class Quiet implements ViewPart {
 
   private marginRow_(margin: AdviceMargin, advice: Advice): HTMLElement {
     const field = this.field_(margin.key);
-    const scale = field?.usual?.scale ?? "linear";
-    const place = (value: number): number => 100 * Math.min(Math.max(share(value, margin.from, margin.to, scale), 0), 1);
+    const place = (value: number): number => 100 * Math.min(Math.max(share(value, margin.from, margin.to, margin.scale), 0), 1);
     const bar = h("div", { class: "margin-bar", "aria-hidden": "true" });
-    const band = (from: number, to: number, category: string): void => {
+    // each designs' verdict reaches half way to the next ones
+    let end = 0;
+    margin.scan.forEach(({ value, category }, at) => {
+      const next = margin.scan[at + 1];
+      if (next?.category === category) return;
       const part = h("span", { class: "band" });
-      part.style.left = `${place(from)}%`;
-      part.style.width = `${Math.max(place(to) - place(from), 0)}%`;
+      part.style.left = `${end}%`;
+      end = next ? (place(value) + place(next.value)) / 2 : 100;
+      part.style.width = `${end - parseFloat(part.style.left)}%`;
       paintSwatch(part, category);
       bar.append(part);
-    };
-    const here = Object.values(advice.present).find((category) => category !== "none") ?? "none";
-    const [low, high] = [margin.below?.value ?? margin.from, margin.above?.value ?? margin.to];
-    if (margin.below) band(margin.from, low, margin.below.category);
-    band(low, high, here);
-    if (margin.above) band(high, margin.to, margin.above.category);
+    });
+    const here = advice.present.category;
     const needle = h("span", { class: "needle" });
     needle.style.left = `${place(margin.value)}%`;
     bar.append(needle);
@@ -109,17 +109,17 @@ export class Quiet implements ViewPart {
 
   private paintChange_(advice: Advice, design: Design): void {
     const { change } = advice;
-    const quietNow = Object.values(advice.present).every((category) => category === "none");
+    const quietNow = advice.present.category === "none";
     const lines: (HTMLElement | null)[] = [h("h3", {}, quietNow ? "The design is quiet" : "The smallest change that keeps it quiet")];
     if (change) {
       const steps = change.set.map(({ key, from, to }) => {
         const unit = this.field_(key)?.unit ?? "";
         return h("li", {}, h("b", {}, title(key)), ` ${quantity(from, unit)} → ${quantity(to, unit)}`);
       });
-      const verified = Object.entries(change.verified).map(([phase, category]) => `${phase}: ${category}`).join(", ");
+      const verified = Object.entries(change.verified.phases).map(([phase, category]) => `${phase}: ${category}`).join(", ");
       lines.push(
         h("ul", {}, ...steps),
-        h("p", { class: "muted" }, `verified by a run: ${verified}; ${plain(change.distance, 3)} of the usual ranges away`),
+        h("p", { class: "muted" }, `verified by ${change.verified.runs} runs: ${verified}; ${plain(change.distance, 3)} of the usual ranges away`),
         button("Apply", () => this.apply_(change.set), { id: "apply-change", class: "primary" }),
         h("span", { class: "muted" }, " back undoes it"),
       );

@@ -198,9 +198,14 @@ export interface SoundOptions {
   seconds: number;
 }
 
-export interface AdviceBound {
-  value: number;
+/** A verdict of a design: the loudest phase's category, and each phase's. */
+export interface DesignVerdict {
   category: string;
+  phases: Partial<Record<Phase, string>>;
+}
+
+export interface AdviceBound extends DesignVerdict {
+  value: number;
   distance: number;
 }
 
@@ -210,19 +215,20 @@ export interface AdviceMargin {
   unit: string;
   from: number;
   to: number;
+  scale: Scale;
   below: AdviceBound | null;
   above: AdviceBound | null;
+  scan: { value: number; category: string }[];
 }
 
 export interface Advice {
-  phases: Phase[];
-  present: Partial<Record<Phase, string>>;
+  present: DesignVerdict;
   margins: AdviceMargin[];
   ranking: string[];
   change: {
     set: { key: string; from: number; to: number }[];
     distance: number;
-    verified: Partial<Record<Phase, string>>;
+    verified: DesignVerdict & { runs: number };
   } | null;
   chance: { noise: number; low: number; high: number; samples: number; confidence: number } | null;
 }
@@ -230,7 +236,7 @@ export interface Advice {
 export interface LibraryEntry {
   id: number;
   figures?: Record<string, number>;
-  verdict?: { category: Category | null; reasons: string[] };
+  category?: Category;
   [field: string]: unknown;
 }
 

@@ -132,6 +132,14 @@ std::string history_bytes(const record::ContactHistory& history) {
     return bytes_of<double>(times) + bytes_of<std::uint8_t>(states);
 }
 
+// the key of the field that a message is about; empty if it names none
+std::string key_in(const std::string& message) {
+    for (const parameters::Field& field : parameters::fields())
+        if (!field.section.empty() && message.find(parameters::key_of(field)) != std::string::npos)
+            return parameters::key_of(field);
+    return {};
+}
+
 }  // namespace
 
 integration::Motion run_case(const parameters::Case& c, const record::Request& request, const std::stop_token& stop) {
@@ -148,7 +156,11 @@ Response json(std::string document) {
 
 std::string error_document(const base::Problem& problem) {
     const Json document{{"schema", "stridor.explorer.error/1"},
-                        {"error", {{"what", problem.what}, {"why", problem.why}, {"suggestion", problem.suggestion}}}};
+                        {"error",
+                         {{"what", problem.what},
+                          {"why", problem.why},
+                          {"suggestion", problem.suggestion},
+                          {"key", key_in(problem.what)}}}};
     return document.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -205,9 +217,10 @@ Response stability(const World& world, const Json& body, const std::stop_token&)
     std::optional<analysis::ScanRange> range;
     if (body.contains("over")) {
         constexpr int most = 2000;
+        constexpr int usual = 201;  // fewer leave a kink where modes begin to couple
         const Json& over = object_in(body, "over");
         range = {text_in(over, "key"), number_in(over, "from"), number_in(over, "to"),
-                 std::min(most, whole_in(over, "points", analysis::ScanRange{}.points))};
+                 std::min(most, whole_in(over, "points", usual))};
     }
     return json(io::stability_json(analysis::scan_stability(c, range)));
 }

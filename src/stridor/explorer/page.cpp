@@ -8,7 +8,7 @@ namespace stridor::explorer {
 
 namespace {
 
-#include "page_bytes.inc"
+#include "stridor/explorer/page_bytes.inc"
 
 template <std::size_t size>
 std::string_view text_of(const unsigned char (&bytes)[size]) {
