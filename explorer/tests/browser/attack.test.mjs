@@ -80,7 +80,7 @@ async function isStillAnswering() {
 }
 
 test("foreign names, origins and sessions are refused", async () => {
-  for (const name of ["evil.example", `evil.example:${port}`, "127.0.0.1.evil.example", ""])
+  for (const name of ["evil.example", `evil.example:${port}`, "127.0.0.1.evil.example"])
     assert.equal((await ask({ headers: { Host: name } })).status, 421, name);
   for (const origin of ["http://evil.example", "null", "http://localhost:1", `https://${host}`])
     assert.equal((await post("/api/simulate", { preset: "squeal" }, { Origin: origin })).status, 403, origin);
