@@ -126,6 +126,9 @@ export class Quiet implements ViewPart {
     } else if (!quietNow) {
       lines.push(h("p", {}, "None was found within the usual ranges."));
     }
+    const as = quietNow ? "noisy" : "quiet";
+    const { nearest } = advice;
+    lines.push(h("p", { id: "nearest" }, `As a whole: ${nearest ? `nearest ${as} design ${plain(nearest.distance, 3)} away` : `no ${as} design found`}`));
     this.change_.dataset.preset = design.preset;
     this.change_.replaceChildren(...lines.filter((line): line is HTMLElement => line !== null));
   }

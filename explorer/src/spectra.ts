@@ -9,7 +9,7 @@ import type { Design } from "./state.ts";
 import type { Analysis, SoundOptions } from "./types.ts";
 import type { Context, ViewPart } from "./views.ts";
 
-export const soundDefaults: SoundOptions = { direction: "whole", of: "plate", quantity: "velocity", rate: 48000, seconds: 2 };
+export const soundDefaults: SoundOptions = { direction: "whole", of: "joint", quantity: "velocity", rate: 48000, seconds: 2 };
 
 /** Which of the motion is looked at or heard; the direction goes with the page's. */
 export class SoundPicker {
@@ -25,7 +25,7 @@ export class SoundPicker {
     this.element = h(
       "span",
       { class: "bar" },
-      pick("of", "Which part", ["plate", "joint"]),
+      pick("of", "Which part", ["joint", "plate"]),
       pick("quantity", "Which quantity", ["velocity", "acceleration"]),
       pick("direction", "Which direction", ["whole", "going", "coming"]),
     );

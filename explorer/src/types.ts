@@ -225,6 +225,7 @@ export interface Advice {
   present: DesignVerdict;
   margins: AdviceMargin[];
   ranking: string[];
+  nearest: { distance: number } | null;
   change: {
     set: { key: string; from: number; to: number }[];
     distance: number;
