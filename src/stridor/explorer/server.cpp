@@ -1,6 +1,7 @@
 #include "stridor/explorer/server.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/explorer/parts.hpp"
 
 // The only file that includes Boost: it takes long to compile.
 #include <boost/asio/ip/tcp.hpp>
@@ -13,10 +14,7 @@
 #include <sys/stat.h>
 
 #include <atomic>
-#include <condition_variable>
-#include <deque>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -64,34 +62,6 @@ Request request_of(http::request<http::string_body>&& message) {
     request.body = std::move(message.body());
     return request;
 }
-
-// the parts of a streamed body on their way from the thread that makes them to the one that sends them
-class Parts {
-public:
-    // waits while two are under way
-    void push(std::string part, const std::stop_token& stop) {
-        if (part.empty()) return;  // an empty chunk would end the body
-        std::unique_lock lock(mutex_);
-        if (changed_.wait(lock, stop, [&] { return parts_.size() < 2; })) parts_.push_back(std::move(part));
-    }
-    void pop() {
-        const std::lock_guard lock(mutex_);
-        parts_.pop_front();
-        changed_.notify_all();
-    }
-    const std::string* front() {
-        const std::lock_guard lock(mutex_);
-        return parts_.empty() ? nullptr : &parts_.front();
-    }
-    void end() { has_ended_ = true; }
-    bool has_ended() const { return has_ended_; }
-
-private:
-    std::mutex mutex_;
-    std::condition_variable_any changed_;
-    std::deque<std::string> parts_;
-    bool has_ended_ = false;  // touched by the sending thread only
-};
 
 // an answer being made: stopped with the server, by its deadline or when its client goes away
 class Work {
