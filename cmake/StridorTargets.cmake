@@ -49,14 +49,19 @@ function(stridor_spare_sources)
     endif()
 endfunction()
 
-# Under sanitizers the sources of a target are compiled up to eight at a time: one parse of the headers and one copy of each
-# template instead of eight, a third of the time. Names in the unnamed namespaces of two sources may then clash; such a
-# source stands in the APART of its target. -Wshadow would see the names of the neighbours: the release build looks after it.
+# The sources of a target are compiled up to eight at a time: one parse of the headers and one copy of each template
+# instead of eight, a third of the time. Programs and tests everywhere but in debug builds, which so stay quick to change;
+# modules under sanitizers alone. Names in the unnamed namespaces of two sources may then clash; such a source stands in the
+# APART of its target. -Wshadow would see the names of the neighbours: the debug build looks after programs and tests.
 function(stridor_join_sources target)
-    if(STRIDOR_SANITIZED)
-        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-        set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-        target_compile_options(${target} PRIVATE -Wno-shadow)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    target_compile_options(${target} PRIVATE -Wno-shadow)
+endfunction()
+
+function(stridor_join_wiring target)
+    if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+        stridor_join_sources(${target} ${ARGN})
     endif()
 endfunction()
 
@@ -112,7 +117,7 @@ function(stridor_module name)
     set_target_properties(${target} PROPERTIES INTERFACE_HEADER_SETS_TO_VERIFY alone)
 
     stridor_compile_options(${target} ${scope})
-    if(ARG_SOURCES)
+    if(ARG_SOURCES AND STRIDOR_SANITIZED)
         stridor_join_sources(${target} ${ARG_APART})
     endif()
     stridor_link_modules(${target} ${scope} ${ARG_DEPENDS})
@@ -132,7 +137,7 @@ function(stridor_program name)
     target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
     stridor_compile_options(${name} PRIVATE)
     stridor_spare_wiring(${name})
-    stridor_join_sources(${name} ${ARG_APART})
+    stridor_join_wiring(${name} ${ARG_APART})
     stridor_link_modules(${name} PRIVATE ${ARG_DEPENDS})
     target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES})
     set_property(GLOBAL APPEND PROPERTY STRIDOR_PROGRAM_TARGETS ${name})
@@ -162,7 +167,7 @@ function(stridor_test name)
     target_compile_definitions(${target} PRIVATE STRIDOR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     stridor_compile_options(${target} PRIVATE)
     stridor_spare_wiring(${target})
-    stridor_join_sources(${target} ${ARG_APART})
+    stridor_join_wiring(${target} ${ARG_APART})
     stridor_link_modules(${target} PRIVATE ${ARG_DEPENDS})
     target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main rapidcheck)
     # the headers every test includes are parsed once for all; what is measured is the library, not the test's own code
