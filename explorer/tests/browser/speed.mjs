@@ -44,7 +44,7 @@ await follow("slider, constant   ", "#preset=squeal&drive.kind=constant&drive.ve
 // --- a history of a million samples that is panned
 await page.goto("about:blank");
 await page.goto(`${explorer.origin}/`);
-await page.waitForFunction(() => Number(document.querySelector("[data-samples]")?.dataset.samples) > 0);
+await page.waitForFunction(() => Number(document.querySelector("[data-samples]")?.dataset.samples) > 9e5);
 const samples = await page.locator("[data-samples]").first().getAttribute("data-samples");
 const canvas = page.locator("#response");
 const box = await canvas.boundingBox();

@@ -35,8 +35,9 @@ struct Shared {
     const Handler* handler = nullptr;
     std::stop_source stop{};  // of the whole server
     std::atomic<std::size_t> connections = 0;
-    std::size_t requests = 0;   // touched by the io thread only
-    asio::io_context io{1};     // one thread runs it: whatever is not handed to `pool` happens there
+    std::size_t requests = 0;  // touched by the io thread only
+    asio::io_context io{1};    // one thread runs it: whatever is not handed to `pool` happens there
+    asio::steady_timer pause{io};
     asio::thread_pool pool{4};  // makes answers; the last, so that what it still holds goes first
 };
 
@@ -277,7 +278,12 @@ void accept(typename Protocol::acceptor& acceptor, Shared& shared) {
         if (error == asio::error::operation_aborted) return;
         if (!error && shared.connections < shared.limits.connections)
             std::make_shared<Connection<Protocol>>(std::move(socket), shared)->read();
-        accept<Protocol>(acceptor, shared);
+        if (!error) return accept<Protocol>(acceptor, shared);
+        // out of file descriptors, say: trying again at once would only keep a processor busy
+        shared.pause.expires_after(std::chrono::milliseconds(100));
+        shared.pause.async_wait([&](error_code stopped) {
+            if (!stopped) accept<Protocol>(acceptor, shared);
+        });
     });
 }
 

@@ -95,6 +95,8 @@ Figure figure_of(const Json& object) {
 void take_field(Announced& announced, const std::string& name, const Json& value) {
     Entry& entry = announced.entry;
     if (name == "bytes") {
+        // a number too large for 64 bits is read as a floating one, whose conversion means nothing
+        if (!value.is_number_unsigned()) throw Error(ErrorKind::input, {"\"bytes\" is no number of bytes", "", ""});
         announced.bytes = value.get<std::uint64_t>();
     } else if (name == "figures") {
         for (const Json& each : value)

@@ -250,7 +250,8 @@ TEST_F(Archive, RefusesManifestsThatMeanNothing) {
     expect_manifest_refused(opening + line(",\"figures\":[{\"name\":\"preload\",\"unit\":\"N\",\"value\":1}]"), "name");
     expect_manifest_refused(opening + line(",\"figures\":[{\"name\":\"a') --\",\"unit\":\"N\",\"value\":1}]"), "name");
     expect_manifest_refused(opening + line(",\"figures\":3"), "wrong kind");
-    expect_manifest_refused(opening + line(",\"bytes\":-1"), "");
+    for (const char* bytes : {"-1", "1.5", "18446744073709551616", "1e96", "\"1\"", "null"})
+        expect_manifest_refused(opening + line(std::string(",\"bytes\":") + bytes), "no number of bytes");
     expect_manifest_refused(opening + "{\"audio\":\"ab\",\"format\":\"wav\",\"bytes\":1}\n", "does not name its audio");
 }
 
