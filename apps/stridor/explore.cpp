@@ -47,10 +47,14 @@ explorer::World world_of(const ExploreOptions& options) {
     world.presets = explorer::paper_presets();
     world.library = options.library.empty() ? noise_library::default_library() : std::filesystem::path(options.library);
     std::error_code ignored;
-    if (options.library.empty() && !std::filesystem::exists(world.library, ignored)) world.library.clear();
+    if (!options.library.empty())
+        static_cast<void>(
+            noise_library::Library(world.library));  // what is wrong with it is said here and not in the page
+    else if (!std::filesystem::exists(world.library, ignored))
+        world.library.clear();
     if (options.file.empty()) return world;
     const io::TomlSource source = io::load_toml(options.file, options.overrides);
-    static_cast<void>(io::read_case(source));  // what is wrong with it is said here and not in the page
+    static_cast<void>(io::read_case(source));  // likewise
     world.presets.insert(world.presets.begin(), {"file", source.text, source.name, options.overrides});
     return world;
 }

@@ -193,4 +193,6 @@ test("other addresses are refused unless asked for twice", () => {
   assert.equal(spawnSync(program, ["explore", "--address", "nonsense", "--allow-remote"]).status, 2);
   assert.equal(spawnSync(program, ["explore", "--no-browser", "--port", String(port)]).status, 5);
   assert.equal(spawnSync(program, ["explore", "/nowhere/case.toml"]).status, 5);
+  assert.equal(spawnSync(program, ["explore", "--unix-socket", `/tmp/${"x".repeat(150)}`]).status, 2);
+  assert.notEqual(spawnSync(program, ["explore", "--library", "/nowhere/library.sqlite"], { timeout: 5000 }).status, 0);
 });

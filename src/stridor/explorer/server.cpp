@@ -12,6 +12,7 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <sys/stat.h>
+#include <sys/un.h>
 
 #include <atomic>
 #include <functional>
@@ -318,6 +319,11 @@ void remove_stale(asio::io_context& io, const std::filesystem::path& path) {
 }
 
 local::acceptor listen_at(asio::io_context& io, const std::filesystem::path& path) {
+    constexpr std::size_t longest = sizeof(sockaddr_un::sun_path) - 1;
+    if (path.string().size() > longest)
+        throw Error(ErrorKind::input,
+                    {"the path of the socket is too long: " + path.string(),
+                     "systems take at most " + std::to_string(longest) + " bytes", "Choose a shorter one."});
     error_code error;
     remove_stale(io, path);
     local::acceptor acceptor(io);
