@@ -1,16 +1,24 @@
 // The page in a real browser, as a user meets it.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFile, writeFile } from "node:fs/promises";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { openPage, program, startExplorer } from "./session.mjs";
 
+let folder;
 let explorer;
 let browser;
 let page;
 
 before(async () => {
-  explorer = await startExplorer();
+  folder = await mkdtemp(join(tmpdir(), "stridor-page-"));
+  const [sound, library] = [join(folder, "sound.wav"), join(folder, "noises.sqlite")];
+  const text = execFileSync(program, ["init", "creak"]);
+  execFileSync(program, ["listen", "-", "--out", sound], { input: text });
+  execFileSync(program, ["library", "add", sound, "--library", library, "--system", "seal"], { stdio: "ignore" });
+  explorer = await startExplorer(["--library", library]);
   browser = await openPage(explorer);
   page = browser.page;
   await browser.goto();
@@ -19,6 +27,7 @@ before(async () => {
 after(async () => {
   await browser?.close();
   assert.equal(await explorer?.stop(), 0);
+  await rm(folder, { recursive: true, force: true });
 });
 
 const verdict = (direction) => page.locator("#verdict").getAttribute(`data-${direction}`);
@@ -139,6 +148,16 @@ test("a cell can be heard", async () => {
   await player.evaluate((audio) => audio.pause());
 });
 
+test("a recording of the library is seen, heard, and held against the simulation", async () => {
+  await page.locator("#tab-library").click();
+  const row = page.locator("#view-library [data-entry]").first();
+  assert.match(await row.innerText(), /seal/);
+  await page.waitForFunction(() => document.querySelector("#view-library audio")?.readyState >= 2);
+  await page.waitForFunction(() => /by ear: creak/.test(document.querySelector("#view-library").innerText));
+  await page.locator("#compare").click();
+  await page.waitForFunction(() => document.querySelectorAll("#view-listen audio[src]").length === 2);
+});
+
 test("keep quiet names a change that makes it quiet with one click", async () => {
   await choose("squeal");
   await page.locator("#tab-quiet").click();
@@ -148,6 +167,34 @@ test("keep quiet names a change that makes it quiet with one click", async () =>
   await page.waitForFunction(() => document.querySelector("#verdict").dataset.going === "none", null, { timeout: 30000 });
   await settled();
   assert.equal(await verdict("coming"), "none");
+});
+
+test("what is shown can be taken along: as a link, a command, files and a picture", async () => {
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await choose("squeal");
+  await setSlider("contact.preload", 35);
+  await page.locator("#share summary").click();
+  const copied = async (id) => {
+    await page.locator("#share-note").evaluate((note) => delete note.dataset.copied);
+    await page.locator(`#${id}`).click();
+    await page.waitForSelector("#share-note[data-copied]");
+    return page.locator("#share-note").getAttribute("data-copied");
+  };
+  assert.equal(await copied("copy-link"), page.url());
+  const command = (await copied("copy-command")).replaceAll("stridor ", `${program} `);
+  const printed = execFileSync("sh", ["-c", command], { encoding: "utf8" });
+  assert.match(printed, new RegExp(`^going +${await verdict("going")}`, "m"));
+  const toml = await copied("copy-toml");
+  const checked = execFileSync(program, ["simulate", "-", "--json"], { input: toml, encoding: "utf8" });
+  assert.equal(JSON.parse(checked).case.contact.preload, 35);
+  assert.match(await copied("copy-chart-toml"), /\[chart\]/);
+  for (const [id, begin] of [["save-png", "\x89PNG"], ["save-csv", ""]]) {
+    const download = page.waitForEvent("download");
+    await page.locator(`#${id}`).click();
+    const bytes = await readFile(await (await download).path(), "latin1");
+    assert.ok(bytes.startsWith(begin) && bytes.length > 1000, id);
+  }
+  await page.locator("#share summary").click();
 });
 
 test("the report opens from a file, without Stridor and without a script", async () => {

@@ -1,4 +1,5 @@
 #include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/classification/sound_rules.hpp"
 #include "stridor/explorer/answers.hpp"
 #include "stridor/explorer/bytes.hpp"
@@ -25,8 +26,15 @@ struct Listening {
     signal::AuralisationSettings settings;
 };
 
-Error wrong(const std::string& name, const std::string& choices) {
-    return {ErrorKind::input, {"\"" + name + "\" is none of " + choices, "", ""}};
+Error none_of(const std::string& choices, const std::string& given) {
+    return {ErrorKind::input, {"\"" + given + "\" is none of " + choices, "", ""}};
+}
+
+double number_between(const Json& body, const std::string& name, double low, double high, double otherwise) {
+    const double number = number_in(body, name, otherwise);
+    if (number >= low && number <= high) return number;
+    throw Error(ErrorKind::input,
+                {"\"" + name + "\" must be from " + base::shortest(low) + " to " + base::shortest(high), "", ""});
 }
 
 Listening listening_in(const World& world, const Json& body) {
@@ -35,16 +43,14 @@ Listening listening_in(const World& world, const Json& body) {
     const std::string quantity = text_in(body, "quantity", "velocity");
     const std::string direction = text_in(body, "direction", "whole");
     signal::AuralisationSettings& settings = listening.settings;
-    if (of != "joint" && of != "plate") throw wrong(of, "joint, plate");
-    if (quantity != "velocity" && quantity != "acceleration") throw wrong(quantity, "velocity, acceleration");
+    if (of != "joint" && of != "plate") throw none_of("joint, plate", of);
+    if (quantity != "velocity" && quantity != "acceleration") throw none_of("velocity, acceleration", quantity);
     settings.pickup.dof = of == "joint" ? 0 : 2;  // along the plate, or across it
     settings.pickup.quantity =
         quantity == "velocity" ? signal::MotionQuantity::velocity : signal::MotionQuantity::acceleration;
-    settings.rate = number_in(body, "rate", settings.rate);
-    if (!(settings.rate >= 8000.0 && settings.rate <= 96000.0)) throw wrong("rate", "8000 to 96000");
+    settings.rate = number_between(body, "rate", 8000.0, 96000.0, settings.rate);
     parameters::Run& run = listening.c.run;
-    const double seconds = number_in(body, "seconds", run.duration);
-    if (!(seconds > 0.0 && seconds <= longest_sound)) throw wrong("seconds", "0 to 20");
+    const double seconds = number_between(body, "seconds", 0.01, longest_sound, run.duration);
     // longer than the run: it goes on, and is judged by the same last part
     run.window += std::max(0.0, seconds - run.duration);
     run.duration = std::max(run.duration, seconds);
@@ -53,18 +59,22 @@ Listening listening_in(const World& world, const Json& body) {
     else if (direction == "coming")
         settings.stretches = sweep::heard_stretches(listening.c, parameters::Direction::coming);
     else if (direction != "whole")
-        throw wrong(direction, "going, coming, whole");
+        throw none_of("going, coming, whole", direction);
     return listening;
 }
 
-// the joint's sound as the contact-state verdict's counterpart, the analysis that `stridor classify` makes
-Json decibels(std::span<const double> squares, double reference) {
+// levels to a tenth of a decibel
+Json rounded(std::span<const double> decibels) {
     Json array = Json::array();
-    for (const double square : squares) {
-        const double level = signal::level_of(square, reference);
+    for (const double level : decibels)
         array.push_back(std::max(floor_level, std::round(10.0 * level) / 10.0));
-    }
     return array;
+}
+
+std::vector<double> levels_of(std::vector<double> squares, double reference) {
+    for (double& square : squares)
+        square = signal::level_of(square, reference);
+    return squares;
 }
 
 // the middles of equal steps from 0 on
@@ -112,16 +122,18 @@ Json verdict_object(const classification::RecordingVerdict& verdict) {
 }  // namespace
 
 Response analysis_of(signal::Source& source) {
-    std::vector<signal::SoundAnalysis> channels = signal::analyse(source);
+    const std::vector<signal::SoundAnalysis> channels = signal::analyse(source);
+    // channels may have different units: by their levels
+    const auto loudness = [](const signal::SoundAnalysis& channel) {
+        const double reference = signal::reference_of(channel.unit);
+        return channel.mean_square / (reference * reference);
+    };
     const auto loudest = std::max_element(channels.begin(), channels.end(),
-                                          [](const auto& a, const auto& b) { return a.mean_square < b.mean_square; });
+                                          [&](const auto& a, const auto& b) { return loudness(a) < loudness(b); });
     const signal::SoundAnalysis& sound = *loudest;
     const double reference = signal::reference_of(sound.unit);
     const std::vector<double> lines = signal::line_squares(sound.spectrum);
-    Json levels = Json::array();
-    for (const double level : sound.level.decibels)
-        levels.push_back(std::max(floor_level, std::round(10.0 * level) / 10.0));
-    const std::size_t instants = levels.size();
+    const std::size_t instants = sound.level.decibels.size();
     const std::string unit = signal::level_unit(sound.unit);
     const Json document{{"schema", "stridor.explorer.analysis/1"},
                         {"unit", sound.unit},
@@ -129,11 +141,11 @@ Response analysis_of(signal::Source& source) {
                         {"duration", sound.duration},
                         {"level",
                          {{"time", multiples(instants, sound.level.interval, 1)},
-                          {"decibels", std::move(levels)},
+                          {"decibels", rounded(sound.level.decibels)},
                           {"reference", unit}}},
                         {"spectrum",
                          {{"frequency", multiples(lines.size(), sound.spectrum.spacing, 0)},
-                          {"level", decibels(lines, reference)},
+                          {"level", rounded(levels_of(lines, reference))},
                           {"unit", unit}}},
                         {"spectrogram", spectrogram_object(sound.spectrogram, reference)},
                         {"verdict", verdict_object(classification::classify_recording(sound.stretches,

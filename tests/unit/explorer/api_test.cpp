@@ -1,13 +1,20 @@
 #include "stridor/explorer/api.hpp"
 
 #include "stridor/explorer/bytes.hpp"
+#include "stridor/io/wav.hpp"
+#include "stridor/noise_library/recording.hpp"
+#include "stridor/signal/source.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace stridor::explorer {
 namespace {
@@ -160,6 +167,48 @@ TEST(Api, MakesASoundOfADirection) {
     EXPECT_EQ(heard["unit"], "m/s");
     EXPECT_EQ(heard["verdict"]["category"], "squeal");
     EXPECT_FALSE(heard["spectrogram"]["level"].get<std::string>().empty());
+}
+
+// half a second of a steady tone
+signal::Signal tone() {
+    signal::Signal signal{48000.0, "Pa", {}};
+    for (int k = 0; k < 24000; ++k)
+        signal.samples.push_back(0.1 * std::sin(2.0 * 3.14159265358979 * 800.0 * k / signal.rate));
+    return signal;
+}
+
+TEST(Api, ShowsPlaysAndHearsTheLibrary) {
+    const support::ScratchFolder folder;
+    const std::string file = (folder / "tone.wav").string();
+    io::write_wav(file, *signal::source_of({tone()}));
+    World with_library = world();
+    with_library.library = folder / "noises.sqlite";
+    {
+        noise_library::Library library(with_library.library, {noise_library::Access::fill});
+        noise_library::Recording recording{file, {}};
+        recording.given.system = "brake";
+        noise_library::add_recording(library, recording, [](const std::filesystem::path&, noise_library::Entry&) {});
+    }
+    const auto ask = [&](const std::string& path) {
+        Request request;
+        request.method = "GET";
+        request.path = path;
+        return answer(with_library, request, {});
+    };
+    const json list = json::parse(ask("/api/library").body);
+    ASSERT_EQ(list["entries"].size(), 1U);
+    EXPECT_EQ(list["entries"][0]["system"], "brake");
+    const std::string entry = "/api/library/" + list["entries"][0]["id"].dump();
+    const Response audio = ask(entry + "/audio");
+    EXPECT_EQ(audio.content_type, "audio/wav");
+    std::string bytes;
+    audio.stream([&](const std::string& part) { bytes += part; }, {});
+    std::ifstream stream(file, std::ios::binary);
+    EXPECT_EQ(bytes, std::string(std::istreambuf_iterator<char>(stream), {}));
+    const json heard = json::parse(ask(entry + "/analysis").body);
+    EXPECT_EQ(heard["unit"], "Pa");
+    EXPECT_EQ(heard["verdict"]["category"], "squeal");
+    refusal(ask("/api/library/99/audio"), 400);
 }
 
 TEST(Api, SaysWhatIsWrongWithARequest) {
