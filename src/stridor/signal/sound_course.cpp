@@ -16,8 +16,8 @@ constexpr double periodicity_time = 0.15;  // [s] within which the rate of impul
 constexpr double part_time = 0.04;         // [s]
 
 // mean squares of half overlapped parts, each weighted by a Hann window: beats and cycles within a part leave no ripple
-std::vector<double> parts_of(std::span<const double> samples, std::size_t length) {
-    const std::vector<double> weights = window(Window::hann, length);
+std::vector<double> parts_of(std::span<const double> samples, const std::vector<double>& weights) {
+    const std::size_t length = weights.size();
     std::vector<double> parts;
     for (std::size_t first = 0; first + length <= samples.size(); first += length / 2) {
         double sum = 0.0;
@@ -161,10 +161,10 @@ double largest_dwell(std::span<const double> samples, double width) {
     return static_cast<double>(most) / static_cast<double>(samples.size());
 }
 
-LevelCourse level_course(std::span<const double> samples, double rate) {
+LevelCourse level_course(std::span<const double> samples, double rate, Windows& windows) {
     const auto usual = static_cast<std::size_t>(part_time * rate);
     const std::size_t length = std::max<std::size_t>(8, std::min(usual, samples.size() * 2 / 5)) / 2 * 2;
-    const std::vector<double> parts = parts_of(samples, length);
+    const std::vector<double> parts = parts_of(samples, windows.of(length));
     LevelCourse course;
     if (parts.size() < 4) return course;
     const double whole = *std::max_element(parts.begin(), parts.end());

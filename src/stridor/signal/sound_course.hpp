@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/signal/window.hpp"
+
 #include <span>
 #include <vector>
 
@@ -27,7 +29,8 @@ struct LevelCourse {
 };
 
 /// Parts are shorter where the sound has fewer than four of them; all is 0 where even those are too few.
-LevelCourse level_course(std::span<const double> samples, double rate);
+/// `windows` are Hann's.
+LevelCourse level_course(std::span<const double> samples, double rate, Windows& windows);
 
 /// The impulses of a sound.
 struct ImpulseTrain {

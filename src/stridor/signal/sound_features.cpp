@@ -151,7 +151,7 @@ FeatureFinder::Picture FeatureFinder::picture_of(std::span<const double> samples
         picture.echo = window_echo_;
     } else {
         if (short_window_.size() != size) {
-            short_window_ = window(Window::hann, size);
+            short_window_ = windows_.of(size);
             short_echo_ = echo_of(fourier_, short_window_);
         }
         picture.window = short_window_;
@@ -322,7 +322,7 @@ SoundStretch FeatureFinder::find(std::span<const double> samples) {
     // what is left of the floor widens the place where the sound rests
     const double left = std::sqrt(kept_floor / kept);
     features.rest = largest_dwell(sound, effective * resting_width(left, 4.0));
-    const LevelCourse level = level_course(sound, rate_);
+    const LevelCourse level = level_course(sound, rate_, windows_);
     features.abruptness = level.abruptness;
     features.trend = level.trend;
     // and makes the level unsteady by so many decibels

@@ -2,6 +2,7 @@
 
 #include "stridor/signal/fourier.hpp"
 #include "stridor/signal/signal.hpp"
+#include "stridor/signal/window.hpp"
 
 #include <cstddef>
 #include <span>
@@ -67,6 +68,7 @@ private:
     double rate_;
     std::size_t size_;  // samples of a frame
     Fourier fourier_;
+    Windows windows_{Window::hann};
     std::vector<double> window_;       // for frames of `size_`
     std::vector<double> window_echo_;  // circular autocorrelation of the window, 1 at lag 0
     std::vector<double> short_window_{};

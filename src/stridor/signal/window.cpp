@@ -33,6 +33,14 @@ std::vector<double> window(Window kind, std::size_t size) {
     return values;
 }
 
+const std::vector<double>& Windows::of(std::size_t size) {
+    constexpr std::size_t most = 256;
+    const auto found = made_.find(size);
+    if (found != made_.end()) return found->second;
+    if (made_.size() >= most) made_.clear();
+    return made_.emplace(size, window(kind_, size)).first->second;
+}
+
 double noise_bandwidth(const std::vector<double>& window) {
     const double sum = std::accumulate(window.begin(), window.end(), 0.0);
     const double squares = std::inner_product(window.begin(), window.end(), window.begin(), 0.0);
