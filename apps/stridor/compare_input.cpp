@@ -3,7 +3,6 @@
 #include "compare_argument.hpp"
 #include "interrupt.hpp"
 #include "sound.hpp"
-#include "stridor/analysis/evidence.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/classification/contact_rules.hpp"
@@ -286,8 +285,7 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const MotionOption
     set_spectrogram(sound, *rendering.sound);
     rendering.sound->rewind();
     set_detail(sound, *rendering.sound, detail);
-    for (const record::Tally& tally : rendering.record.phases)
-        sound.contact.verdicts.push_back(classification::classify(analysis::evidence(tally), simulated.c.verdict));
+    sound.contact.verdicts = classification::classify_phases(rendering.record.phases, simulated.c.verdict);
     sound.contact.history = heard_history(rendering.record.history, settings.stretches, sound.detail.from,
                                           sound.detail.from + signal::duration(sound.detail.signal));
     return sound;

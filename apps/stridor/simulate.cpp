@@ -3,7 +3,6 @@
 #include "commands.hpp"
 #include "figures.hpp"
 #include "interrupt.hpp"
-#include "stridor/analysis/evidence.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/contact_rules.hpp"
@@ -178,9 +177,7 @@ void simulate(const SimulateOptions& options) {
     const Interrupt interrupt;
     const integration::Motion motion = integration::simulate(c, request, interrupt.token());
     require_result(motion.outcome, c);
-    std::vector<Verdict> verdicts;
-    for (const record::Tally& tally : motion.record.phases)
-        verdicts.push_back(classification::classify(analysis::evidence(tally), c.verdict));
+    const std::vector<Verdict> verdicts = classification::classify_phases(motion.record.phases, c.verdict);
     write_records(options, c, motion);
     print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"
                        : report(c, motion, verdicts));

@@ -64,17 +64,9 @@ io::SoundReport listen_to(const SoundOptions& options) {
     for (const std::string& note : report.notes)
         say("stridor: note: " + note);
     report.channels = signal::analyse(*file, progress_of(file->layout()), side_by_side);
-    double greatest = -1.0;
-    for (std::size_t k = 0; k < report.channels.size(); ++k) {
-        const signal::SoundAnalysis& analysis = report.channels[k];
+    for (const signal::SoundAnalysis& analysis : report.channels)
         report.verdicts.push_back(classification::classify_recording(analysis.stretches, report.thresholds));
-        const double reference = signal::reference_of(analysis.unit);
-        const double square = analysis.mean_square / (reference * reference);
-        if (square > greatest) {
-            greatest = square;
-            report.loudest = k;
-        }
-    }
+    report.loudest = signal::loudest(report.channels);
     return report;
 }
 

@@ -69,4 +69,11 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
     return decide(Category::squeak, fmt::format("states alternate irregularly (regularity {:.3f})", regularity));
 }
 
+std::vector<Verdict> classify_phases(std::span<const record::Tally> phases, const parameters::Thresholds& thresholds) {
+    std::vector<Verdict> verdicts;
+    for (const record::Tally& phase : phases)
+        verdicts.push_back(classify(analysis::evidence(phase), thresholds));
+    return verdicts;
+}
+
 }  // namespace stridor::classification

@@ -3,6 +3,10 @@
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/classification/verdict.hpp"
 #include "stridor/parameters/case.hpp"
+#include "stridor/record/tally.hpp"
+
+#include <span>
+#include <vector>
 
 namespace stridor::classification {
 
@@ -17,5 +21,8 @@ namespace stridor::classification {
 /// Shares are those of the judged part. Stick dominance comes before regularity because a creak may be regular too.
 /// A vibration pattern is named, not a sound: docs/methods/verdict.md says what that leaves out.
 Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds);
+
+/// The verdict of each phase of a run, in their order.
+std::vector<Verdict> classify_phases(std::span<const record::Tally> phases, const parameters::Thresholds& thresholds);
 
 }  // namespace stridor::classification

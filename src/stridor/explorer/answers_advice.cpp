@@ -1,4 +1,3 @@
-#include "stridor/analysis/evidence.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/explorer/answers.hpp"
@@ -84,8 +83,7 @@ Response report(const World& world, const Json& body, const std::stop_token& sto
     request.trace.to = results.design.run.duration;
     request.trace.interval = results.design.run.duration / samples;
     results.motion = run_case(results.design, request, stop);
-    for (const record::Tally& tally : results.motion.record.phases)
-        results.verdicts.push_back(classification::classify(analysis::evidence(tally), results.design.verdict));
+    results.verdicts = classification::classify_phases(results.motion.record.phases, results.design.verdict);
     if (body.contains("chart")) results.chart = swept(world, study_in(world, body), stop);
     results.stability = analysis::scan_stability(
         results.design, analysis::ScanRange{"contact.kinetic_friction", 0.0, results.design.contact.static_friction});

@@ -1,4 +1,3 @@
-#include "stridor/analysis/evidence.hpp"
 #include "stridor/analysis/stability_scan.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
@@ -184,9 +183,7 @@ Response start(const World& world) {
 Response simulate(const World& world, const Json& body, const std::stop_token& stop) {
     const parameters::Case c = case_in(world, body);
     const integration::Motion motion = run_case(c, {}, stop);
-    std::vector<classification::Verdict> verdicts;
-    for (const record::Tally& tally : motion.record.phases)
-        verdicts.push_back(classification::classify(analysis::evidence(tally), c.verdict));
+    const auto verdicts = classification::classify_phases(motion.record.phases, c.verdict);
     return json(io::simulation_json(c, motion, integration::cost(c), verdicts));
 }
 

@@ -1,7 +1,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/explorer/answers.hpp"
 #include "stridor/explorer/bytes.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/io/json_chart.hpp"
 #include "stridor/sweep/boundaries.hpp"
 #include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"
@@ -16,17 +16,6 @@ namespace stridor::explorer {
 namespace {
 
 constexpr std::uint8_t no_result = 255;
-
-Json axis_object(const sweep::Axis& axis) {
-    const parameters::Field* field = parameters::find_field(axis.parameter);
-    Json values = Json::array();
-    for (int index = 0; index < axis.points; ++index)
-        values.push_back(sweep::value_at(axis, index));
-    return {{"parameter", axis.parameter}, {"unit", std::get<parameters::Quantity>(field->kind).unit},
-            {"from", axis.from},           {"to", axis.to},
-            {"points", axis.points},       {"scale", sweep::scale_names[static_cast<std::size_t>(axis.scale)]},
-            {"values", std::move(values)}};
-}
 
 Json boundary_objects(const sweep::SweepResult& result) {
     Json array = Json::array();
@@ -73,8 +62,8 @@ public:
                    {"computed", sweep::computed_count(result)},
                    {"total", result.cells.size()}};
         if (round_ == 0) {
-            frame["x"] = axis_object(result.study.x);
-            frame["y"] = axis_object(result.study.y);
+            frame["x"] = Json::parse(io::axis_json(result.study.x));
+            frame["y"] = Json::parse(io::axis_json(result.study.y));
             frame["directions"] = {"going", "coming"};
         }
         frame["category"] = category_bytes(result);

@@ -123,14 +123,7 @@ Json verdict_object(const classification::RecordingVerdict& verdict) {
 
 Response analysis_of(signal::Source& source) {
     const std::vector<signal::SoundAnalysis> channels = signal::analyse(source);
-    // channels may have different units: by their levels
-    const auto loudness = [](const signal::SoundAnalysis& channel) {
-        const double reference = signal::reference_of(channel.unit);
-        return channel.mean_square / (reference * reference);
-    };
-    const auto loudest = std::max_element(channels.begin(), channels.end(),
-                                          [&](const auto& a, const auto& b) { return loudness(a) < loudness(b); });
-    const signal::SoundAnalysis& sound = *loudest;
+    const signal::SoundAnalysis& sound = channels[signal::loudest(channels)];
     const double reference = signal::reference_of(sound.unit);
     const std::vector<double> lines = signal::line_squares(sound.spectrum);
     const std::size_t instants = sound.level.decibels.size();

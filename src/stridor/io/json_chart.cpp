@@ -100,6 +100,10 @@ Json cells_object(const sweep::SweepResult& result) {
 
 }  // namespace
 
+std::string axis_json(const sweep::Axis& axis) {
+    return json_parts::text_of(axis_object(axis));
+}
+
 std::string chart_json(const sweep::SweepResult& result) {
     const sweep::Study& study = result.study;
     Json document = opening("chart", study.base);

@@ -289,4 +289,14 @@ std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress, con
     return results;
 }
 
+std::size_t loudest(std::span<const SoundAnalysis> channels) {
+    const auto square = [](const SoundAnalysis& channel) {
+        const double reference = reference_of(channel.unit);
+        return channel.mean_square / (reference * reference);
+    };
+    const auto found = std::max_element(channels.begin(), channels.end(),
+                                        [&](const auto& a, const auto& b) { return square(a) < square(b); });
+    return static_cast<std::size_t>(found - channels.begin());
+}
+
 }  // namespace stridor::signal

@@ -6,8 +6,10 @@
 #include "stridor/signal/spectrogram.hpp"
 #include "stridor/signal/spectrum.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -79,5 +81,9 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
 /// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.
 std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress = {},
                                    const Runner& run = one_after_the_other);
+
+/// The channel with the greatest level, of equals the first: channels may have different units, so that their levels are
+/// compared and not their samples. There is at least one.
+std::size_t loudest(std::span<const SoundAnalysis> channels);
 
 }  // namespace stridor::signal
