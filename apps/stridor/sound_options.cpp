@@ -7,22 +7,17 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <thread>
-#include <vector>
 
 namespace stridor::app {
 
 namespace {
 
-// a thread for each piece but the first
 void side_by_side(std::size_t count, const std::function<void(std::size_t)>& work) {
-    std::vector<std::jthread> others;
-    for (std::size_t k = 1; k < count; ++k)
-        others.emplace_back([&work, k] { work(k); });
-    if (count > 0) work(0);
+    tbb::parallel_for(std::size_t{0}, count, work, tbb::simple_partitioner());
 }
 
 // a line that is redrawn in a terminal, a line per 10 % of long recordings anywhere else, nothing for short ones

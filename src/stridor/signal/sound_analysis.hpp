@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/signal/level.hpp"
-#include "stridor/signal/sound_features.hpp"
+#include "stridor/signal/sound_stretches.hpp"
 #include "stridor/signal/source.hpp"
 #include "stridor/signal/spectrogram.hpp"
 #include "stridor/signal/spectrum.hpp"
@@ -14,9 +14,6 @@
 #include <vector>
 
 namespace stridor::signal {
-
-/// The longest stretch that is described as one [s].
-inline constexpr double longest_stretch = 0.5;
 
 /// A smallest and a largest sample: what a drawn waveform needs of a moment.
 struct Extent {
@@ -46,21 +43,17 @@ struct SoundAnalysis {
     std::vector<SoundStretch> stretches{};  // one after the other, in time
 };
 
-/// Analyses one channel as its samples come. What it keeps grows with a few hundred bytes per half second.
-///
-/// The sound is cut into stretches: wherever its sustained level, the median over eight parts of 5 ms, changes by more than 6 dB,
-/// and at the latest after half a second. A median of 40 ms does not see impulses, so they stay in the stretch they
-/// belong to; the going and coming phases of a rig fall into stretches of their own.
-class ChannelAnalyser {
+/// Describes one channel as a whole as its samples come: levels, spectra, waveform. What it keeps does not grow.
+class ChannelOverview {
 public:
-    ChannelAnalyser(double rate, Channel channel);
-    ~ChannelAnalyser();
-    ChannelAnalyser(ChannelAnalyser&&) noexcept;
-    ChannelAnalyser& operator=(ChannelAnalyser&&) noexcept;
+    ChannelOverview(double rate, Channel channel);
+    ~ChannelOverview();
+    ChannelOverview(ChannelOverview&&) noexcept;
+    ChannelOverview& operator=(ChannelOverview&&) noexcept;
 
     void push(std::span<const double> samples);
 
-    /// Ends the recording. A rest too short to be described is counted in the spectra only.
+    /// Ends the recording; the stretches are left to `StretchFinder`.
     SoundAnalysis finish();
 
 private:
@@ -75,7 +68,8 @@ using Progress = std::function<void(std::uint64_t frames)>;
 using Runner = std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
 void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// Reads a recording to its end and analyses all channels, each a piece of work for `run`; shape [channel].
+/// Reads a recording to its end and analyses all channels; shape [channel]. The stretches and the overview of each channel
+/// are pieces of work for `run`, and so is reading on.
 ///
 /// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite
 /// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.

@@ -169,9 +169,9 @@ HeardVerdict judged(std::span<const Signal> parts, const parameters::SoundThresh
     HeardVerdict heard;
     double from = 0.0;  // [s] one part after the other
     for (const Signal& part : parts) {
-        signal::ChannelAnalyser analyser(part.rate, {"", part.unit});
-        analyser.push(part.samples);
-        for (signal::SoundStretch& stretch : analyser.finish().stretches) {
+        signal::StretchFinder finder(part.rate);
+        finder.push(part.samples);
+        for (signal::SoundStretch& stretch : finder.finish()) {
             stretch.features.from += from;
             heard.stretches.push_back(std::move(stretch));
         }

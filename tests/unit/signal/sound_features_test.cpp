@@ -104,13 +104,21 @@ TEST(SoundFeatures, TooShortASoundIsRefused) {
 TEST(Analyse, BlocksDoNotMatter) {
     const Signal signal =
         with_noise(sampled(2.3, [](double t) { return t < 1.0 ? sine(800.0 * t) : 0.01 * sine(500.0 * t); }), 40.0, 2);
-    ChannelAnalyser whole(rate, {"", "m/s"});
-    whole.push(signal.samples);
-    ChannelAnalyser parts(rate, {"", "m/s"});
-    for (std::size_t first = 0; first < signal.samples.size(); first += 777)
-        parts.push(std::span(signal.samples).subspan(first, std::min<std::size_t>(777, signal.samples.size() - first)));
-    const SoundAnalysis one = whole.finish();
-    const SoundAnalysis other = parts.finish();
+    const auto analysed = [&](std::size_t block) {
+        StretchFinder finder(rate);
+        ChannelOverview overview(rate, {"", "m/s"});
+        for (std::size_t first = 0; first < signal.samples.size(); first += block) {
+            const auto samples =
+                std::span(signal.samples).subspan(first, std::min(block, signal.samples.size() - first));
+            finder.push(samples);
+            overview.push(samples);
+        }
+        SoundAnalysis analysis = overview.finish();
+        analysis.stretches = finder.finish();
+        return analysis;
+    };
+    const SoundAnalysis one = analysed(signal.samples.size());
+    const SoundAnalysis other = analysed(777);
     ASSERT_EQ(one.stretches.size(), other.stretches.size());
     for (std::size_t k = 0; k < one.stretches.size(); ++k) {
         EXPECT_EQ(one.stretches[k].features.from, other.stretches[k].features.from);
@@ -138,6 +146,35 @@ TEST(Analyse, ChannelsAreAnalysedEachByItself) {
     ASSERT_EQ(analyses.size(), 2u);
     auto alone = source_of({other});
     EXPECT_EQ(analyses[1].spectrum.density, analyse(*alone).front().spectrum.density);
+}
+
+TEST(Analyse, TheOrderOfItsPiecesDoesNotMatter) {
+    const Signal signal = with_noise(sampled(4.0, [](double t) { return sine(800.0 * t); }), 40.0, 3);
+    const Runner backwards = [](std::size_t count, const std::function<void(std::size_t)>& work) {
+        for (std::size_t k = count; k-- > 0;)
+            work(k);
+    };
+    auto source = source_of({signal, signal});
+    const auto usual = analyse(*source);
+    source = source_of({signal, signal});
+    const auto other = analyse(*source, {}, backwards);
+    EXPECT_EQ(usual[1].spectrum.density, other[1].spectrum.density);
+    EXPECT_EQ(usual[1].duration, other[1].duration);
+    ASSERT_EQ(usual[1].stretches.size(), other[1].stretches.size());
+    for (std::size_t k = 0; k < usual[1].stretches.size(); ++k)
+        EXPECT_EQ(usual[1].stretches[k].features.clearness, other[1].stretches[k].features.clearness);
+}
+
+TEST(Analyse, SaysWhichSampleOfALongRecordingIsNoNumber) {
+    Signal signal = sampled(4.0, [](double t) { return sine(800.0 * t); });
+    signal.samples[150000] = std::numeric_limits<double>::infinity();
+    auto source = source_of({signal});
+    try {
+        analyse(*source);
+        FAIL() << "an infinite sample passed";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("sample 150001"), std::string::npos) << error.what();
+    }
 }
 
 TEST(Analyse, RefusesNothingAndWhatIsNoNumber) {
