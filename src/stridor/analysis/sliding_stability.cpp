@@ -2,9 +2,10 @@
 
 #include "stridor/analysis/sliding_stability.hpp"
 
+#include "stridor/model/complement.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -26,14 +27,18 @@ bool slower(const Mode& a, const Mode& b) {
 std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion) {
     using Eigen::MatrixXd;
     const Eigen::Index free = motion.mass.rows() - 1;
-    const MatrixXd basis = motion.normal.householderQr().householderQ();
-    const MatrixXd right = basis.rightCols(free);
+    const MatrixXd right = model::orthogonal_complement(motion.normal);
     const MatrixXd left = right - motion.normal * (motion.force.transpose() * right) / motion.normal.dot(motion.force);
-    const MatrixXd inverse_mass = (left.transpose() * motion.mass * right).inverse();
+    // lazyProduct: without the kernels for large matrices, which take seconds to compile
+    const auto reduced = [&](const MatrixXd& matrix) -> MatrixXd {
+        const MatrixXd half = left.transpose().lazyProduct(matrix);
+        return half.lazyProduct(right);
+    };
+    const MatrixXd negative_inverse_mass = -reduced(motion.mass).inverse();
     MatrixXd first_order = MatrixXd::Zero(2 * free, 2 * free);
     first_order.topRightCorner(free, free) = MatrixXd::Identity(free, free);
-    first_order.bottomLeftCorner(free, free) = -inverse_mass * (left.transpose() * motion.stiffness * right);
-    first_order.bottomRightCorner(free, free) = -inverse_mass * (left.transpose() * motion.damping * right);
+    first_order.bottomLeftCorner(free, free) = negative_inverse_mass.lazyProduct(reduced(motion.stiffness));
+    first_order.bottomRightCorner(free, free) = negative_inverse_mass.lazyProduct(reduced(motion.damping));
     const Eigen::EigenSolver<MatrixXd> solver(first_order, false);
     return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
 }

@@ -2,9 +2,10 @@
 
 #include "stridor/model/frequencies.hpp"
 
+#include "stridor/model/complement.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <cmath>
 
@@ -12,16 +13,15 @@ namespace stridor::model {
 
 std::vector<double> natural_frequencies(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
                                         const Eigen::MatrixXd& blocked) {
-    const Eigen::Index size = mass.rows();
-    Eigen::MatrixXd free = Eigen::MatrixXd::Identity(size, size);
-    if (blocked.cols() > 0) {
-        // the last columns of Q in blocked = Q R span the motions the constraints leave free
-        const Eigen::MatrixXd all = blocked.householderQr().householderQ();
-        free = all.rightCols(size - blocked.cols());
-    }
+    const Eigen::MatrixXd free = orthogonal_complement(blocked);
     if (free.cols() == 0) return {};
-    const Eigen::MatrixXd free_mass = free.transpose() * mass * free;
-    const Eigen::MatrixXd free_stiffness = free.transpose() * stiffness * free;
+    // lazyProduct: without the kernels for large matrices, which take seconds to compile
+    const auto reduced = [&](const Eigen::MatrixXd& matrix) -> Eigen::MatrixXd {
+        const Eigen::MatrixXd half = free.transpose().lazyProduct(matrix);
+        return half.lazyProduct(free);
+    };
+    const Eigen::MatrixXd free_mass = reduced(mass);
+    const Eigen::MatrixXd free_stiffness = reduced(stiffness);
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(free_stiffness, free_mass,
                                                                            Eigen::EigenvaluesOnly);
     std::vector<double> frequencies;
