@@ -1,7 +1,8 @@
+#include "support/json_of.hpp"
 #include "support/process.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <csignal>
@@ -9,10 +10,11 @@
 
 using nlohmann::json;
 using stridor::support::Finished;
+using stridor::support::json_of;
 using stridor::support::Launch;
 using stridor::support::Process;
 using stridor::support::run;
-using stridor::support::TemporaryFolder;
+using stridor::support::ScratchFolder;
 using stridor::support::write_text;
 
 namespace {
@@ -30,7 +32,7 @@ protected:
         more.emplace_back("--json");
         const Finished finished = advise(more);
         EXPECT_EQ(finished.exit_code, 0) << finished.err;
-        return json::parse(finished.out);
+        return json_of(finished.out);
     }
 
     void expect_refused(const std::vector<std::string>& more, const std::vector<std::string>& words) const {
@@ -41,7 +43,7 @@ protected:
             EXPECT_NE(finished.err.find(word), std::string::npos) << "\"" << word << "\" is not in:\n" << finished.err;
     }
 
-    TemporaryFolder folder_;
+    ScratchFolder folder_;
 };
 
 const std::vector<std::string> friction{"--over", "kinetic_friction=0.3:0.8"};
@@ -57,7 +59,7 @@ TEST_F(Advise, NamesAChangeThatSimulateCallsQuiet) {
         arguments.emplace_back("--set");
         arguments.push_back(each["key"].get<std::string>() + "=" + each["to"].dump());
     }
-    const json changed = json::parse(run(arguments, folder_.path()).out);
+    const json changed = json_of(run(arguments, folder_.path()).out);
     for (const json& phase : changed["phases"])
         EXPECT_EQ(phase["verdict"]["category"], "none");
 }

@@ -1,4 +1,5 @@
 #include "support/process.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,7 +10,7 @@ using stridor::support::Finished;
 using stridor::support::Launch;
 using stridor::support::read_text;
 using stridor::support::run;
-using stridor::support::TemporaryFolder;
+using stridor::support::ScratchFolder;
 using stridor::support::write_text;
 
 namespace {
@@ -32,7 +33,7 @@ void expect_refused(const Finished& finished, int exit_code, const std::vector<s
 }
 
 Finished simulate(const std::string& text, const std::vector<std::string>& more = {}) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_text(folder / "case.toml", text);
     std::vector<std::string> arguments{"simulate", "case.toml"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -74,7 +75,7 @@ TEST(BadInput, ANegativeMassIsRefused) {
 TEST(BadInput, AStepBeyondTheStabilityLimitIsRefused) {
     expect_refused(simulate(squeal_with("engine =", "engine = \"beta_2\"\nstep = \"1 ms\"")), 2,
                    {"run.step", "stability limit"});
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_text(folder / "case.toml", squeal_with("engine =", "engine = \"beta_2\"\nstep = \"1 ms\""));
     expect_refused(run({"check", "case.toml"}, folder.path()), 2, {"run.step", "stability limit"});
 }
@@ -88,7 +89,7 @@ TEST(BadInput, AFileThatIsNotThereIsAnIoError) {
 }
 
 TEST(BadInput, ATruncatedCsvIsShownWithItsPlace) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     std::string text = squeal_with("kind =", "kind = \"sampled\"\nfile = \"v.csv\"");
     for (const std::string line : {"amplitude =", "frequency ="}) {
         const std::size_t place = text.find("\n" + line);
@@ -116,7 +117,7 @@ TEST(BadInput, AnUnknownCommandOrOptionIsAUsageError) {
 }
 
 TEST(BadInput, AStoreOfAnotherCaseIsRefusedByTheFirstDifference) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_text(folder / "chart.toml", run({"init", "noise-chart"}).out);
     const std::vector<std::string> small{"chart", "chart.toml",        "--out", "out",
                                          "--set", "chart.x.points=2",  "--set", "chart.y.points=2",
@@ -130,7 +131,7 @@ TEST(BadInput, AStoreOfAnotherCaseIsRefusedByTheFirstDifference) {
 }
 
 TEST(BadInput, AFileThatIsNoStoreIsRefused) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_text(folder / "chart.toml", run({"init", "noise-chart"}).out);
     std::filesystem::create_directory(folder / "out");
     write_text(folder / "out/chart.sqlite", "this is no database, but it is long enough to be looked at as one");
@@ -138,7 +139,7 @@ TEST(BadInput, AFileThatIsNoStoreIsRefused) {
 }
 
 TEST(BadInput, AFullDiskIsAnIoErrorAndLeavesNothingHalf) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_text(folder / "squeal.toml", run({"init", "squeal"}).out);
     const Finished finished =
         run(Launch{{"simulate", "squeal.toml", "--trace", "trace.csv"}, folder.path(), {}, 4096, {}});
@@ -152,7 +153,7 @@ TEST(BadInput, AFullDiskIsAnIoErrorAndLeavesNothingHalf) {
 }
 
 TEST(BadInput, AFullDiskUnderAStoreIsAnIoErrorAndTheSweepGoesOnLater) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_text(folder / "chart.toml", run({"init", "noise-chart"}).out);
     const std::vector<std::string> arguments{"chart", "chart.toml",        "--out", "out",
                                              "--set", "chart.x.points=24", "--set", "chart.y.points=24",

@@ -1,10 +1,11 @@
 // Sounds side by side, from outside.
 
 #include "support/effort.hpp"
+#include "support/json_of.hpp"
 #include "support/process.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <string>
@@ -12,8 +13,9 @@
 
 using nlohmann::json;
 using stridor::support::Finished;
+using stridor::support::json_of;
 using stridor::support::run;
-using stridor::support::TemporaryFolder;
+using stridor::support::ScratchFolder;
 using stridor::support::write_text;
 
 namespace {
@@ -23,8 +25,8 @@ const std::vector<std::string> coarse{"--set", "chart.x.points=4",
                                       "--set", stridor::support::effort("run.duration=0.3 s", "run.duration=0.2 s"),
                                       "--set", stridor::support::effort("run.window=0.15 s", "run.window=0.1 s")};
 
-const TemporaryFolder& folder() {
-    static const TemporaryFolder shared;
+const ScratchFolder& folder() {
+    static const ScratchFolder shared;
     static const bool is_filled = [] {
         write_text(shared / "squeal.toml", run({"init", "squeal"}).out);
         write_text(shared / "pair.toml", run({"init", "noise-chart"}).out);
@@ -46,7 +48,7 @@ json document_of(std::vector<std::string> arguments) {
     arguments.emplace_back("--json");
     const Finished finished = answer(arguments);
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
-    return json::parse(finished.out);
+    return json_of(finished.out);
 }
 
 std::vector<std::string> match(std::vector<std::string> arguments) {

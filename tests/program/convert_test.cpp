@@ -1,15 +1,17 @@
+#include "support/json_of.hpp"
 #include "support/process.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 using stridor::support::Finished;
+using stridor::support::json_of;
 using stridor::support::Launch;
 using stridor::support::read_text;
 using stridor::support::run;
-using stridor::support::TemporaryFolder;
+using stridor::support::ScratchFolder;
 using stridor::support::write_text;
 
 namespace {
@@ -26,7 +28,7 @@ void expect_refused(const Finished& finished, int exit_code, const std::string& 
 }  // namespace
 
 TEST(Convert, KeepsEveryFormatsSamplesOnTheWayRound) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::vector<std::vector<std::string>> steps{{fixtures + "scipy_16.wav", "a.csv"},
                                                       {"a.csv", "b.uff"},
                                                       {"b.uff", "c.uff", "--format", "uff58"},
@@ -44,7 +46,7 @@ TEST(Convert, KeepsEveryFormatsSamplesOnTheWayRound) {
 TEST(Convert, PrintsOneJsonDocumentWithUnits) {
     const Finished finished = run({"convert", fixtures + "scipy_16.wav", "--full-scale", "2 Pa", "--json"});
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
-    const nlohmann::json document = nlohmann::json::parse(finished.out);
+    const nlohmann::json document = json_of(finished.out);
     EXPECT_EQ(document["schema"], "stridor.convert/1");
     EXPECT_EQ(document["rate"], 48000.0);
     EXPECT_EQ(document["frames"], 64);
@@ -54,7 +56,7 @@ TEST(Convert, PrintsOneJsonDocumentWithUnits) {
 }
 
 TEST(Convert, ReadsAPipeAndWritesToOne) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Finished finished = run({"convert", "-", "-", "--format", "csv"}, folder.path(), "# rate: 2\n0.5\n-1\n");
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
     EXPECT_NE(finished.out.find("\ntime,channel 1\ns,FS\n0,0.5\n0.5,-1\n"), std::string::npos) << finished.out;
@@ -62,7 +64,7 @@ TEST(Convert, ReadsAPipeAndWritesToOne) {
 }
 
 TEST(Convert, OverwritesItsOwnInputSafely) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_text(folder / "a.wav", read_text(fixtures + "sox_24.wav"));
     const Finished finished = run({"convert", "a.wav", "a.wav", "--bits", "float"}, folder.path());
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
@@ -70,7 +72,7 @@ TEST(Convert, OverwritesItsOwnInputSafely) {
 }
 
 TEST(Convert, EndsWithTwoForBadInputAndFiveForFiles) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_text(folder / "text.wav", "no sound");
     write_text(folder / "empty.csv", "");
     write_text(folder / "cut.wav", read_text(fixtures + "scipy_16.wav").substr(0, 100));

@@ -2,10 +2,11 @@
 
 #include "support/counter_random.hpp"
 #include "support/effort.hpp"
+#include "support/json_of.hpp"
 #include "support/process.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -15,8 +16,9 @@
 
 using nlohmann::json;
 using stridor::support::Finished;
+using stridor::support::json_of;
 using stridor::support::run;
-using stridor::support::TemporaryFolder;
+using stridor::support::ScratchFolder;
 using stridor::support::write_text;
 
 namespace {
@@ -46,7 +48,7 @@ struct Ordinary {
 
 const Ordinary& ordinary() {
     static const Ordinary once = [] {
-        const TemporaryFolder folder;
+        const ScratchFolder folder;
         Finished finished = evaluated({"--json", "--threads", "1", "--csv", "sounds.csv"}, folder.path());
         return Ordinary{finished, stridor::support::read_text(folder / "sounds.csv")};
     }();
@@ -80,7 +82,7 @@ double impulses(double time) {
     return std::exp(-since / 0.0008) * std::sin(6.283185307179586 * 1500.0 * since);
 }
 
-void make_sounds(const TemporaryFolder& folder) {
+void make_sounds(const ScratchFolder& folder) {
     stridor::support::CounterRandom random(3);
     write_sound(folder / "tone_01.csv", tone);
     write_sound(folder / "tone_02.csv", [](double time) { return 0.01 * tone(time); });
@@ -93,7 +95,7 @@ void make_sounds(const TemporaryFolder& folder) {
 TEST(Evaluate, PrintsTablesThatAddUp) {
     const Finished& finished = ordinary().finished;
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
-    const json document = json::parse(finished.out);
+    const json document = json_of(finished.out);
     EXPECT_EQ(document["schema"], "stridor.evaluate/1");
     ASSERT_EQ(document["table_1"].size(), 4u);
     for (const json& heard : document["table_1"]) {
@@ -122,7 +124,7 @@ TEST(Evaluate, PrintsTablesThatAddUp) {
 }
 
 TEST(Evaluate, IsTheSameForEveryNumberOfThreads) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Finished four = evaluated({"--json", "--threads", "4", "--csv", "four.csv"}, folder.path());
     EXPECT_EQ(ordinary().finished.exit_code, 0) << ordinary().finished.err;
     EXPECT_EQ(ordinary().finished.out, four.out);
@@ -141,10 +143,10 @@ TEST(Evaluate, WritesARowPerSound) {
 }
 
 TEST(Evaluate, TakesOtherThresholdsAndOtherCases) {
-    const json deaf = json::parse(evaluated({"--json", "--set", "least_clearness=200"}).out);
+    const json deaf = json_of(evaluated({"--json", "--set", "least_clearness=200"}).out);
     EXPECT_EQ(deaf["thresholds"]["least_clearness"], 200.0);
     EXPECT_EQ(deaf["tables"]["all"]["agreement_by_category"]["squeal"], 0.0);
-    const json other = json::parse(evaluated({"--json", "--set", "joint.incidence_angle=50"}).out);
+    const json other = json_of(evaluated({"--json", "--set", "joint.incidence_angle=50"}).out);
     EXPECT_EQ(other["charts"][0]["case"]["joint"]["incidence_angle"], 50.0);
     EXPECT_EQ(evaluated({"--set", "squeal_regularty=0.7"}).exit_code, 2);
     EXPECT_EQ(evaluated({"--set", "squeal_regularity=7"}).exit_code, 2);
@@ -152,7 +154,7 @@ TEST(Evaluate, TakesOtherThresholdsAndOtherCases) {
 }
 
 TEST(Evaluate, HearsRecordingsOfAFolder) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     make_sounds(folder);
     write_text(
         folder / "README.md",
@@ -166,14 +168,14 @@ TEST(Evaluate, HearsRecordingsOfAFolder) {
     // a table of its own comes first
     write_text(folder / "expected.csv", "file;expected\nhiss.csv;none\n");
     const json document =
-        json::parse(run({"evaluate", "--recordings", folder.path().string(), "--json"}).out)["recordings"];
+        json_of(run({"evaluate", "--recordings", folder.path().string(), "--json"}).out)["recordings"];
     ASSERT_EQ(document.size(), 1u);
     EXPECT_EQ(document[0]["by_ear"], "none");
     EXPECT_EQ(document[0]["is_right"], true);
 }
 
 TEST(Evaluate, RefusesAFolderWithoutAGoodTable) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const auto refused = [&](const std::string& part) {
         const Finished finished = run({"evaluate", "--recordings", folder.path().string()});
         EXPECT_EQ(finished.exit_code, 2) << finished.out;
@@ -197,7 +199,7 @@ TEST(Evaluate, RefusesAFolderWithoutAGoodTable) {
 TEST(Evaluate, HearsTheClipsBesideTheCheckoutAsLabelled) {
     const std::filesystem::path clips = std::filesystem::path(STRIDOR_SOURCE_DIR) / ".." / "shared" / "recordings";
     if (std::filesystem::is_directory(clips)) {
-        const json document = json::parse(run({"evaluate", "--recordings", clips.string(), "--json"}).out);
+        const json document = json_of(run({"evaluate", "--recordings", clips.string(), "--json"}).out);
         EXPECT_EQ(document["recordings"].size(), 8u);
         for (const json& recording : document["recordings"])
             EXPECT_EQ(recording["is_right"], true) << recording;
@@ -205,11 +207,11 @@ TEST(Evaluate, HearsTheClipsBesideTheCheckoutAsLabelled) {
     }
     std::cout
         << "NOT TESTED: the eight clips; ../shared/recordings is not there. Sounds of our own are heard instead.\n";
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     make_sounds(folder);
     write_text(folder / "expected.csv",
                "file,expected\ntone_01.csv,squeal\ntone_02.csv,squeal\nstruck.csv,creak\nhiss.csv,none\n");
-    const json document = json::parse(run({"evaluate", "--recordings", folder.path().string(), "--json"}).out);
+    const json document = json_of(run({"evaluate", "--recordings", folder.path().string(), "--json"}).out);
     ASSERT_EQ(document["recordings"].size(), 4u);
     for (const json& recording : document["recordings"])
         EXPECT_EQ(recording["is_right"], true) << recording;

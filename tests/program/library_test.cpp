@@ -1,10 +1,10 @@
 #include "stridor/base/sha256.hpp"
 #include "support/counter_random.hpp"
+#include "support/json_of.hpp"
 #include "support/process.hpp"
 #include "unit/noise_library/library_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +17,7 @@ using stridor::noise_library::Entry;
 using stridor::noise_library::Library;
 using stridor::support::CounterRandom;
 using stridor::support::Finished;
+using stridor::support::json_of;
 using stridor::support::Launch;
 using stridor::support::Process;
 using stridor::support::read_text;
@@ -87,7 +88,7 @@ TEST_F(LibraryProgram, KeepsTheLibraryInTheUsersDataFolder) {
     write_text(folder_ / "a.wav", wav(1));
     expect_done({"library", "add", "a.wav", "--system", "brake", "--preload", "0.04 kN", "--temperature", "-10 degC"});
     EXPECT_TRUE(std::filesystem::exists(folder_ / "data/stridor/library.sqlite"));
-    const auto document = nlohmann::json::parse(stridor({"library", "list", "--json"}).out);
+    const auto document = json_of(stridor({"library", "list", "--json"}).out);
     const auto& entry = document["entries"][0];
     EXPECT_EQ(entry["preload"], 40.0);
     EXPECT_EQ(entry["temperature"], -10.0);
@@ -135,7 +136,7 @@ TEST_F(LibraryProgram, DrawsAndPrintsASensitivity) {
         << table.out;
     EXPECT_NE(table.out.find("squeal       2 records, preload 10 to 20 N"), std::string::npos) << table.out;
     EXPECT_TRUE(read_text(folder_ / "s.png").starts_with("\x89PNG"));
-    const auto document = nlohmann::json::parse(stridor(with_file({"rig", "sensitivity", "--json"})).out);
+    const auto document = json_of(stridor(with_file({"rig", "sensitivity", "--json"})).out);
     EXPECT_EQ(document["level"]["spearman"], -1.0);
 }
 
@@ -164,7 +165,7 @@ TEST_F(LibraryProgram, ListensToWhatASimulationSoundsLikeAndKnowsItForOne) {
     EXPECT_NE(added.out.find("1 channel: squeal\n"), std::string::npos) << added.out;
     EXPECT_NE(added.err.find("squeal.wav is a simulation; its case says preload 20 N"), std::string::npos) << added.err;
 
-    const auto document = nlohmann::json::parse(stridor(with_file({"library", "list", "--json"})).out);
+    const auto document = json_of(stridor(with_file({"library", "list", "--json"})).out);
     const auto& squeal = document["entries"][0];
     EXPECT_EQ(squeal["recorded"], "simulation");
     EXPECT_EQ(squeal["category"], "squeal");
@@ -179,7 +180,7 @@ TEST_F(LibraryProgram, ListensToWhatASimulationSoundsLikeAndKnowsItForOne) {
     expect_done({"listen", "again.toml", "--out", "again.wav", "--seconds", "0.6"});
     EXPECT_EQ(read_text(folder_ / "again.wav").substr(1000), read_text(folder_ / "squeal.wav").substr(1000));
 
-    const auto moved = nlohmann::json::parse(stridor(with_file({"rig", "sensitivity", "--json"})).out);
+    const auto moved = json_of(stridor(with_file({"rig", "sensitivity", "--json"})).out);
     EXPECT_EQ(moved["records"][0]["category"], "squeal");
     EXPECT_EQ(moved["records"][1]["category"], "creak");
     EXPECT_EQ(moved["records"][1]["preload"], 2000.0);
@@ -194,7 +195,7 @@ TEST_F(LibraryProgram, ReadsFromARunWhatTheUserDidNotSay) {
     ASSERT_EQ(added.exit_code, 0) << added.err;
     EXPECT_NE(added.err.find("run.csv says preload 20 N, humidity 50 %"), std::string::npos) << added.err;
     EXPECT_NE(added.err.find("velocity is \"slow\""), std::string::npos) << added.err;
-    const auto entry = nlohmann::json::parse(added.out)["entries"][0];
+    const auto entry = json_of(added.out)["entries"][0];
     EXPECT_EQ(entry["preload"], 20.0);
     EXPECT_EQ(entry["temperature"], 25.0);
     EXPECT_EQ(entry["humidity"], 50.0);
@@ -211,7 +212,7 @@ TEST_F(LibraryProgram, ReadsFromARunWhatTheUserDidNotSay) {
     EXPECT_NEAR(figures["drop_rate"].get<double>(), 20.0, 1.0);
 
     expect_done(with_file({"library", "add", "run.csv", "--no-verdict", "--again"}));
-    const auto silent = nlohmann::json::parse(stridor(with_file({"library", "show", "2", "--json"})).out)["entries"][0];
+    const auto silent = json_of(stridor(with_file({"library", "show", "2", "--json"})).out)["entries"][0];
     EXPECT_FALSE(silent.contains("category"));
     EXPECT_FALSE(silent["figures"].contains("level"));
 }
@@ -223,7 +224,7 @@ TEST_F(LibraryProgram, JudgesAgainWhatHasNoVerdictAndKeepsTheUsersFigures) {
     EXPECT_NE(stridor(with_file({"library", "judge"})).err.find("nothing to judge"), std::string::npos);
     expect_done(with_file({"library", "edit", "1", "--figure", "level=60 dB"}));
     expect_done(with_file({"library", "judge", "1"}));
-    const auto entry = nlohmann::json::parse(stridor(with_file({"library", "show", "1", "--json"})).out)["entries"][0];
+    const auto entry = json_of(stridor(with_file({"library", "show", "1", "--json"})).out)["entries"][0];
     EXPECT_EQ(entry["figures"]["kurtosis"], 3.0);
     EXPECT_EQ(entry["figures"]["level"], 60.0);
     EXPECT_NEAR(entry["figures"]["dominant_frequency"].get<double>(), 740.0, 1.0);

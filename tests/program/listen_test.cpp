@@ -1,10 +1,11 @@
 // Listening and the rig from outside.
 
 #include "support/effort.hpp"
+#include "support/json_of.hpp"
 #include "support/process.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>
@@ -12,14 +13,15 @@
 
 using nlohmann::json;
 using stridor::support::Finished;
+using stridor::support::json_of;
 using stridor::support::run;
-using stridor::support::TemporaryFolder;
+using stridor::support::ScratchFolder;
 using stridor::support::write_text;
 
 namespace {
 
-const TemporaryFolder& folder() {
-    static const TemporaryFolder shared;
+const ScratchFolder& folder() {
+    static const ScratchFolder shared;
     static const bool is_filled = [] {
         write_text(shared / "squeal.toml", run({"init", "squeal"}).out);
         write_text(shared / "pair.toml", run({"init", "noise-chart"}).out);
@@ -34,13 +36,13 @@ json listened(std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), {"--json"});
     const Finished finished = run(arguments, folder().path());
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
-    return json::parse(finished.out);
+    return json_of(finished.out);
 }
 
 json file_facts(const std::string& name) {
     const Finished finished = run({"convert", name, "--json"}, folder().path());
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
-    return json::parse(finished.out);
+    return json_of(finished.out);
 }
 
 }  // namespace
@@ -136,7 +138,7 @@ TEST(RigFriction, ReadsCoefficientsAndDrops) {
     const Finished finished =
         run({"rig", "friction", "dragged.csv", "--preload", "10 N", "--velocity", "4 mm/s", "--json"}, folder().path());
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
-    const json document = json::parse(finished.out);
+    const json document = json_of(finished.out);
     EXPECT_EQ(document["schema"], "stridor.friction/1");
     EXPECT_EQ(document["test"]["condition"], "VDA 230-206, 10 N, 4 mm/s");
     EXPECT_EQ(document["all"]["drops"], 9);  // the tenth is followed by no rise
@@ -153,7 +155,7 @@ TEST(RigFriction, PutsTheCoefficientsIntoACase) {
     write_text(folder() / "measured.toml", finished.out);
     const Finished checked = run({"check", "measured.toml", "--json"}, folder().path());
     ASSERT_EQ(checked.exit_code, 0) << checked.err;
-    const json contact = json::parse(checked.out)["contact"];
+    const json contact = json_of(checked.out)["contact"];
     EXPECT_NEAR(contact["static_friction"].get<double>(), 0.4, 0.001);
     EXPECT_NEAR(contact["kinetic_friction"].get<double>(), 0.3, 1e-4);
     EXPECT_EQ(contact["preload"], 20.0);  // the case's own

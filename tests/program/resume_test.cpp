@@ -1,5 +1,6 @@
 #include "support/effort.hpp"
 #include "support/process.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ using stridor::support::Launch;
 using stridor::support::Process;
 using stridor::support::read_text;
 using stridor::support::run;
-using stridor::support::TemporaryFolder;
+using stridor::support::ScratchFolder;
 using stridor::support::write_text;
 
 namespace {
@@ -37,7 +38,7 @@ protected:
 
     std::string csv(const std::string& out) const { return read_text(folder_.path() / out / "chart.csv"); }
 
-    TemporaryFolder folder_;
+    ScratchFolder folder_;
 };
 
 void pause(int milliseconds) {

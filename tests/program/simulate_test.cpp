@@ -1,27 +1,29 @@
+#include "support/json_of.hpp"
 #include "support/process.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <map>
 
 using nlohmann::json;
 using stridor::support::Finished;
+using stridor::support::json_of;
 using stridor::support::run;
-using stridor::support::TemporaryFolder;
+using stridor::support::ScratchFolder;
 using stridor::support::write_text;
 
 namespace {
 
 json simulated(const std::string& kind, const std::vector<std::string>& more = {}) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_text(folder / "case.toml", run({"init", kind}).out);
     std::vector<std::string> arguments{"simulate", "case.toml", "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Finished finished = run(arguments, folder.path());
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
-    return json::parse(finished.out);
+    return json_of(finished.out);
 }
 
 std::map<std::string, std::string> categories(const json& document) {
@@ -77,7 +79,7 @@ TEST(Simulate, ReadsACaseFromStandardInput) {
 TEST(Simulate, DataGoesToStdoutAndMessagesToStderr) {
     const Finished finished = run({"simulate", "-", "--json"}, {}, run({"init", "quiet"}).out);
     EXPECT_EQ(finished.err, "");
-    EXPECT_NO_THROW(json::parse(finished.out));
+    EXPECT_NO_THROW(json_of(finished.out));
 }
 
 TEST(Cases, ShippedFilesAreWhatInitPrints) {
@@ -100,12 +102,12 @@ TEST(Check, PrintsTheResolvedCaseFrequenciesAndCost) {
 }
 
 TEST(Stability, FindsTheFlutterOnset) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_text(folder / "case.toml", run({"init", "squeal"}).out);
     const Finished finished =
         run({"stability", "case.toml", "--over", "contact.kinetic_friction=0:0.8", "--json"}, folder.path());
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
-    const json document = json::parse(finished.out);
+    const json document = json_of(finished.out);
     const json& boundaries = document["directions"][0]["boundaries"];
     ASSERT_EQ(boundaries.size(), 1U) << document.dump(1);
     EXPECT_NEAR(boundaries[0]["value"].get<double>(), 0.44942, 5e-4);

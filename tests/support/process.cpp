@@ -46,12 +46,9 @@ void redirect(const std::filesystem::path& file, int flags, int descriptor) {
 }  // namespace
 
 Process::Process(const Launch& launch) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "stridor-process-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    output_ = pattern;
     write_text(output_ / "in", launch.input);
     id_ = fork();
-    if (id_ == 0) become_program(launch, output_);
+    if (id_ == 0) become_program(launch, output_.path());
     if (id_ < 0) throw std::runtime_error("cannot fork");
 }
 
@@ -60,8 +57,6 @@ Process::~Process() {
         kill(id_, SIGKILL);
         waitpid(id_, &status_, 0);
     }
-    std::error_code ignored;
-    std::filesystem::remove_all(output_, ignored);
 }
 
 void Process::send(int signal) const {
@@ -90,17 +85,6 @@ Finished run(const Launch& launch) {
 
 Finished run(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const std::string& input) {
     return run(Launch{arguments, folder, input, std::nullopt, {}});
-}
-
-TemporaryFolder::TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "stridor-test-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
 }
 
 std::string read_text(const std::filesystem::path& file) {

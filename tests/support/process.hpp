@@ -1,5 +1,7 @@
 #pragma once
 
+#include "support/scratch_folder.hpp"
+
 #include <sys/types.h>
 
 #include <filesystem>
@@ -27,7 +29,7 @@ struct Launch {
     std::vector<std::pair<std::string, std::string>> environment;  // added to ours
 };
 
-/// A running program; its output goes to files in its own temporary folder, so that it never blocks on a pipe.
+/// A running program; its output goes to files in a folder of its own, so that it never blocks on a pipe.
 class Process {
 public:
     explicit Process(const Launch& launch);
@@ -43,28 +45,13 @@ private:
     pid_t id_ = -1;
     int status_ = 0;
     bool is_done_ = false;
-    std::filesystem::path output_;
+    ScratchFolder output_;
 };
 
 /// Runs the program (STRIDOR_PROGRAM) to its end.
 Finished run(const std::vector<std::string>& arguments, const std::filesystem::path& folder = {},
              const std::string& input = {});
 Finished run(const Launch& launch);
-
-/// A folder of its own for one test, gone with it.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-private:
-    std::filesystem::path path_;
-};
 
 std::string read_text(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);
