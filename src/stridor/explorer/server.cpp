@@ -4,6 +4,7 @@
 #include "stridor/explorer/parts.hpp"
 
 // The only file that includes Boost: it takes long to compile.
+#include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/post.hpp>
@@ -27,6 +28,8 @@ namespace http = boost::beast::http;
 using asio::ip::tcp;
 using boost::system::error_code;
 using local = asio::local::stream_protocol;
+using Stream = asio::generic::stream_protocol;  // either of them: one copy of all that follows
+using Acceptor = asio::basic_socket_acceptor<Stream>;
 
 namespace {
 
@@ -83,10 +86,17 @@ private:
 };
 
 // one client: reads a request, has it answered, sends the answer, and so on
-template <typename Protocol>
-class Connection : public std::enable_shared_from_this<Connection<Protocol>> {
+class Connection : public std::enable_shared_from_this<Connection> {
+    // the action, keeping this connection alive until it is done
+    template <typename Action>
+    auto own(Action action) {
+        return [self = shared_from_this(), action = std::move(action)](auto&&... arguments) mutable {
+            action(std::forward<decltype(arguments)>(arguments)...);
+        };
+    }
+
 public:
-    Connection(typename Protocol::socket socket, Shared& shared) : shared_(shared), stream_(std::move(socket)) {
+    Connection(Stream::socket socket, Shared& shared) : shared_(shared), stream_(std::move(socket)) {
         ++shared_.connections;
     }
     ~Connection() { --shared_.connections; }
@@ -108,14 +118,6 @@ public:
     }
 
 private:
-    // the action, keeping this connection alive until it is done
-    template <typename Action>
-    auto own(Action action) {
-        return [self = this->shared_from_this(), action = std::move(action)](auto&&... arguments) mutable {
-            action(std::forward<decltype(arguments)>(arguments)...);
-        };
-    }
-
     void receive() {
         stream_.expires_after(shared_.limits.receiving);
         http::async_read(stream_, buffer_, *parser_, own([this](error_code error, std::size_t) { received(error); }));
@@ -149,7 +151,7 @@ private:
 
     // readable without a byte to read: the client has closed its end
     void watch() {
-        stream_.socket().async_wait(Protocol::socket::wait_read, own([this, work = work_](error_code error) {
+        stream_.socket().async_wait(Stream::socket::wait_read, own([this, work = work_](error_code error) {
                                         error_code ignored;
                                         const auto current = work.lock();
                                         if (current && !error && stream_.socket().available(ignored) == 0)
@@ -261,11 +263,11 @@ private:
     void sent(error_code error) {
         if (error) return;
         if (keep_alive_) return read();
-        stream_.socket().shutdown(Protocol::socket::shutdown_send, error);
+        stream_.socket().shutdown(Stream::socket::shutdown_send, error);
     }
 
     Shared& shared_;
-    beast::basic_stream<Protocol> stream_;
+    beast::basic_stream<Stream> stream_;
     beast::flat_buffer buffer_{64 * 1024};
     std::optional<http::request_parser<http::string_body>> parser_;
     std::weak_ptr<Work> work_;  // for the last request
@@ -273,17 +275,16 @@ private:
     bool is_sending_ = false;  // a part of a streamed body
 };
 
-template <typename Protocol>
-void accept(typename Protocol::acceptor& acceptor, Shared& shared) {
-    acceptor.async_accept([&](error_code error, typename Protocol::socket socket) {
+void accept(Acceptor& acceptor, Shared& shared) {
+    acceptor.async_accept([&](error_code error, Stream::socket socket) {
         if (error == asio::error::operation_aborted) return;
         if (!error && shared.connections < shared.limits.connections)
-            std::make_shared<Connection<Protocol>>(std::move(socket), shared)->read();
-        if (!error) return accept<Protocol>(acceptor, shared);
+            std::make_shared<Connection>(std::move(socket), shared)->read();
+        if (!error) return accept(acceptor, shared);
         // out of file descriptors, say: trying again at once would only keep a processor busy
         shared.pause.expires_after(std::chrono::milliseconds(100));
         shared.pause.async_wait([&](error_code stopped) {
-            if (!stopped) accept<Protocol>(acceptor, shared);
+            if (!stopped) accept(acceptor, shared);
         });
     });
 }
@@ -340,25 +341,25 @@ local::acceptor listen_at(asio::io_context& io, const std::filesystem::path& pat
 
 class Server::Implementation {
 public:
-    Implementation(const Address& address, const Limits& limits) : shared{limits} {
-        if (address.unix_socket.empty()) {
-            tcp_acceptor.emplace(listen_at(shared.io, address));
-        } else {
-            socket_path = address.unix_socket;
-            local_acceptor.emplace(listen_at(shared.io, address.unix_socket));
+    Implementation(const Address& address, const Limits& limits) : shared{limits}, socket_path(address.unix_socket) {
+        if (!socket_path.empty()) {
+            acceptor.emplace(listen_at(shared.io, socket_path));
+            return;
         }
+        tcp::acceptor listening = listen_at(shared.io, address);
+        port = listening.local_endpoint().port();
+        acceptor.emplace(std::move(listening));
     }
     ~Implementation() {
         std::error_code ignored;
-        if (local_acceptor) std::filesystem::remove(socket_path, ignored);
+        if (!socket_path.empty()) std::filesystem::remove(socket_path, ignored);
     }
     Implementation(const Implementation&) = delete;
     Implementation& operator=(const Implementation&) = delete;
 
     void serve(const Handler& handler, const std::stop_token& stop) {
         shared.handler = &handler;
-        if (tcp_acceptor) accept<tcp>(*tcp_acceptor, shared);
-        if (local_acceptor) accept<local>(*local_acceptor, shared);
+        accept(*acceptor, shared);
         const std::stop_callback end(stop, [&] {
             shared.stop.request_stop();
             shared.io.stop();
@@ -368,9 +369,9 @@ public:
     }
 
     Shared shared;
-    std::optional<tcp::acceptor> tcp_acceptor;
-    std::optional<local::acceptor> local_acceptor;
-    std::filesystem::path socket_path;
+    std::filesystem::path socket_path;  // empty: TCP
+    std::optional<Acceptor> acceptor;
+    std::uint16_t port = 0;
 };
 
 Server::Server(const Address& address, const Limits& limits) : implementation_(new Implementation(address, limits)) {}
@@ -378,7 +379,7 @@ Server::Server(const Address& address, const Limits& limits) : implementation_(n
 Server::~Server() = default;
 
 std::uint16_t Server::port() const {
-    return implementation_->tcp_acceptor ? implementation_->tcp_acceptor->local_endpoint().port() : std::uint16_t{0};
+    return implementation_->port;
 }
 
 void Server::serve(const Handler& handler, const std::stop_token& stop) {
