@@ -36,7 +36,7 @@ Error unreadable(const std::string& option, const std::string& text, const std::
 }
 
 std::string_view unit_named(const parameters::Case& c, const std::string& name) {
-    return std::get<parameters::Quantity>(sweep::quantity_named(c, name).kind).unit;
+    return parameters::unit_of(sweep::quantity_named(c, name));
 }
 
 sweep::AskedRange range_from(const parameters::Case& c, const std::string& text) {

@@ -22,8 +22,7 @@ using sweep::ParameterMargin;
 using sweep::VerdictChange;
 
 std::string with_unit(const DesignSpace& space, std::size_t parameter, const std::string& number) {
-    const parameters::Field& field = *parameters::find_field(space.parameters[parameter].key);
-    const std::string_view unit = std::get<parameters::Quantity>(field.kind).unit;
+    const std::string_view unit = parameters::unit_of(space.parameters[parameter].key);
     return unit == "1" ? number : number + " " + std::string(unit);
 }
 
@@ -173,8 +172,7 @@ std::string chance_lines(const sweep::Chance& chance) {
     std::string text = "\nchance of noise within";
     for (std::size_t k = 0; k < chance.tolerances.size(); ++k) {
         const sweep::Tolerance& each = chance.tolerances[k];
-        const parameters::Field& field = *parameters::find_field(each.key);
-        const std::string_view unit = std::get<parameters::Quantity>(field.kind).unit;
+        const std::string_view unit = parameters::unit_of(each.key);
         text += fmt::format("{}{} +- {:.4g}{}{}", k > 0 ? ", " : " ", each.key, each.tolerance,
                             unit == "1" ? "" : " " + std::string(unit),
                             each.spread == sweep::Spread::normal ? " (normal)" : "");

@@ -28,15 +28,15 @@ double distance(const sweep::Axis& axis, int index, double value) {
 }
 
 int nearest_index(const sweep::Axis& axis, const std::string& text, char name) {
-    const auto& quantity = std::get<parameters::Quantity>(parameters::find_field(axis.parameter)->kind);
-    const double value = base::parse_quantity(text, quantity.unit);
+    const std::string_view unit = parameters::unit_of(axis.parameter);
+    const double value = base::parse_quantity(text, unit);
     // so much beyond an end is still meant to be the end
     const double slack = 1e-9 * (std::abs(axis.from) + std::abs(axis.to));
     if (!(value >= axis.from - slack && value <= axis.to + slack))
-        refuse(fmt::format("cell {}={} lies outside the chart", name, text),
-               fmt::format("its {} axis, {}, goes from {:g} to {:g} {}", name, axis.parameter, axis.from, axis.to,
-                           quantity.unit),
-               "");
+        refuse(
+            fmt::format("cell {}={} lies outside the chart", name, text),
+            fmt::format("its {} axis, {}, goes from {:g} to {:g} {}", name, axis.parameter, axis.from, axis.to, unit),
+            "");
     int nearest = 0;
     for (int index = 1; index < axis.points; ++index)
         if (distance(axis, index, value) < distance(axis, nearest, value)) nearest = index;
@@ -99,9 +99,8 @@ std::string cell_words(const sweep::Study& study, const sweep::CellPlace& place)
 
 std::string cell_name(const sweep::Study& study, const sweep::CellPlace& place) {
     const auto value = [](const sweep::Axis& axis, int index) {
-        const auto& quantity = std::get<parameters::Quantity>(parameters::find_field(axis.parameter)->kind);
-        return fmt::format("{:.4g}{}{}", sweep::value_at(axis, index), quantity.unit == "1" ? "" : " ",
-                           quantity.unit == "1" ? "" : quantity.unit);
+        const std::string_view unit = parameters::unit_of(axis.parameter);
+        return fmt::format("{:.4g}{}{}", sweep::value_at(axis, index), unit == "1" ? "" : " ", unit == "1" ? "" : unit);
     };
     return "x=" + value(study.x, place.ix) + ",y=" + value(study.y, place.iy);
 }

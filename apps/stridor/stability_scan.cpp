@@ -29,12 +29,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
-std::string_view unit_of(const std::string& key) {
-    const parameters::Field* field = parameters::find_field(key);
-    const auto* quantity = field == nullptr ? nullptr : std::get_if<parameters::Quantity>(&field->kind);
-    return quantity == nullptr ? std::string_view("1") : quantity->unit;
-}
-
 analysis::ScanRange parse_range(const std::string& over) {
     const std::size_t equals = over.find('=');
     if (equals == std::string::npos) throw bad_range(over);
@@ -42,8 +36,8 @@ analysis::ScanRange parse_range(const std::string& over) {
     if (parts.size() < 2 || parts.size() > 3) throw bad_range(over);
     analysis::ScanRange range;
     range.key = over.substr(0, equals);
-    range.from = base::parse_quantity(parts[0], unit_of(range.key));
-    range.to = base::parse_quantity(parts[1], unit_of(range.key));
+    range.from = base::parse_quantity(parts[0], parameters::unit_of(range.key));
+    range.to = base::parse_quantity(parts[1], parameters::unit_of(range.key));
     if (parts.size() == 3) {
         const std::string& text = parts[2];
         const auto result = std::from_chars(text.data(), text.data() + text.size(), range.points);

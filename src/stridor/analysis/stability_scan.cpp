@@ -43,7 +43,7 @@ StabilityScan scan_stability(const parameters::Case& c, const std::optional<Scan
         field = &quantity_named(range->key);
         check(c, *field, *range);
         scan.key = parameters::key_of(*field);
-        scan.unit = std::get<parameters::Quantity>(field->kind).unit;
+        scan.unit = parameters::unit_of(*field);
     }
     for (const parameters::Direction direction : {parameters::Direction::going, parameters::Direction::coming}) {
         DirectionScan along{direction, sliding_stability(model::rubbing_system(c), direction), {}};

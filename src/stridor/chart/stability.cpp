@@ -131,7 +131,7 @@ Scene stability(std::string_view quantity, std::span<const StabilityCurve> curve
             panel.row = row;
             panel.column = c;
             panel.x.label = field_label(*field);
-            panel.x.unit = std::get<parameters::Quantity>(field->kind).unit;
+            panel.x.unit = parameters::unit_of(*field);
             if (!curves[c].path.points.empty())
                 panel.x.range = {curves[c].path.points.front().value, curves[c].path.points.back().value};
             panel.y.label = row == 0 ? "frequency" : "growth rate";

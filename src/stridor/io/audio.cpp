@@ -1,7 +1,7 @@
 #include "stridor/io/audio.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/base/error.hpp"
+#include "stridor/io/refusal.hpp"
 #include "stridor/io/riff.hpp"
 #include "stridor/io/wav.hpp"
 
@@ -21,10 +21,6 @@ namespace {
 constexpr double lowest_rate = 1.0;             // [Hz]
 constexpr double highest_rate = 1e8;            // [Hz] beyond any converter; headers full of noise claim more
 constexpr std::uint64_t most_per_byte = 65536;  // [1] samples that a byte of a packed format can stand for at best
-
-Error refusal(const std::string& name, std::string what, std::string why = "", std::string suggestion = "") {
-    return {ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)}, base::Place{name, 0, 0, ""}};
-}
 
 /// The file as libsndfile sees it.
 struct Cursor {

@@ -21,12 +21,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 using parameters::Case;
 using parameters::Choice;
-using parameters::Field;
 using parameters::Quantity;
 
 // does a file have to say it, whatever else it says?
-bool is_always_required(const Field& field) {
-    const Field& kind = *parameters::find_field("drive.kind");
+bool is_always_required(const parameters::Field& field) {
+    const parameters::Field& kind = *parameters::find_field("drive.kind");
     const auto& choice = std::get<Choice>(kind.kind);
     for (std::size_t index = 0; index < choice.names.size(); ++index) {
         Case c;
@@ -36,14 +35,14 @@ bool is_always_required(const Field& field) {
     return is_required(field);
 }
 
-std::string description(const Field& field) {
+std::string description(const parameters::Field& field) {
     std::string text(field.sentence);
     if (!field.symbol.empty()) text += " (" + std::string(field.symbol) + ")";
     const std::string values = std::holds_alternative<Quantity>(field.kind) ? describe_values(field) : std::string();
     return values.empty() ? text : text + "; " + values;
 }
 
-Json field_schema(const Field& field) {
+Json field_schema(const parameters::Field& field) {
     Json schema{{"description", description(field)}};
     if (const auto* quantity = std::get_if<Quantity>(&field.kind)) {
         schema["type"] = {"number", "string"};
@@ -68,7 +67,7 @@ Json drive_conditions() {
         Case c;
         kinds.set(c, static_cast<int>(index));
         Json needed = Json::array();
-        for (const Field& field : parameters::fields())
+        for (const parameters::Field& field : parameters::fields())
             if (field.section == "drive" && field.belongs(c)) needed.push_back(field.name);
         conditions.push_back({{"if", {{"properties", {{"kind", {{"const", kinds.names[index]}}}}}}},
                               {"then", {{"required", std::move(needed)}}}});
@@ -119,7 +118,7 @@ std::string json_schema() {
                   {"description", "A rubbing system, its drive, run and thresholds; with [chart] a noise chart"}};
     document.update(section_schema());
     Json& properties = document["properties"];
-    for (const Field& field : parameters::fields()) {
+    for (const parameters::Field& field : parameters::fields()) {
         if (field.section.empty()) {
             properties[std::string(field.name)] = field_schema(field);
             continue;

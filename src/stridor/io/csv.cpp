@@ -42,12 +42,6 @@ std::string opening(std::string_view what, const parameters::Case& c) {
     return text;
 }
 
-std::string unit_of(const std::string& parameter) {
-    const parameters::Field* field = parameters::find_field(parameter);
-    const auto* quantity = field == nullptr ? nullptr : std::get_if<parameters::Quantity>(&field->kind);
-    return quantity == nullptr ? "1" : std::string(quantity->unit);
-}
-
 // slip, stick and separation stand first, whatever the order of the table
 std::vector<sweep::CellFigure> figures_in_order() {
     constexpr std::array<std::string_view, 3> first{"slip", "stick", "separation"};
@@ -61,8 +55,8 @@ std::vector<sweep::CellFigure> figures_in_order() {
 
 std::vector<Column> chart_columns(const sweep::Study& study, const std::vector<sweep::CellFigure>& figures) {
     const std::string word_unit(no_unit);
-    std::vector<Column> columns{{"x", unit_of(study.x.parameter)},
-                                {"y", unit_of(study.y.parameter)},
+    std::vector<Column> columns{{"x", std::string(parameters::unit_of(study.x.parameter))},
+                                {"y", std::string(parameters::unit_of(study.y.parameter))},
                                 {"direction", word_unit},
                                 {"status", word_unit},
                                 {"category", word_unit}};
@@ -161,8 +155,8 @@ void chart_csv(const sweep::SweepResult& result, const std::string& file, const 
 
 std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::Boundary>& boundaries) {
     const std::string word_unit(no_unit);
-    const std::string x_unit = unit_of(study.x.parameter);
-    const std::string y_unit = unit_of(study.y.parameter);
+    const std::string x_unit = std::string(parameters::unit_of(study.x.parameter));
+    const std::string y_unit = std::string(parameters::unit_of(study.y.parameter));
     Table table(chart_opening("boundaries", study));
     table.header({{"line", "1"},
                   {"direction", word_unit},

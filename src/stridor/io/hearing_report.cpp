@@ -17,7 +17,6 @@ using classification::Confusion;
 using csv_text::Column;
 using csv_text::comment;
 using csv_text::no_unit;
-using csv_text::Table;
 using json_parts::Json;
 using json_parts::name_of;
 using signal::SoundFeatures;
@@ -87,14 +86,6 @@ Json sound_object(const HeardSound& sound) {
             {"reason", sound.reason}};
 }
 
-Json axis_object(const sweep::Axis& axis) {
-    return {{"parameter", axis.parameter},
-            {"from", axis.from},
-            {"to", axis.to},
-            {"points", axis.points},
-            {"scale", name_of(sweep::scale_names, axis.scale)}};
-}
-
 Json chart_object(const HeardChart& chart) {
     Json directions = Json::array();
     for (const parameters::Direction direction : chart.study.directions)
@@ -104,8 +95,8 @@ Json chart_object(const HeardChart& chart) {
         failed += sound.cell.status == sweep::Status::done ? 0 : 1;
     return {{"file", chart.file.empty() ? Json() : Json(chart.file)},
             {"case", json_parts::case_object(chart.study.base)},
-            {"x", axis_object(chart.study.x)},
-            {"y", axis_object(chart.study.y)},
+            {"x", json_parts::axis_object(chart.study.x)},
+            {"y", json_parts::axis_object(chart.study.y)},
             {"directions", std::move(directions)},
             {"cells", chart.sounds.size()},
             {"failed", failed},
@@ -150,7 +141,7 @@ std::vector<Column> columns() {
     return columns;
 }
 
-void add_row(Table& table, const HeardSound& sound) {
+void add_row(csv_text::Table& table, const HeardSound& sound) {
     const bool is_done = sound.cell.status == sweep::Status::done;
     table.word(name_of(sweep::status_names, sound.cell.status));
     table.word(is_done ? word(sound.cell.category) : "");
@@ -227,7 +218,7 @@ std::string hearing_csv(const HearingReport& report) {
         opening += comment("chart_" + std::to_string(k + 1),
                            study.base.title + "; x: " + study.x.parameter + ", y: " + study.y.parameter);
     }
-    Table table(opening);
+    csv_text::Table table(opening);
     table.header(columns());
     std::string text = table.take();
     for (std::size_t k = 0; k < report.charts.size(); ++k)

@@ -19,8 +19,7 @@ using sweep::DesignVerdict;
 using sweep::ParameterMargin;
 
 std::string_view unit_of(const DesignSpace& space, std::size_t parameter) {
-    const parameters::Field& field = *parameters::find_field(space.parameters[parameter].key);
-    return std::get<parameters::Quantity>(field.kind).unit;
+    return parameters::unit_of(space.parameters[parameter].key);
 }
 
 // "category": of the loudest phase, and each phase's own
@@ -124,11 +123,10 @@ Json chance_object(const std::optional<sweep::Chance>& chance) {
     if (!chance) return nullptr;
     Json tolerances = Json::array();
     for (const sweep::Tolerance& each : chance->tolerances) {
-        const parameters::Field& field = *parameters::find_field(each.key);
         tolerances.push_back({{"key", each.key},
                               {"value", each.value},
                               {"tolerance", each.tolerance},
-                              {"unit", std::get<parameters::Quantity>(field.kind).unit},
+                              {"unit", parameters::unit_of(each.key)},
                               {"spread", name_of<sweep::Spread>(sweep::spread_names, each.spread)}});
     }
     Json by_category = Json::object();

@@ -14,22 +14,6 @@ using namespace json_parts;
 using parameters::Field;
 using parameters::Quantity;
 
-std::string_view unit_of(const std::string& parameter) {
-    const Field* field = parameters::find_field(parameter);
-    const auto* quantity = field == nullptr ? nullptr : std::get_if<Quantity>(&field->kind);
-    return quantity == nullptr ? std::string_view("1") : quantity->unit;
-}
-
-Json axis_object(const sweep::Axis& axis) {
-    Json values = Json::array();
-    for (int index = 0; index < axis.points; ++index)
-        values.push_back(sweep::value_at(axis, index));
-    return {{"parameter", axis.parameter}, {"unit", unit_of(axis.parameter)},
-            {"from", axis.from},           {"to", axis.to},
-            {"points", axis.points},       {"scale", name_of(sweep::scale_names, axis.scale)},
-            {"values", std::move(values)}};
-}
-
 Json boundaries_array(const sweep::SweepResult& result) {
     Json array = Json::array();
     for (const sweep::Boundary& boundary : sweep::boundaries(result)) {

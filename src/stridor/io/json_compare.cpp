@@ -78,7 +78,7 @@ Json figure_units() {
     return units;
 }
 
-Json axis_object(const sweep::Axis& axis, int index) {
+Json value_object(const sweep::Axis& axis, int index) {
     return {{"parameter", axis.parameter}, {"value", sweep::value_at(axis, index)}, {"index", index}};
 }
 
@@ -88,8 +88,8 @@ Json match_object(const MatchReport& report, const sweep::SoundMatch& match) {
     ComparedSound sound;
     sound.profile = match.cell.profile;
     sound.analysis.unit = report.motion.find("acceleration") == std::string::npos ? "m/s" : "m/s^2";
-    return {{"x", axis_object(report.study.x, place.ix)},
-            {"y", axis_object(report.study.y, place.iy)},
+    return {{"x", value_object(report.study.x, place.ix)},
+            {"y", value_object(report.study.y, place.iy)},
             {"direction", parameters::direction_names[direction]},
             {"distance", match.likeness.distance},
             {"category", classification::name(match.cell.heard)},

@@ -8,10 +8,6 @@ namespace {
 
 using json_parts::Json;
 
-Json text_or_null(const std::string& text) {
-    return text.empty() ? Json() : Json(text);
-}
-
 Json coefficient(const analysis::MeasuredCoefficient& c) {
     return {{"value", c.value}, {"uncertainty", c.uncertainty}, {"count", c.count}};
 }
@@ -38,14 +34,14 @@ Json figures_object(const analysis::FrictionFigures& figures) {
 std::string friction_json(const FrictionTest& test, const analysis::FrictionTrace& trace) {
     Json document = {{"schema", "stridor.friction/1"}, {"version", base::version()}, {"commit", base::commit()}};
     document["test"] = {{"file", test.file},
-                        {"channel", text_or_null(test.channel)},
-                        {"velocity_channel", text_or_null(test.velocity_channel)},
-                        {"normal_channel", text_or_null(test.normal_channel)},
+                        {"channel", json_parts::text_or_null(test.channel)},
+                        {"velocity_channel", json_parts::text_or_null(test.velocity_channel)},
+                        {"normal_channel", json_parts::text_or_null(test.normal_channel)},
                         {"rate", test.rate},
                         {"duration", test.duration},
                         {"preload", test.preload},
                         {"velocity", test.velocity},
-                        {"condition", text_or_null(test.condition)}};
+                        {"condition", json_parts::text_or_null(test.condition)}};
     document["all"] = figures_object(trace.all);
     document["directions"] = Json::array();
     for (const analysis::FrictionFigures& figures : trace.directions)

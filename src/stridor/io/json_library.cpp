@@ -59,16 +59,12 @@ Json counts_object(std::span<const CategoryCount> counts) {
     return object;
 }
 
-Json category_or_null(const std::string& category) {
-    return category.empty() ? Json(nullptr) : Json(category);
-}
-
 Json records_array(const Sensitivity& sensitivity) {
     Json records = Json::array();
     for (const Observation& record : sensitivity.records)
         records.push_back({{"id", record.id},
                            {sensitivity.quantity, record.quantity},
-                           {"category", category_or_null(record.category)},
+                           {"category", json_parts::text_or_null(record.category)},
                            {"level", record.level},
                            {"dominant_frequency", record.frequency}});
     return records;
@@ -117,7 +113,7 @@ std::string sensitivity_json(const std::filesystem::path& library, const Sensiti
     document["dominant_frequency"] = correlation_object(sensitivity.frequency);
     Json categories = Json::array();
     for (const CategoryRange& range : sensitivity.categories)
-        categories.push_back({{"category", category_or_null(range.category)},
+        categories.push_back({{"category", json_parts::text_or_null(range.category)},
                               {"records", range.records},
                               {"lowest", range.lowest},
                               {"median", range.median},

@@ -4,19 +4,11 @@
 
 namespace stridor::io {
 
-namespace {
-
-json_parts::Json text_or_null(const std::string& text) {
-    return text.empty() ? json_parts::Json() : json_parts::Json(text);
-}
-
-}  // namespace
-
 std::string listen_json(const parameters::Case& c, const SoundInfo& sound) {
     json_parts::Json document = json_parts::opening("listen", c);
-    document["sound"] = {{"file", text_or_null(sound.file)},
-                         {"player", text_or_null(sound.player)},
-                         {"cell", text_or_null(sound.cell)},
+    document["sound"] = {{"file", json_parts::text_or_null(sound.file)},
+                         {"player", json_parts::text_or_null(sound.player)},
+                         {"cell", json_parts::text_or_null(sound.cell)},
                          {"origin", "simulation"},
                          {"of", sound.of},
                          {"component", sound.component},

@@ -6,6 +6,7 @@
 #include "stridor/classification/verdict.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/sweep/study.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace stridor::io::json_parts {
 
@@ -21,6 +23,10 @@ using Json = nlohmann::ordered_json;
 // what is not UTF-8 in a title becomes a replacement character instead of an exception; NaN and infinities become null
 inline std::string text_of(const Json& document) {
     return document.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+inline Json text_or_null(const std::string& text) {
+    return text.empty() ? Json() : Json(text);
 }
 
 template <typename Enumeration>
@@ -69,6 +75,16 @@ inline Json thresholds_object(const parameters::SoundThresholds& thresholds) {
     for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
         object[std::string(threshold.name)] = thresholds.*(threshold.member);
     return object;
+}
+
+inline Json axis_object(const sweep::Axis& axis) {
+    Json values = Json::array();
+    for (int index = 0; index < axis.points; ++index)
+        values.push_back(sweep::value_at(axis, index));
+    return {{"parameter", axis.parameter}, {"unit", parameters::unit_of(axis.parameter)},
+            {"from", axis.from},           {"to", axis.to},
+            {"points", axis.points},       {"scale", name_of(sweep::scale_names, axis.scale)},
+            {"values", std::move(values)}};
 }
 
 inline Json opening(std::string_view what, const parameters::Case& c) {

@@ -45,7 +45,7 @@ std::string coordinate_name(const sweep::Axis& axis, const sweep::Axis& other) {
 
 // the conventions spell the degree out
 std::string_view units_of(const Field& field) {
-    const std::string_view unit = std::get<parameters::Quantity>(field.kind).unit;
+    const std::string_view unit = parameters::unit_of(field);
     return unit == "deg" ? "degree" : unit;
 }
 

@@ -1,10 +1,10 @@
 #include "stridor/io/open_signal.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/atomic_file.hpp"
 #include "stridor/io/audio.hpp"
+#include "stridor/io/refusal.hpp"
 #include "stridor/io/sidecar.hpp"
 #include "stridor/io/signal_csv.hpp"
 #include "stridor/io/uff58.hpp"
@@ -21,10 +21,6 @@ namespace {
 
 constexpr std::size_t sniffed = 4096;               // [bytes]
 constexpr std::size_t longest_sidecar = 1U << 20U;  // [bytes]
-
-Error refusal(const std::string& name, std::string what, std::string why = "", std::string suggestion = "") {
-    return {ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)}, base::Place{name, 0, 0, ""}};
-}
 
 bool is_text(std::string_view beginning) {
     return std::none_of(beginning.begin(), beginning.end(), [](char c) {

@@ -1,9 +1,9 @@
 #include "stridor/io/sidecar.hpp"
 
-#include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/io/json_parts.hpp"
+#include "stridor/io/refusal.hpp"
 
 #include <cmath>
 #include <initializer_list>
@@ -15,10 +15,6 @@ namespace {
 using json_parts::Json;
 
 constexpr const char* schema = "stridor.sidecar/1";
-
-Error refusal(const std::string& name, std::string what, std::string why = "", std::string suggestion = "") {
-    return {ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)}, base::Place{name, 0, 0, ""}};
-}
 
 void check_keys(const Json& object, std::initializer_list<std::string_view> known, const std::string& name) {
     for (const auto& [key, value] : object.items()) {

@@ -6,6 +6,7 @@
 #include "stridor/io/calibration.hpp"
 #include "stridor/io/csv_table.hpp"
 #include "stridor/io/line_reader.hpp"
+#include "stridor/io/refusal.hpp"
 #include "stridor/io/signal_csv_header.hpp"
 #include "stridor/io/time_grid.hpp"
 
@@ -26,7 +27,6 @@ using signal_table::Header;
 using signal_table::highest_rate;
 using signal_table::is_table_line;
 using signal_table::next_row;
-using signal_table::refusal;
 using signal_table::Role;
 
 constexpr std::size_t looked_at = 1024;  // rows that the rate is first taken from

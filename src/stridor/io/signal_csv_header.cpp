@@ -3,6 +3,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/calibration.hpp"
+#include "stridor/io/refusal.hpp"
 
 #include <algorithm>
 
@@ -77,10 +78,6 @@ bool is_time(const Column& column) {
 }
 
 }  // namespace
-
-Error refusal(const base::Place& place, std::string what, std::string why, std::string suggestion) {
-    return {ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)}, place};
-}
 
 bool is_table_line(std::string_view line) {
     const std::string_view content = base::trimmed(line);

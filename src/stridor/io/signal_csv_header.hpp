@@ -38,9 +38,6 @@ struct Header {
     int data_number = 1;            // [1] its line
 };
 
-/// Bad input at a place of the file.
-Error refusal(const base::Place& place, std::string what, std::string why = "", std::string suggestion = "");
-
 /// Is a line neither blank nor a comment?
 bool is_table_line(std::string_view line);
 

@@ -129,7 +129,7 @@ int count_of(const TomlEntry& entry, int most, const std::string& things) {
 
 sweep::Axis read_axis(const TomlDocument& document, const std::string& prefix) {
     const parameters::Field& field = axis_field(*document.find(prefix + ".parameter"));
-    const std::string_view unit = std::get<parameters::Quantity>(field.kind).unit;
+    const std::string_view unit = parameters::unit_of(field);
     sweep::Axis axis;
     axis.parameter = parameters::key_of(field);
     axis.from = number_of(*document.find(prefix + ".from"), unit);

@@ -1,9 +1,9 @@
 #include "stridor/io/uff58.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/line_reader.hpp"
+#include "stridor/io/refusal.hpp"
 #include "stridor/io/uff58_header.hpp"
 
 #include <algorithm>
@@ -21,10 +21,6 @@ using uff58::Dataset;
 using uff58::Form;
 
 constexpr std::size_t most_channels = 256;  // each has a block of its own
-
-Error refusal(const base::Place& place, std::string what, std::string why = "", std::string suggestion = "") {
-    return {ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)}, place};
-}
 
 /// The values of one dataset from the first to the last.
 class Values {

@@ -1,10 +1,10 @@
 #include "stridor/io/uff58_header.hpp"
 
-#include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/csv_table.hpp"
 #include "stridor/io/line_reader.hpp"
 #include "stridor/io/rate.hpp"
+#include "stridor/io/refusal.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -29,10 +29,6 @@ struct Opening {
     Form form = Form::ascii;
     std::optional<std::uint64_t> bytes;  // [bytes] of binary values, where it says so
 };
-
-Error refusal(const base::Place& place, std::string what, std::string why = "", std::string suggestion = "") {
-    return {ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)}, place};
-}
 
 std::optional<long long> whole(std::string_view text) {
     text = base::trimmed(text);

@@ -228,6 +228,16 @@ std::string nearest_key(std::string_view key) {
     return std::string(base::nearest_name(key, views));
 }
 
+std::string_view unit_of(const Field& field) {
+    const auto* quantity = std::get_if<Quantity>(&field.kind);
+    return quantity == nullptr ? std::string_view("1") : quantity->unit;
+}
+
+std::string_view unit_of(std::string_view key) {
+    const Field* field = find_field(key);
+    return field == nullptr ? std::string_view("1") : unit_of(*field);
+}
+
 double get_quantity(const Case& c, const Field& field) {
     return std::get<Quantity>(field.kind).get(c);
 }

@@ -85,6 +85,10 @@ std::vector<std::string> quantity_keys();
 /// The key most like a misspelt one; empty if none is near.
 std::string nearest_key(std::string_view key);
 
+/// The unit of a quantity; "1" for a field without one, and for a key that is no field's.
+std::string_view unit_of(const Field& field);
+std::string_view unit_of(std::string_view key);
+
 double get_quantity(const Case& c, const Field& field);
 void set_quantity(Case& c, const Field& field, double value);
 
