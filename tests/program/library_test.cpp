@@ -1,5 +1,6 @@
 #include "stridor/base/sha256.hpp"
 #include "support/counter_random.hpp"
+#include "support/effort.hpp"
 #include "support/json_of.hpp"
 #include "support/process.hpp"
 #include "unit/noise_library/library_folder.hpp"
@@ -16,6 +17,7 @@
 using stridor::noise_library::Entry;
 using stridor::noise_library::Library;
 using stridor::support::CounterRandom;
+using stridor::support::effort;
 using stridor::support::Finished;
 using stridor::support::json_of;
 using stridor::support::Launch;
@@ -263,7 +265,7 @@ protected:
             library.remove(std::span(&entry.id, 1));
     }
 
-    static constexpr int kills = 60;
+    static constexpr int kills = effort(60, 20);
 
     // what the program printed is there, a line per entry
     static std::size_t said(const Finished& finished) {
