@@ -45,7 +45,16 @@ function(stridor_spare_wiring target)
     endif()
 endfunction()
 
-# The same for sources that do little but call an eigenvalue solver, whose templates take half a minute with it.
+# Modules that read, write and draw do in the tests what takes no time: not optimised under sanitizers they compile in half of
+# it, with every check.
+function(stridor_spare_optimisation target)
+    if(STRIDOR_SANITIZED)
+        target_compile_options(${target} PRIVATE -O0)
+    endif()
+endfunction()
+
+# Nor is the undefined-behaviour sanitizer worth its time in sources that do little but call an eigenvalue solver, whose
+# templates take half a minute with it.
 function(stridor_spare_sources)
     if(STRIDOR_SANITIZED)
         set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize=undefined)
