@@ -27,7 +27,7 @@ namespace beast = boost::beast;
 namespace http = boost::beast::http;
 using asio::ip::tcp;
 using boost::system::error_code;
-using local = asio::local::stream_protocol;
+using Local = asio::local::stream_protocol;
 using Stream = asio::generic::stream_protocol;  // either of them: one copy of all that follows
 using Acceptor = asio::basic_socket_acceptor<Stream>;
 
@@ -315,11 +315,11 @@ tcp::acceptor listen_at(asio::io_context& io, const Address& address) {
 void remove_stale(asio::io_context& io, const std::filesystem::path& path) {
     if (!std::filesystem::is_socket(path)) return;
     error_code error;
-    local::socket(io).connect(local::endpoint(path.string()), error);
+    Local::socket(io).connect(Local::endpoint(path.string()), error);
     if (error == asio::error::connection_refused) std::filesystem::remove(path);
 }
 
-local::acceptor listen_at(asio::io_context& io, const std::filesystem::path& path) {
+Local::acceptor listen_at(asio::io_context& io, const std::filesystem::path& path) {
     constexpr std::size_t longest = sizeof(sockaddr_un::sun_path) - 1;
     if (path.string().size() > longest)
         throw Error(ErrorKind::input,
@@ -327,10 +327,10 @@ local::acceptor listen_at(asio::io_context& io, const std::filesystem::path& pat
                      "systems take at most " + std::to_string(longest) + " bytes", "Choose a shorter one."});
     error_code error;
     remove_stale(io, path);
-    local::acceptor acceptor(io);
+    Local::acceptor acceptor(io);
     acceptor.open();
     const ::mode_t before = ::umask(0177);  // for the owner alone, from the first moment on
-    acceptor.bind(local::endpoint(path.string()), error);
+    acceptor.bind(Local::endpoint(path.string()), error);
     ::umask(before);
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error) refuse(path.string(), error, "Choose another path, one that is not there yet.");
