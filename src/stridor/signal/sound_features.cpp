@@ -8,6 +8,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/signal/median.hpp"
 #include "stridor/signal/sound_course.hpp"
 #include "stridor/signal/window.hpp"
 
@@ -30,13 +31,6 @@ constexpr std::size_t floor_bands = 24;
 constexpr double cliff = 100.0;  // [1] drop from band to band where a recording's bandwidth ends
 
 using Power = std::vector<double>;
-
-double median_of(std::span<const double> values) {
-    std::vector<double> sorted(values.begin(), values.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return *middle;
-}
 
 // The power per bin of a white background: the lowest median of equal bands. Bands above a cliff hold nothing, for the
 // recording ends there, and say nothing about its background.

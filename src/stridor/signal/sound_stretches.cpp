@@ -1,6 +1,7 @@
 #include "stridor/signal/sound_stretches.hpp"
 
 #include "stridor/signal/filter.hpp"
+#include "stridor/signal/median.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,13 +49,6 @@ private:
     double first_ = 0.0;
     double second_ = 0.0;
 };
-
-double median_of(std::span<const double> values) {
-    std::vector<double> sorted(values.begin(), values.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return *middle;
-}
 
 // The number of parts after which the sustained level jumps first: where the jump is largest of its surroundings. All of
 // the `longest` parts if it does not jump; levels 60 dB below the loudest part are all the same.

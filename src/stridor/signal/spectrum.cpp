@@ -1,6 +1,7 @@
 #include "stridor/signal/spectrum.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/signal/median.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,11 +97,7 @@ namespace {
 double octave_median(std::span<const double> density, std::size_t centre) {
     const auto low = static_cast<std::size_t>(0.7071 * static_cast<double>(centre));
     const auto high = std::min(density.size(), static_cast<std::size_t>(1.4142 * static_cast<double>(centre)) + 2);
-    std::vector<double> around(density.begin() + static_cast<std::ptrdiff_t>(low),
-                               density.begin() + static_cast<std::ptrdiff_t>(high));
-    const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
-    std::nth_element(around.begin(), middle, around.end());
-    return *middle;
+    return median_of(density.subspan(low, high - low));
 }
 
 SpectrumPeak peak_at(const Spectrum& spectrum, std::size_t k) {
