@@ -29,11 +29,7 @@ std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion) {
     const Eigen::Index free = motion.mass.rows() - 1;
     const MatrixXd right = model::orthogonal_complement(motion.normal);
     const MatrixXd left = right - motion.normal * (motion.force.transpose() * right) / motion.normal.dot(motion.force);
-    // lazyProduct: without the kernels for large matrices, which take seconds to compile
-    const auto reduced = [&](const MatrixXd& matrix) -> MatrixXd {
-        const MatrixXd half = left.transpose().lazyProduct(matrix);
-        return half.lazyProduct(right);
-    };
+    const auto reduced = [&](const MatrixXd& matrix) { return model::reduced(left, matrix, right); };
     const MatrixXd negative_inverse_mass = -reduced(motion.mass).inverse();
     MatrixXd first_order = MatrixXd::Zero(2 * free, 2 * free);
     first_order.topRightCorner(free, free) = MatrixXd::Identity(free, free);

@@ -155,8 +155,8 @@ void chart_csv(const sweep::SweepResult& result, const std::string& file, const 
 
 std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::Boundary>& boundaries) {
     const std::string word_unit(no_unit);
-    const std::string x_unit = std::string(parameters::unit_of(study.x.parameter));
-    const std::string y_unit = std::string(parameters::unit_of(study.y.parameter));
+    const std::string x_unit(parameters::unit_of(study.x.parameter));
+    const std::string y_unit(parameters::unit_of(study.y.parameter));
     Table table(chart_opening("boundaries", study));
     table.header({{"line", "1"},
                   {"direction", word_unit},

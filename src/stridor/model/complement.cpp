@@ -24,4 +24,10 @@ Eigen::MatrixXd orthogonal_complement(Eigen::MatrixXd blocked) {
     return all.rightCols(size - count);
 }
 
+// lazyProduct: without the kernels for large matrices, which take seconds to compile
+Eigen::MatrixXd reduced(const Eigen::MatrixXd& left, const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+    const Eigen::MatrixXd half = left.transpose().lazyProduct(matrix);
+    return half.lazyProduct(right);
+}
+
 }  // namespace stridor::model

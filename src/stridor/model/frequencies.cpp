@@ -15,13 +15,8 @@ std::vector<double> natural_frequencies(const Eigen::MatrixXd& mass, const Eigen
                                         const Eigen::MatrixXd& blocked) {
     const Eigen::MatrixXd free = orthogonal_complement(blocked);
     if (free.cols() == 0) return {};
-    // lazyProduct: without the kernels for large matrices, which take seconds to compile
-    const auto reduced = [&](const Eigen::MatrixXd& matrix) -> Eigen::MatrixXd {
-        const Eigen::MatrixXd half = free.transpose().lazyProduct(matrix);
-        return half.lazyProduct(free);
-    };
-    const Eigen::MatrixXd free_mass = reduced(mass);
-    const Eigen::MatrixXd free_stiffness = reduced(stiffness);
+    const Eigen::MatrixXd free_mass = reduced(free, mass, free);
+    const Eigen::MatrixXd free_stiffness = reduced(free, stiffness, free);
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(free_stiffness, free_mass,
                                                                            Eigen::EigenvaluesOnly);
     std::vector<double> frequencies;
