@@ -154,8 +154,8 @@ endfunction()
 # A GoogleTest executable NAME_test whose cases appear in CTest under their own names, with one LABEL (default: fast). Under
 # sanitizers it is one test, `NAME`: a thousand starts of a sanitized process cost more than most of what they test, and
 # cases that share a simulation make it once. The longest (COST, what it takes under sanitizers) start first.
-# Sources may include "support/..." from tests/, find the checkout at STRIDOR_SOURCE_DIR, and, with PROGRAM, the built
-# program at STRIDOR_PROGRAM (both are string literals).
+# Sources may include "support/..." from tests/, find the checkout at STRIDOR_SOURCE_DIR (a string literal), and, with
+# PROGRAM, start the built program (support/process.hpp).
 function(stridor_test name)
     cmake_parse_arguments(PARSE_ARGV 1 ARG "PROGRAM" "LABEL;TIMEOUT;COST" "SOURCES;DEPENDS;LIBRARIES;APART")
     stridor_check_arguments(stridor_test ${name})
@@ -182,7 +182,7 @@ function(stridor_test name)
     target_precompile_headers(${target} REUSE_FROM stridor_test_headers)
     if(ARG_PROGRAM)
         add_dependencies(${target} stridor)
-        target_compile_definitions(${target} PRIVATE STRIDOR_PROGRAM="$<TARGET_FILE:stridor>")
+        target_link_libraries(${target} PRIVATE stridor_test_program)
     endif()
     if(STRIDOR_SANITIZED)
         add_test(NAME ${name} COMMAND ${target} --gtest_brief=1)
