@@ -101,6 +101,19 @@ std::string proof_text(const integration::Motion& motion) {
     return "";
 }
 
+// what of the window no verdict looks at
+std::string left_out(const parameters::Case& c, const std::vector<Verdict>& verdicts) {
+    if (c.drive.kind != parameters::DriveKind::constant)
+        return "shares are of the whole phase; the verdict is made from its steady part (verdict.settling, "
+               "verdict.reversal).\n";
+    const analysis::Evidence& e = verdicts.front().evidence;
+    if (!(e.window_time > e.judged_time)) return "";
+    return fmt::format(
+        "shares are of the whole window; the verdict is made from its last {:.4g} s: what comes before is the start\n"
+        "(verdict.start) and left out.\n",
+        e.judged_time);
+}
+
 std::string report(const parameters::Case& c, const integration::Motion& motion, const std::vector<Verdict>& verdicts) {
     std::string text = styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n";
     text +=
@@ -127,10 +140,7 @@ std::string report(const parameters::Case& c, const integration::Motion& motion,
                                            margin.distance),
                                Style::dim, STDOUT_FILENO);
     }
-    text +=
-        "\nshares are of the whole phase; the verdict is made from its steady part (verdict.settling, "
-        "verdict.reversal).\n"
-        "A category names a vibration pattern of the model, not a sound pressure.\n";
+    text += "\n" + left_out(c, verdicts) + "A category names a vibration pattern of the model, not a sound pressure.\n";
     return text;
 }
 

@@ -32,10 +32,13 @@ Level level_of(std::span<const record::Vibration> components, double time) {
 
 }  // namespace
 
-Levels levels(const record::Tally& tally) {
-    STRIDOR_EXPECT(tally.vibration.size() == 3);
-    const std::span<const record::Vibration> all(tally.vibration);
-    return {level_of(all.first(2), tally.vibration_time), level_of(all.subspan(2, 1), tally.vibration_time)};
+Levels levels(const record::Tally& tally, Part part, Along along) {
+    const bool is_closing = part == Part::closing;
+    const std::span<const record::Vibration> all(is_closing ? tally.closing_vibration : tally.vibration);
+    const double time = is_closing ? tally.closing_time : tally.vibration_time;
+    STRIDOR_EXPECT(all.size() == 3);
+    const std::span<const record::Vibration> joint = along == Along::carried ? all.subspan(1, 1) : all.first(2);
+    return {level_of(joint, time), level_of(all.subspan(2, 1), time)};
 }
 
 }  // namespace stridor::analysis

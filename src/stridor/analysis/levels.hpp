@@ -22,7 +22,13 @@ struct Levels {
     Level plate;  // mass 2: y2'
 };
 
+/// Which part of the run: all that is judged, or the end of that under a constant drive.
+enum class Part { judged, closing };
+
+/// Is the joint's motion along the contact its own, or the plate's, which carries it while it sticks and is no vibration?
+enum class Along { counted, carried };
+
 /// Levels from a tally of the rubbing system, degrees of freedom (x1, y1, y2). NaN where nothing was judged.
-Levels levels(const record::Tally& tally);
+Levels levels(const record::Tally& tally, Part part = Part::judged, Along along = Along::counted);
 
 }  // namespace stridor::analysis

@@ -13,6 +13,7 @@
 
 #include "stridor/integration/beta_2.hpp"
 
+#include "stridor/integration/sticking.hpp"
 #include "stridor/model/frequencies.hpp"
 
 #include <Eigen/LU>
@@ -177,6 +178,7 @@ public:
            record::Recorder& recorder)
         : structure_(structure),
           coefficients_(prepare(structure, settings)),
+          drive_settings_(drive),
           drive_(drive, settings.step),
           recorder_(recorder) {
         const model::SurfaceMotion surface = drive_.at(0.0);
@@ -191,6 +193,7 @@ public:
 
     Outcome run(std::stop_token stop);
     EnergyBalance energy() const;
+    record::Outlook outlook(const Outcome& outcome) const;
 
 private:
     long step_at(double time) const { return static_cast<long>(std::ceil(time / coefficients_.h - 1e-6)); }
@@ -200,6 +203,7 @@ private:
 
     const Structure<dofs>& structure_;
     Coefficients<dofs> coefficients_;
+    const parameters::Drive& drive_settings_;
     ImposedMotion drive_;
     record::Recorder& recorder_;
     State<dofs> state_;
@@ -301,6 +305,15 @@ EnergyBalance Runner<dofs>::energy() const {
     return balance;
 }
 
+template <int dofs>
+record::Outlook Runner<dofs>::outlook(const Outcome& outcome) const {
+    if (outcome.reason != Reason::completed || state_.contact != ContactState::stick) return {};
+    const model::SurfaceMotion surface = drive_.at(outcome.time);
+    // p is the velocity half a step ago: what it misses of the vibration is far below any margin that proves something
+    return outlook_of_stick(structure_, drive_settings_,
+                            {state_.u, state_.p, surface.velocity, surface.acceleration, outcome.time});
+}
+
 }  // namespace
 
 double stable_step(double beta_2, double angular_frequency) {
@@ -315,7 +328,7 @@ Motion integrate_beta_2(const Structure<dofs>& structure, const parameters::Driv
         return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     Runner<dofs> runner(structure, drive, start, settings, recorder);
     const Outcome outcome = runner.run(std::move(stop));
-    return {outcome, runner.energy(), recorder.finish(outcome.time)};
+    return {outcome, runner.energy(), recorder.finish(outcome.time, runner.outlook(outcome))};
 }
 
 template Motion integrate_beta_2<2>(const Structure<2>&, const parameters::Drive&, const Start&, const Beta2&,

@@ -13,6 +13,7 @@
 
 #include "stridor/integration/event_root.hpp"
 #include "stridor/integration/exact_runner.hpp"
+#include "stridor/integration/sticking.hpp"
 #include "stridor/model/contact_forces.hpp"
 #include "stridor/model/energy.hpp"
 
@@ -46,6 +47,7 @@ Runner<dofs>::Runner(const Structure<dofs>& structure, const parameters::Drive& 
       flows_(shared.of(coordinates_, structure.friction,
                        drive.kind == parameters::DriveKind::sinusoidal ? drive.frequency : 0.0, kernel_)),
       settings_(settings),
+      drive_settings_(drive),
       drive_(drive, 1.0),
       recorder_(recorder),
       book_(recorder, flows_, drive.kind == parameters::DriveKind::sampled ? drive.times : std::vector<double>()),
@@ -268,8 +270,19 @@ template <int dofs>
 Motion Runner<dofs>::run(std::stop_token stop) {
     const Outcome outcome = advance(std::move(stop));
     const bool is_filled = outcome.reason == Reason::settled;
-    return {outcome, is_filled ? balance_ : energy(), recorder_.finish(is_filled ? book_.end() : outcome.time),
-            silence_, cycle_};
+    return {outcome, is_filled ? balance_ : energy(),
+            recorder_.finish(is_filled ? book_.end() : outcome.time, outlook(outcome)), silence_, cycle_};
+}
+
+template <int dofs>
+record::Outlook Runner<dofs>::outlook(const Outcome& outcome) const {
+    if (silence_) return {record::Future::slides, silence_->time};
+    if (cycle_) return {record::Future::repeats, cycle_->time};
+    if (outcome.reason != Reason::completed || mode_ != Mode::stick) return {};
+    const Position last = position(s_, mode_);
+    const model::SurfaceMotion motion = drive_.at(outcome.time);
+    return outlook_of_stick(structure_, drive_settings_,
+                            {last.displacement, last.velocity, motion.velocity, motion.acceleration, outcome.time});
 }
 
 // --- early endings

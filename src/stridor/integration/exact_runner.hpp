@@ -54,6 +54,7 @@ private:
     bool is_finite() const;
     bool piles_up();
     EnergyBalance energy() const;
+    record::Outlook outlook(const Outcome& outcome) const;
 
     void watch_for_silence();
     void watch_for_cycle();
@@ -63,6 +64,7 @@ private:
     const Kernel& kernel_;
     const Flows& flows_;
     Exact settings_;
+    const parameters::Drive& drive_settings_;
     ImposedMotion drive_;
     record::Recorder& recorder_;
     Logbook book_;

@@ -98,7 +98,7 @@ void Sliding::pass(const Kernel& kernel, double duration, record::Use use, Lanes
 
     Sums peaks{};
     Lanes sampled = s;
-    const bool is_kept = use == record::Use::judged;
+    const bool is_kept = record::is_judged(use);
     const auto steps = is_kept ? static_cast<long>(std::min(sampled_steps, duration / flow_.step)) : 0;
     for (long k = 0; k < steps; ++k)
         kernel.leap(flow_, sampled, peaks);

@@ -34,6 +34,11 @@ std::string_view name_of(std::span<const std::string_view> names, Enumeration va
     return names[static_cast<std::size_t>(value)];
 }
 
+// why a contact is quiet; null if it is not
+inline Json quiet_word(classification::Quiet quiet) {
+    return quiet == classification::Quiet::no ? Json() : Json(classification::name(quiet));
+}
+
 inline Json case_object(const parameters::Case& c) {
     Json object = Json::object();
     for (const parameters::Field& field : parameters::fields()) {

@@ -34,8 +34,8 @@ std::string coordinate_name(const sweep::Axis& axis, const sweep::Axis& other) {
     const std::string& key = axis.parameter;
     const auto short_name = [](const std::string& full) { return full.substr(full.find('.') + 1); };
     const std::string name = short_name(key);
-    constexpr std::array<std::string_view, 7> fixed{"direction", "category", "status",       "source",
-                                                    "agreement", "start",    "start_verdict"};
+    constexpr std::array<std::string_view, 8> fixed{"direction", "category",  "quiet", "status",
+                                                    "source",    "agreement", "start", "start_verdict"};
     const bool is_taken = name == short_name(other.parameter) || sweep::find_cell_figure(name) != nullptr ||
                           std::find(fixed.begin(), fixed.end(), name) != fixed.end();
     std::string full = key;
@@ -89,6 +89,12 @@ void put_verdicts(NetcdfDataset& file, const sweep::SweepResult& result, std::sp
     };
     file.flags("category", dimensions, numbers_of(result, category), classification::category_names,
                {"", "category of the motion; missing where the cell is not done"});
+    const auto quiet = [&](std::size_t index) {
+        const sweep::CellVerdict& cell = result.cells[index];
+        return cell.status == sweep::Status::done ? static_cast<int>(cell.quiet) : -1;
+    };
+    file.flags("quiet", dimensions, numbers_of(result, quiet), classification::quiet_names,
+               {"", "is it quiet, and because the contact slides or sticks? Missing where the cell is not done"});
     const auto status = [&](std::size_t index) { return result.cells[index].status; };
     file.flags("status", dimensions, numbers_of(result, status), sweep::status_names, {"", "how the cell ended"});
     const auto source = [&](std::size_t index) { return sweep::is_inferred(result, index) ? 1 : 0; };
@@ -169,7 +175,7 @@ std::size_t room_of(const sweep::SweepResult& result) {
     constexpr std::size_t frame = std::size_t{1} << 20U;
     const std::size_t bytes_of_figures = sweep::cell_figures().size() * sizeof(double);
     const std::size_t filled = result.study.refine > 0 ? sweep::computed_count(result) : result.cells.size();
-    return frame + filled * bytes_of_figures + result.cells.size() * (4 + result.study.starts.size());
+    return frame + filled * bytes_of_figures + result.cells.size() * (5 + result.study.starts.size());
 }
 
 void put_trace(NetcdfDataset& file, const record::Trace& trace) {

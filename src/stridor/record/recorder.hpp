@@ -45,8 +45,8 @@ public:
     /// Where the next sample goes; to be asked for each of them.
     Trace& trace();
 
-    /// Ends the record at `time` and hands it over.
-    Record finish(double time);
+    /// Ends the record at `time` and hands it over, with what the engine knows of the time after it.
+    Record finish(double time, const Outlook& outlook = {});
 
 private:
     void count(double to);

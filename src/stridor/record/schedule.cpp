@@ -70,14 +70,26 @@ void add_phase(std::vector<Span>& spans, const Case& c, const HalfPeriod& half) 
     add_span(spans, {std::max(slowing, from), to, half.phase, Use::counted});
 }
 
+// the last share of the judged time: long enough for an effective value, late enough to be the end
+constexpr double closing_share = 0.2;
+
+void add_constant_drive(std::vector<Span>& spans, const Case& c) {
+    const double end = c.run.duration;
+    const double window_from = end - c.run.window;
+    const double judged_from = std::max(window_from, c.verdict.start * end);
+    const double closing_from = end - closing_share * (end - judged_from);
+    add_span(spans, {0.0, window_from, Phase::all, Use::unused});
+    add_span(spans, {window_from, judged_from, Phase::all, Use::counted});
+    add_span(spans, {judged_from, closing_from, Phase::all, Use::judged});
+    add_span(spans, {closing_from, end, Phase::all, Use::closing});
+}
+
 }  // namespace
 
 Schedule schedule(const Case& c) {
     Schedule plan;
     if (c.drive.kind == DriveKind::constant) {
-        const double from = c.run.duration - c.run.window;
-        add_span(plan.spans, {0.0, from, Phase::all, Use::unused});
-        add_span(plan.spans, {from, c.run.duration, Phase::all, Use::judged});
+        add_constant_drive(plan.spans, c);
         plan.phases = {Phase::all};
         return plan;
     }

@@ -20,7 +20,7 @@ namespace {
 // "STRD", in the file's header where other programs look for the kind of a database
 constexpr std::int64_t application_id = 0x53545244;
 
-constexpr int fixed_columns = 5;  // id, status, category, message, starts
+constexpr int fixed_columns = 6;  // id, status, category, quiet, message, starts
 
 const char* const other_out = "Choose another --out, or remove the file to start anew.";
 
@@ -30,7 +30,7 @@ storage::DatabaseOptions store_options() {
 }
 
 std::string cell_columns() {
-    std::string columns = "id, status, category, message, starts";
+    std::string columns = "id, status, category, quiet, message, starts";
     for (const CellFigure& figure : cell_figures())
         columns += ", " + std::string(figure.name);
     return columns;
@@ -38,7 +38,8 @@ std::string cell_columns() {
 
 std::string create_cell_table() {
     std::string sql =
-        "CREATE TABLE cell(id INTEGER PRIMARY KEY, status TEXT NOT NULL, category TEXT, message TEXT NOT NULL, "
+        "CREATE TABLE cell(id INTEGER PRIMARY KEY, status TEXT NOT NULL, category TEXT, quiet TEXT, message TEXT NOT "
+        "NULL, "
         "starts TEXT NOT NULL";
     // no REAL here: such a column turns whole numbers into integers on disk and loses the sign of -0
     for (const CellFigure& figure : cell_figures())
@@ -47,7 +48,7 @@ std::string create_cell_table() {
 }
 
 std::string insert_cell() {
-    std::string sql = "INSERT OR REPLACE INTO cell(" + cell_columns() + ") VALUES(?, ?, ?, ?, ?";
+    std::string sql = "INSERT OR REPLACE INTO cell(" + cell_columns() + ") VALUES(?, ?, ?, ?, ?, ?";
     for (std::size_t k = 0; k < cell_figures().size(); ++k)
         sql += ", ?";
     return sql + ")";
@@ -125,8 +126,12 @@ void bind_cell(Statement& statement, const IndexedCell& indexed, const std::stri
         statement.bind(3, classification::name(cell.category));
     else
         statement.bind_null(3);
-    statement.bind(4, std::string_view(cell.message));
-    statement.bind(5, std::string_view(starts));
+    if (cell.quiet == classification::Quiet::no)
+        statement.bind_null(4);
+    else
+        statement.bind(4, classification::name(cell.quiet));
+    statement.bind(5, std::string_view(cell.message));
+    statement.bind(6, std::string_view(starts));
     int parameter = fixed_columns;
     for (const CellFigure& figure : cell_figures())
         statement.bind(++parameter, cell.*figure.member);
@@ -144,8 +149,12 @@ std::optional<IndexedCell> cell_in(const Statement& row, std::size_t cells) {
     cell.status = static_cast<Status>(*status);
     if (cell.status == Status::done && !category) return std::nullopt;
     if (category) cell.category = static_cast<classification::Category>(*category);
-    cell.message = row.text(3);
-    std::optional<std::vector<StartVerdict>> starts = starts_in(row.text(4));
+    if (const std::optional<std::size_t> quiet = place_in(classification::quiet_names, row.text(3)))
+        cell.quiet = static_cast<classification::Quiet>(*quiet);
+    const bool is_none = cell.status == Status::done && cell.category == classification::Category::none;
+    if (is_none != (cell.quiet != classification::Quiet::no)) return std::nullopt;
+    cell.message = row.text(4);
+    std::optional<std::vector<StartVerdict>> starts = starts_in(row.text(5));
     if (!starts) return std::nullopt;
     cell.agreement = agreement(*starts);
     cell.starts = std::move(*starts);

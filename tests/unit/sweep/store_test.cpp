@@ -37,6 +37,8 @@ Cell any_cell() {
     cell.category = static_cast<classification::Category>(
         *whole_between(0, static_cast<int>(classification::category_names.size()) - 1));
     cell.message = *rc::gen::arbitrary<std::string>();
+    const bool is_none = cell.status == Status::done && cell.category == classification::Category::none;
+    if (is_none) cell.quiet = static_cast<classification::Quiet>(*whole_between(1, 2));
     for (const CellFigure& figure : cell_figures())
         cell.*figure.member = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
     return cell;
