@@ -157,7 +157,7 @@ TEST(Evaluate, HearsSoftPartsBesideThePapersPlanes) {
     const ScratchFolder folder;
     const std::vector<std::string> shortly{
         "evaluate", "--perturb-every",  "0",     "--set",         "chart.x.points=2", "--set", "chart.y.points=2",
-        "--set",    "run.duration=0.2", "--set", "run.window=0.1"};
+        "--set",    "run.duration=0.3", "--set", "run.window=0.15"};
     const auto with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), shortly.begin(), shortly.end());
         return run(more, folder.path());

@@ -15,7 +15,7 @@ namespace {
 constexpr double part_time = 0.005;    // [s]
 constexpr std::size_t sustained = 12;  // parts of a sustained level
 constexpr double level_jump = 6.0;     // [dB]
-constexpr double drive_corner = 20.0;  // [Hz] below lies the motion of the drive, which nobody hears
+constexpr double drive_corner = 40.0;  // [Hz] below lies the motion of the drive
 
 // mean squares of 5 ms parts, the drive's motion taken away
 class Parts {
