@@ -16,7 +16,7 @@ _stridor() {
         return
     fi
     if [[ ${COMP_WORDS[1]} == init && COMP_CWORD -eq 2 ]]; then
-        COMPREPLY=($(compgen -W "squeal squeak creak quiet noise-chart rate-map schema" -- "$word"))
+        COMPREPLY=($(compgen -W "squeal squeak creak quiet noise-chart rate-map weatherstrip weatherstrip-shaken glass-run clip wiper brake-pad schema" -- "$word"))
         return
     fi
     case ${COMP_WORDS[1]} in
@@ -33,7 +33,7 @@ _stridor() {
         library) options="--help" ;;
         analyse) options="--help --full-scale --channel --dataset --rate --set --a-weighting --figure --json" ;;
         classify) options="--help --full-scale --channel --dataset --rate --set --json" ;;
-        evaluate) options="--help --set --of --perturb-every --recordings --csv --threads --json" ;;
+        evaluate) options="--help --planes --set --of --perturb-every --recordings --csv --threads --json" ;;
         compare) options="--help --label --library --of --quantity --json" ;;
         match) options="--help --chart --set --best --every --store --out --with-level --threads --library --of --quantity --json" ;;
         explore) options="--help --set --port --no-browser --unix-socket --library --threads --address --allow-remote --host-name" ;;
