@@ -27,8 +27,9 @@ using model::Structure;
 
 namespace {
 
-// so many steps between two looks at the stop request: a millisecond
+// so many steps, or samples within a step, between two looks at the stop request: a millisecond
 constexpr long steps_between_checks = 65536;
+constexpr long samples_between_checks = 4096;
 // so many between two attempts to prove silence: a try costs as much as two steps
 constexpr long steps_between_proofs = 16;
 // so many events within this share of a step are a pile-up that double precision cannot resolve
@@ -39,7 +40,7 @@ constexpr double event_window = 1e-3;
 
 template <int dofs>
 Runner<dofs>::Runner(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
-                     const Exact& settings, SharedFlows<dofs>& shared, record::Recorder& recorder)
+                     const Exact& settings, SharedFlows<dofs>& shared, record::Recorder& recorder, std::stop_token stop)
     : structure_(structure),
       coordinates_(contact_coordinates(structure)),
       kernel_(kernel(settings.instruction_set, dofs)),
@@ -48,6 +49,7 @@ Runner<dofs>::Runner(const Structure<dofs>& structure, const parameters::Drive& 
       settings_(settings),
       drive_(drive, 1.0),
       recorder_(recorder),
+      stop_(std::move(stop)),
       book_(recorder, flows_, drive.kind == parameters::DriveKind::sampled ? drive.times : std::vector<double>()),
       watch_(drive.velocity, 1.0 / flows_.flow[static_cast<int>(Mode::stick)].step, closed) {
     may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven && !book_.has_samples() &&
@@ -137,12 +139,13 @@ typename Runner<dofs>::Crossing Runner<dofs>::first_event() const {
 
 // what lies between here and the end of the step: samples, ends of spans, knots of the drive, the end
 template <int dofs>
-bool Runner<dofs>::pass_boundaries(double& from, double& reach, Crossing& crossing) {
+typename Runner<dofs>::Boundary Runner<dofs>::pass_boundaries(double& from, double& reach, Crossing& crossing) {
     const double now = time();
-    while (!book_.is_full()) {
+    for (long passed = 1; !book_.is_full(); ++passed) {
+        if (passed % samples_between_checks == 0 && stop_.stop_requested()) return Boundary::stop_request;
         const double stop = book_.next_stop_time();
         const double tau = std::max(0.0, (stop - now) / flow().step);
-        if (tau > reach) return false;
+        if (tau > reach) return Boundary::none;
         const Logbook::Stop kind = book_.next_stop();
         if (kind == Logbook::Stop::sample) {
             sample(tau, stop);
@@ -158,10 +161,10 @@ bool Runner<dofs>::pass_boundaries(double& from, double& reach, Crossing& crossi
         if (kind == Logbook::Stop::knot || book_.is_full()) {
             reach = tau;
             crossing = {};
-            return kind == Logbook::Stop::knot;
+            return kind == Logbook::Stop::knot ? Boundary::knot : Boundary::none;
         }
     }
-    return false;
+    return Boundary::none;
 }
 
 // whole steps far from events
@@ -182,9 +185,14 @@ void Runner<dofs>::glide() {
 template <int dofs>
 void Runner<dofs>::step() {
     Crossing crossing = first_event();
+    if (crossing.tau < 0.0) {
+        lost_ = crossing.tau == no_number ? Reason::diverged : Reason::chattering;
+        return;
+    }
     double from = 0.0;
     double reach = std::min(crossing.tau, 1.0);
-    const bool is_knot = pass_boundaries(from, reach, crossing);
+    const Boundary boundary = pass_boundaries(from, reach, crossing);
+    if (boundary == Boundary::stop_request) return;
     Sums& part = book_.part(mode_);
     if (reach == 1.0 && crossing.test < 0) {
         Sums elsewhere{};  // a step that a span's end parts is counted in parts
@@ -205,7 +213,7 @@ void Runner<dofs>::step() {
         const SurfaceNumbers drive = mode_ == Mode::open ? surface(origin_) : SurfaceNumbers{};
         enter(follow(flows_, mode_, crossing.test, s_, drive, {settings_.impact, settings_.restitution}));
         if (may_end_early_) watch_for_cycle();
-    } else if (is_knot) {
+    } else if (boundary == Boundary::knot) {
         turn_knot(book_.next_stop_time());  // not the sum of steps, which may fall short of it by rounding
         book_.pass_knot();
     }
@@ -247,16 +255,17 @@ bool Runner<dofs>::piles_up() {
 }
 
 template <int dofs>
-Outcome Runner<dofs>::advance(std::stop_token stop) {
+Outcome Runner<dofs>::advance() {
     while (!book_.is_full()) {
         if (!is_finite()) return {Reason::diverged, time()};
-        if (stop.stop_requested()) return {Reason::cancelled, time()};
+        if (stop_.stop_requested()) return {Reason::cancelled, time()};
         if (multiplicity_ == 0)
             glide();
         else
             step();
+        if (lost_) return {*lost_, time()};
         if (silence_) return {Reason::settled, silence_->time};
-        if (cycle_) return {Reason::settled, cycle_->time};
+        if (cycle_) return {stop_.stop_requested() ? Reason::cancelled : Reason::settled, cycle_->time};
         if (count_ == 0 && piles_up()) return {Reason::chattering, time()};
     }
     book_.close(book_.end());
@@ -265,8 +274,8 @@ Outcome Runner<dofs>::advance(std::stop_token stop) {
 }
 
 template <int dofs>
-Motion Runner<dofs>::run(std::stop_token stop) {
-    const Outcome outcome = advance(std::move(stop));
+Motion Runner<dofs>::run() {
+    const Outcome outcome = advance();
     const bool is_filled = outcome.reason == Reason::settled;
     return {outcome, is_filled ? balance_ : energy(), recorder_.finish(is_filled ? book_.end() : outcome.time),
             silence_, cycle_};
@@ -293,7 +302,7 @@ void Runner<dofs>::watch_for_cycle() {
     } else if (has_returned_) {
         cycle_ = watch_.cycle();
         balance_ = energy();
-        book_.fill_with_cycle(book_.since_banked(), watch_.period_begin(), time());
+        book_.fill_with_cycle(book_.since_banked(), watch_.period_begin(), time(), stop_);
     }
 }
 
@@ -354,8 +363,8 @@ Motion integrate_exact(const Structure<dofs>& structure, const parameters::Drive
                        const Exact& settings, record::Recorder recorder, std::stop_token stop,
                        SharedFlows<dofs>& shared) {
     require_valid_contact(structure);
-    Runner<dofs> runner(structure, drive, start, settings, shared, recorder);
-    return runner.run(std::move(stop));
+    Runner<dofs> runner(structure, drive, start, settings, shared, recorder, std::move(stop));
+    return runner.run();
 }
 
 template Motion integrate_exact<2>(const Structure<2>&, const parameters::Drive&, const Start&, const Exact&,

@@ -14,9 +14,9 @@ template <int dofs>
 class Runner {
 public:
     Runner(const model::Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
-           const Exact& settings, SharedFlows<dofs>& shared, record::Recorder& recorder);
+           const Exact& settings, SharedFlows<dofs>& shared, record::Recorder& recorder, std::stop_token stop);
 
-    Motion run(std::stop_token stop);
+    Motion run();
 
 private:
     static constexpr int closed = dofs - 1;
@@ -32,6 +32,9 @@ private:
         int test = -1;
     };
 
+    // what lies within a step besides events: a change of the drive, or a request to stop
+    enum class Boundary { none, knot, stop_request };
+
     struct Position {
         Vector displacement;  // [m] u
         Vector velocity;      // [m/s] u'
@@ -41,13 +44,13 @@ private:
     double time() const { return origin_ + static_cast<double>(count_) * flow().step; }
 
     void begin(const Start& start);
-    Outcome advance(std::stop_token stop);
+    Outcome advance();
     Position position(const Lanes& s, Mode mode) const;
     SurfaceNumbers surface(double time) const;
     Crossing first_event() const;
     void glide();
     void step();
-    bool pass_boundaries(double& from, double& reach, Crossing& crossing);
+    Boundary pass_boundaries(double& from, double& reach, Crossing& crossing);
     void turn_knot(double time);
     void sample(double tau, double time);
     void enter(const Transition& next);
@@ -65,6 +68,7 @@ private:
     Exact settings_;
     ImposedMotion drive_;
     record::Recorder& recorder_;
+    std::stop_token stop_;
     Logbook book_;
 
     Mode mode_ = Mode::stick;
@@ -78,6 +82,7 @@ private:
 
     double window_begin_ = 0.0;  // [s] of the search for pile-ups
     int window_events_ = 0;
+    std::optional<Reason> lost_;  // why the search for events gave up
 
     bool may_end_early_ = false;
     std::optional<Sliding> sliding_;
