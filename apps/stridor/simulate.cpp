@@ -134,8 +134,9 @@ std::string report(const parameters::Case& c, const integration::Motion& motion,
     return text;
 }
 
-void require_result(const integration::Outcome& outcome, const parameters::Case& c) {
+void require_result(const integration::Motion& motion, const parameters::Case& c) {
     using integration::Reason;
+    const integration::Outcome& outcome = motion.outcome;
     const std::string at = fmt::format("{:.6g} s of {:g} s", outcome.time, c.run.duration);
     switch (outcome.reason) {
         case Reason::completed:
@@ -156,6 +157,11 @@ void require_result(const integration::Outcome& outcome, const parameters::Case&
             throw Error(ErrorKind::numerical, {"events pile up without end at " + at,
                                                "double precision cannot tell them apart, so the motion stops there",
                                                "Change a parameter a little, or try run.engine = \"beta_2\"."});
+        case Reason::unbalanced:
+            throw Error(ErrorKind::numerical, {fmt::format("the energy balance is off by {:.1g} of the turnover",
+                                                           motion.energy.relative_residual()),
+                                               "the motion hangs on differences that double precision does not hold",
+                                               "Check the units of the case, or use a smaller run.step with beta_2."});
         case Reason::cancelled:
             throw Error(ErrorKind::interrupted,
                         {"stopped at " + at, "a single run keeps nothing", "Run the same command again."});
@@ -176,7 +182,7 @@ void simulate(const SimulateOptions& options) {
     const record::Request request = request_for(options, c);
     const Interrupt interrupt;
     const integration::Motion motion = integration::simulate(c, request, interrupt.token());
-    require_result(motion.outcome, c);
+    require_result(motion, c);
     const std::vector<Verdict> verdicts = classification::classify_phases(motion.record.phases, c.verdict);
     write_records(options, c, motion);
     print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"

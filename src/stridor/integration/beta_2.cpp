@@ -13,6 +13,7 @@
 
 #include "stridor/integration/beta_2.hpp"
 
+#include "stridor/integration/energy_held.hpp"
 #include "stridor/model/frequencies.hpp"
 
 #include <Eigen/LU>
@@ -30,6 +31,10 @@ using model::Structure;
 
 // so often a run looks for a stop request and for numbers that left double precision: a few milliseconds
 constexpr long steps_between_checks = 65536;
+// [1] of the turnover: 5e-10 in thousands of steps; a rounding error of the energy held in each of 1e9 steps makes 1e-7
+constexpr double most_unexplained = 1e-6;
+// numerical damping loses energy, by intent and without a bound; it never makes any
+constexpr double everything = 1.0;
 
 // what a step needs and never changes
 template <int dofs>
@@ -197,6 +202,8 @@ private:
     void advance(long end);
     void sample();
     void note(const Step<dofs>& now, double increment);
+    void widen_reach();
+    double held() const;
 
     const Structure<dofs>& structure_;
     Coefficients<dofs> coefficients_;
@@ -206,7 +213,10 @@ private:
     Work<dofs> work_;
     std::array<record::Vibration, static_cast<std::size_t>(dofs)> vibration_{};
     double initial_energy_ = 0.0;  // [J]
-    long n_ = 0;                   // number of the next step
+    // largest that displacements and velocities have been at changes of state and ends of blocks
+    typename Structure<dofs>::Vector far_ = Structure<dofs>::Vector::Zero();   // [m]
+    typename Structure<dofs>::Vector fast_ = Structure<dofs>::Vector::Zero();  // [m/s]
+    long n_ = 0;                                                               // number of the next step
 };
 
 template <int dofs>
@@ -218,6 +228,19 @@ void Runner<dofs>::note(const Step<dofs>& now, double increment) {
                      coefficients_.normal.dot(now.velocity)});
     state_.contact = now.contact;
     state_.has_contact = true;
+    widen_reach();
+}
+
+template <int dofs>
+void Runner<dofs>::widen_reach() {
+    far_ = far_.cwiseMax(state_.u.cwiseAbs());
+    fast_ = fast_.cwiseMax(state_.p.cwiseAbs());
+}
+
+// [J] as that of the exact engine: what rounding works on
+template <int dofs>
+double Runner<dofs>::held() const {
+    return energy_held<dofs>(structure_, far_, fast_);
 }
 
 template <int dofs>
@@ -276,6 +299,7 @@ Outcome Runner<dofs>::run(std::stop_token stop) {
                 end = std::min(end, next_sample);
             }
             advance(end);
+            widen_reach();
             const double time = static_cast<double>(n_) * h;
             if (!state_.u.allFinite() || !state_.p.allFinite()) return {Reason::diverged, time};
             if (stop.stop_requested()) return {Reason::cancelled, time};
@@ -298,6 +322,7 @@ EnergyBalance Runner<dofs>::energy() const {
     balance.friction_loss = h * work_.friction;
     balance.impact_loss = h * work_.impact;
     balance.residual = unexplained(balance);
+    balance.held = held();
     return balance;
 }
 
@@ -315,7 +340,9 @@ Motion integrate_beta_2(const Structure<dofs>& structure, const parameters::Driv
         return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     Runner<dofs> runner(structure, drive, start, settings, recorder);
     const Outcome outcome = runner.run(std::move(stop));
-    return {outcome, runner.energy(), recorder.finish(outcome.time)};
+    const EnergyBalance balance = runner.energy();
+    const double most_lost = settings.beta_2 > 0.5 ? everything : most_unexplained;
+    return {weighed(outcome, balance, {most_unexplained, most_lost}), balance, recorder.finish(outcome.time)};
 }
 
 template Motion integrate_beta_2<2>(const Structure<2>&, const parameters::Drive&, const Start&, const Beta2&,

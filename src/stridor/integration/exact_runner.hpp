@@ -4,6 +4,8 @@
 #include "stridor/integration/exact_logbook.hpp"
 #include "stridor/integration/imposed_motion.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stop_token>
 
@@ -25,6 +27,7 @@ private:
     static constexpr int V = surface_lane(closed);
     static constexpr int G = gap_lane(closed);
     using Vector = typename model::Structure<dofs>::Vector;
+    using Matrix = typename model::Structure<dofs>::Matrix;
 
     // what ended a step: an event function, or none
     struct Crossing {
@@ -45,8 +48,12 @@ private:
 
     void begin(const Start& start);
     Outcome advance();
-    Position position(const Lanes& s, Mode mode) const;
     SurfaceNumbers surface(double time) const;
+    void widen_reach() {
+        Lanes& most = mode_ == Mode::open ? open_reach_ : closed_reach_;
+        for (int i = 0; i < lanes; ++i)
+            most.at[i] = std::max(most.at[i], std::abs(s_.at[i]));
+    }
     Crossing first_event() const;
     void glide();
     void step();
@@ -56,6 +63,12 @@ private:
     void enter(const Transition& next);
     bool is_finite() const;
     bool piles_up();
+
+    // exact_energy.cpp
+    Position position(const Lanes& s, Mode mode) const;
+    Position seen(const Lanes& s, Mode mode, const Matrix& basis) const;
+    double stored(const Position& here) const;
+    double held() const;
     EnergyBalance energy() const;
 
     void watch_for_silence();
@@ -79,6 +92,8 @@ private:
 
     double initial_energy_ = 0.0;  // [J]
     Vector initial_displacement_;  // [m]
+    Lanes closed_reach_{};         // the largest that each number of the state has been, by kind of state
+    Lanes open_reach_{};
 
     double window_begin_ = 0.0;  // [s] of the search for pile-ups
     int window_events_ = 0;
