@@ -26,6 +26,8 @@ namespace {
 using classification::Category;
 using classification::Verdict;
 
+constexpr double most_samples = 2e6;  // of a trace: 0.9 GB with the text of its file
+
 struct SimulateOptions {
     CaseOptions input;
     bool json = false;
@@ -51,6 +53,13 @@ record::Request request_for(const SimulateOptions& options, const parameters::Ca
     if (!is_ordered)
         throw Error(ErrorKind::input, {"the trace has no samples",
                                        "its interval must be positive and --trace-from before --trace-to", ""});
+    const double samples = (request.trace.to - request.trace.from) / request.trace.interval;
+    const bool is_countable = std::abs(request.trace.to / request.trace.interval) <= 1e15;
+    if (samples > most_samples || !is_countable)
+        throw Error(ErrorKind::input,
+                    {fmt::format("the trace has {:.3g} samples", samples),
+                     fmt::format("a trace is kept in memory, {:.0f} samples at most", most_samples),
+                     "Lengthen --trace-interval, or shorten the time from --trace-from to --trace-to."});
     return request;
 }
 

@@ -24,9 +24,13 @@ Level level_of(std::span<const record::Vibration> components, double time) {
         square_time += component.square_time;
         peak_square = std::max(peak_square, component.peak_square);
     }
-    const double nothing = time > 0.0 ? 1.0 : std::numeric_limits<double>::quiet_NaN();
+    if (!(time > 0.0)) {
+        constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+        return {nothing, nothing, nothing, nothing};
+    }
     const double rms = std::sqrt(square_time / time);
-    const double peak = nothing * std::sqrt(peak_square);
+    // instants of the largest velocity lie between the sampled ones; a steady velocity is its own peak but for rounding
+    const double peak = std::max(rms, std::sqrt(peak_square));
     return {rms, peak, level(rms), level(peak)};
 }
 

@@ -24,11 +24,11 @@ double unexplained(const EnergyBalance& balance) {
            balance.impact_loss;
 }
 
-Outcome weighed(const Outcome& outcome, const EnergyBalance& balance, const BalanceTolerance& tolerance) {
+Outcome weighed(const Outcome& outcome, const EnergyBalance& balance, double most_unexplained) {
     if (!has_result(outcome)) return outcome;
     const double share = balance.relative_residual();
     if (!std::isfinite(balance.residual) || !std::isfinite(share)) return {Reason::diverged, outcome.time};
-    const bool is_balanced = share <= tolerance.created && -share <= tolerance.lost;
+    const bool is_balanced = std::abs(share) <= most_unexplained;
     return is_balanced ? outcome : Outcome{Reason::unbalanced, outcome.time};
 }
 

@@ -27,15 +27,9 @@ struct EnergyBalance {
     double relative_residual() const;
 };
 
-/// Largest relative residuals of a run that is believed [1].
-struct BalanceTolerance {
-    double created = 0.0;
-    double lost = 0.0;
-};
-
-/// `unbalanced` instead of a result whose balance does not close, `diverged` instead of one whose balance is no number:
-/// velocities may still be numbers where their squares no longer are.
-Outcome weighed(const Outcome& outcome, const EnergyBalance& balance, const BalanceTolerance& tolerance);
+/// `unbalanced` instead of a result whose relative residual is above `most_unexplained`, `diverged` instead of one whose balance
+/// is no number: velocities may still be numbers where their squares no longer are.
+Outcome weighed(const Outcome& outcome, const EnergyBalance& balance, double most_unexplained);
 
 /// What the other terms of a balance leave over [J]: its residual.
 double unexplained(const EnergyBalance& balance);

@@ -265,7 +265,7 @@ Motion Runner<dofs>::run() {
     const Outcome outcome = advance();
     const bool is_filled = outcome.reason == Reason::settled;
     const EnergyBalance balance = is_filled ? balance_ : energy();
-    return {weighed(outcome, balance, {most_unexplained, most_unexplained}), balance,
+    return {weighed(outcome, balance, most_unexplained), balance,
             recorder_.finish(is_filled ? book_.end() : outcome.time), silence_, cycle_};
 }
 
