@@ -11,7 +11,7 @@ inline constexpr double reference_velocity = 1e-9;
 /// A contact that only slides ends at rest: its level is then -infinity or that of rounding, hundreds of dB below any other.
 struct Level {
     double rms = 0.0;            // [m/s] root mean square of the velocity vector
-    double peak = 0.0;           // [m/s] largest single component of the velocity
+    double peak = 0.0;           // [m/s] largest magnitude of the velocity vector, at least the root mean square
     double decibels = 0.0;       // [dB re 1e-9 m/s] of the root mean square; -infinity at rest
     double peak_decibels = 0.0;  // [dB re 1e-9 m/s] of the peak
 };

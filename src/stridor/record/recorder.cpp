@@ -1,9 +1,11 @@
 #include "stridor/record/recorder.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace stridor::record {
@@ -84,13 +86,18 @@ void Recorder::note_change(model::ContactState from, model::ContactState to, dou
     ++instants.count;
 }
 
+void Recorder::keep_current(double to) {
+    current_.to = to;
+    if (request_.history == KeepHistory::yes && record_.history.size() <= most_history)
+        record_.history.push_back(current_);
+}
+
 void Recorder::enter(const ContactInterval& interval) {
     STRIDOR_EXPECT(!has_state_ || interval.from >= current_.from);
     if (has_state_) {
         count(interval.from);
         note_change(current_.state, interval.state, interval.from);
-        current_.to = interval.from;
-        if (request_.history == KeepHistory::yes) record_.history.push_back(current_);
+        keep_current(interval.from);
     }
     current_ = interval;
     has_state_ = true;
@@ -127,12 +134,14 @@ Record Recorder::finish(double time, const Outlook& outlook) {
     if (request_.trace.taker && !record_.trace.time.empty()) hand_over();
     if (has_state_) {
         count(time);
-        current_.to = time;
-        if (request_.history == KeepHistory::yes) record_.history.push_back(current_);
+        keep_current(time);
     }
     has_state_ = false;
     for (Tally& tally : record_.phases)
         tally.ending = {current_.state, current_.from, outlook};
+    if (record_.history.size() > most_history)
+        throw Error(ErrorKind::input, {"the run has more than " + std::to_string(most_history) + " contact states",
+                                       "a history is kept in memory", "Shorten run.duration."});
     return std::move(record_);
 }
 

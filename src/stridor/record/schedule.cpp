@@ -22,6 +22,7 @@ std::vector<HalfPeriod> sinusoidal_phases(const Case& c) {
     std::vector<HalfPeriod> halves;
     const double half_period = 0.5 / c.drive.frequency;
     const auto count = static_cast<long>(std::ceil(c.run.duration / half_period)) + 2;
+    halves.reserve(static_cast<std::size_t>(count));
     for (long k = 0; k < count; ++k) {
         const auto number = static_cast<double>(k);
         halves.push_back(
@@ -95,6 +96,7 @@ Schedule schedule(const Case& c) {
     }
     const std::vector<HalfPeriod> halves =
         c.drive.kind == DriveKind::sinusoidal ? sinusoidal_phases(c) : sampled_phases(c);
+    plan.spans.reserve(4 * halves.size());  // growing would take twice the memory
     for (const HalfPeriod& half : halves)
         add_phase(plan.spans, c, half);
     for (const Phase phase : {Phase::going, Phase::coming}) {

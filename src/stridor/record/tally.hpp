@@ -29,7 +29,7 @@ struct Instants {
 /// Vibration of one degree of freedom over the judged time.
 struct Vibration {
     double square_time = 0.0;  // [m^2/s] integral of v^2
-    double peak_square = 0.0;  // [m^2/s^2] largest v^2
+    double peak_square = 0.0;  // [m^2/s^2] largest |v|^2 of the body it belongs to: the rubbing one has the first two
 };
 
 /// What is known of a contact beyond the end of its run, if the drive goes on as it did.

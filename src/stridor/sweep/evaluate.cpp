@@ -37,6 +37,11 @@ Attempt ended(Motion motion, const Case& c) {
             return {Status::diverged, "a number left double precision before " + time, {}};
         case Reason::chattering:
             return {Status::failed, "events pile up at " + time, {}};
+        case Reason::unbalanced:
+            return {Status::failed,
+                    "the energy balance is off by " + base::shortest(motion.energy.relative_residual()) +
+                        " of the turnover: double precision cannot follow this motion",
+                    {}};
         case Reason::completed:
         case Reason::settled:
         case Reason::cancelled:

@@ -49,7 +49,7 @@ TEST(Evidence, GivesTheLevelsOfTheEndWhereNothingChangesAnyMore) {
 TEST(Evidence, TakesNoMotionOfThePlateForVibrationOfAStuckJoint) {
     record::Tally tally = fading();
     tally.judged_time = {0.0, 1.0, 0.0};
-    tally.closing_vibration[1] = {0.2 * 0.04, 0.04};
+    tally.closing_vibration[2] = {0.2 * 0.04, 0.04};
     EXPECT_NEAR(evidence(tally).levels.joint.rms, 0.2, 1e-15);
     EXPECT_NEAR(evidence(tally).levels.joint.peak, 0.2, 1e-15);
 }
