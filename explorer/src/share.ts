@@ -105,7 +105,7 @@ export function table(data: ChartData, figure: string, header: readonly string[]
     ...header,
     `# x: ${data.x.parameter}`,
     `# y: ${data.y.parameter}`,
-    ["x", "y", "direction", "category", "quiet", "source", ...drawn].join(","),
+    ["x", "y", "direction", "category", "quiet_because", "source", ...drawn].join(","),
     [data.x.unit, data.y.unit, "-", "-", "-", "-", ...drawn.map(() => "1")].join(","),
   ];
   data.directions.forEach((direction, d) => {

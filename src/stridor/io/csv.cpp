@@ -62,7 +62,7 @@ std::vector<Column> chart_columns(const sweep::Study& study, const std::vector<s
                                 {"category", word_unit}};
     for (const sweep::CellFigure& figure : figures)
         columns.push_back({std::string(figure.name), std::string(figure.unit)});
-    columns.push_back({"quiet", word_unit});
+    columns.push_back({"quiet_because", word_unit});
     columns.push_back({"source", word_unit});
     if (!study.starts.empty()) columns.push_back({"agreement", word_unit});
     for (const parameters::Initial start : study.starts)

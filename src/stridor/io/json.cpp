@@ -23,7 +23,7 @@ Json verdict_object(const classification::Verdict& verdict) {
     const analysis::Evidence& evidence = verdict.evidence;
     const analysis::Alternation& alternation = evidence.alternation;
     return {{"category", classification::name(verdict.category)},
-            {"quiet", quiet_word(verdict.quiet)},
+            {"quiet_because", quiet_word(verdict.quiet)},
             {"rates", rates_object(evidence.rates)},
             {"judged_rates", rates_object(evidence.judged_rates)},
             {"regularity", alternation.regularity},

@@ -34,8 +34,8 @@ std::string coordinate_name(const sweep::Axis& axis, const sweep::Axis& other) {
     const std::string& key = axis.parameter;
     const auto short_name = [](const std::string& full) { return full.substr(full.find('.') + 1); };
     const std::string name = short_name(key);
-    constexpr std::array<std::string_view, 8> fixed{"direction", "category",  "quiet", "status",
-                                                    "source",    "agreement", "start", "start_verdict"};
+    constexpr std::array<std::string_view, 8> fixed{"direction", "category",  "quiet_because", "status",
+                                                    "source",    "agreement", "start",         "start_verdict"};
     const bool is_taken = name == short_name(other.parameter) || sweep::find_cell_figure(name) != nullptr ||
                           std::find(fixed.begin(), fixed.end(), name) != fixed.end();
     std::string full = key;
@@ -93,7 +93,7 @@ void put_verdicts(NetcdfDataset& file, const sweep::SweepResult& result, std::sp
         const sweep::CellVerdict& cell = result.cells[index];
         return cell.status == sweep::Status::done ? static_cast<int>(cell.quiet) : -1;
     };
-    file.flags("quiet", dimensions, numbers_of(result, quiet), classification::quiet_names,
+    file.flags("quiet_because", dimensions, numbers_of(result, quiet), classification::quiet_names,
                {"", "is it quiet, and because the contact slides or sticks? Missing where the cell is not done"});
     const auto status = [&](std::size_t index) { return result.cells[index].status; };
     file.flags("status", dimensions, numbers_of(result, status), sweep::status_names, {"", "how the cell ended"});

@@ -20,7 +20,7 @@ namespace {
 // "STRD", in the file's header where other programs look for the kind of a database
 constexpr std::int64_t application_id = 0x53545244;
 
-constexpr int fixed_columns = 6;  // id, status, category, quiet, message, starts
+constexpr int fixed_columns = 6;  // id, status, category, quiet_because, message, starts
 
 const char* const other_out = "Choose another --out, or remove the file to start anew.";
 
@@ -30,7 +30,7 @@ storage::DatabaseOptions store_options() {
 }
 
 std::string cell_columns() {
-    std::string columns = "id, status, category, quiet, message, starts";
+    std::string columns = "id, status, category, quiet_because, message, starts";
     for (const CellFigure& figure : cell_figures())
         columns += ", " + std::string(figure.name);
     return columns;
@@ -38,7 +38,8 @@ std::string cell_columns() {
 
 std::string create_cell_table() {
     std::string sql =
-        "CREATE TABLE cell(id INTEGER PRIMARY KEY, status TEXT NOT NULL, category TEXT, quiet TEXT, message TEXT NOT "
+        "CREATE TABLE cell(id INTEGER PRIMARY KEY, status TEXT NOT NULL, category TEXT, quiet_because TEXT, message "
+        "TEXT NOT "
         "NULL, "
         "starts TEXT NOT NULL";
     // no REAL here: such a column turns whole numbers into integers on disk and loses the sign of -0

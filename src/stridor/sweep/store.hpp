@@ -23,8 +23,8 @@ inline constexpr int results_version = 3;
 /// The finished cells of one study in one SQLite file, from the first cell on: the sweep's only memory.
 ///
 /// Tables: meta(key, value) with the study's canonical text, the results version, and program and commit for
-/// information; cell(id, status, category, quiet, message, starts, a column per `cell_figures`), id being the cell's index,
-/// category NULL unless done, quiet NULL unless that is none, starts the verdicts of its starts as words, a figure NULL where it is NaN. Only computed
+/// information; cell(id, status, category, quiet_because, message, starts, a column per `cell_figures`), id being the cell's index,
+/// category NULL unless done, quiet_because NULL unless that is none, starts the verdicts of its starts as words, a figure NULL where it is NaN. Only computed
 /// cells are in it, never inferred ones. `PRAGMA application_id` and `user_version` say what the file is.
 ///
 /// The file belongs to one process while a store is open, and survives the death of that process at any moment.
