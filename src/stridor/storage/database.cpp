@@ -140,28 +140,38 @@ bool Database::is_new() {
     return is_empty && (!files_ || files_->are_checked());
 }
 
+bool Database::has_moved() const {
+    int moved = 0;
+    sqlite3_file_control(handle_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+    return moved != 0;
+}
+
 bool Database::is_checked() const {
     return files_ && files_->are_checked();
 }
 
 std::vector<std::string> Database::damages() {
     std::vector<std::string> found;
-    const std::int64_t pages = integer("PRAGMA page_count");
     sqlite3_file* file = nullptr;
+    sqlite3_int64 size = 0;
     sqlite3_file_control(handle_.get(), "main", SQLITE_FCNTL_FILE_POINTER, &file);
+    file->pMethods->xFileSize(file, &size);
+    const auto pages = (size + static_cast<std::int64_t>(page_size) - 1) / static_cast<std::int64_t>(page_size);
     std::array<std::uint8_t, page_size> page{};
-    for (std::int64_t number = 1; is_checked() && number <= pages; ++number) {
+    for (std::int64_t number = 1; number <= pages; ++number) {
         const std::int64_t offset = (number - 1) * static_cast<std::int64_t>(page_size);
         if (offset == lock_place) continue;
         const int code = file->pMethods->xRead(file, page.data(), static_cast<int>(page_size), offset);
+        if (!is_checked()) break;
         if (code != SQLITE_OK || !has_checksum(page, static_cast<std::uint32_t>(number)))
             found.push_back("page " + std::to_string(number) + " of " + std::to_string(pages) +
                             " does not have its checksum");
     }
     if (!found.empty()) return found;
+    expect_whole();
     Statement findings = prepare("PRAGMA integrity_check");
     while (findings.step())
-        if (const std::string finding = findings.text(0); finding != "ok") found.push_back(finding);
+        if (std::string finding = findings.text(0); finding != "ok") found.push_back(std::move(finding));
     return found;
 }
 

@@ -74,6 +74,9 @@ public:
     /// Is nothing in it yet, not even what it is?
     bool is_new();
 
+    /// Has another file taken its name since it was opened?
+    bool has_moved() const;
+
     /// Are its pages checked? Known once something was read.
     bool is_checked() const;
 
