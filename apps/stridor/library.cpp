@@ -110,7 +110,7 @@ struct ShowOptions {
 };
 
 std::string shown(const ShowOptions& options, const Library& library, const Entry& entry) {
-    if (options.audio) return library.audio_file(entry).string() + "\n";
+    if (options.audio) return library.sound_file(entry).string() + "\n";
     if (options.field.empty()) return entry_page(library, entry);
     const Field* field = noise_library::find_field(options.field);
     if (field == nullptr)
