@@ -303,6 +303,7 @@ void add_library(CLI::App& program) {
     add_remove(*library);
     add_library_export(*library);
     add_library_import(*library);
+    add_library_check(*library);
     add_fields(*library);
     add_words(*library);
     library->footer(

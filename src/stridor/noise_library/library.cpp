@@ -20,16 +20,6 @@ using storage::Transaction;
 
 namespace {
 
-// the audio stands beside the file itself, not beside a link to it
-fs::path audio_folder_of(const fs::path& file) {
-    std::error_code error;
-    fs::path real = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
-    if (real.extension() == ".audio")
-        throw Error(ErrorKind::input, {file.string() + " cannot be a library", "its audio needs a folder of that name",
-                                       "Call it library.sqlite."});
-    return real.replace_extension(".audio");
-}
-
 AudioName audio_of(const Entry& entry) {
     return {entry.audio, entry.format};
 }

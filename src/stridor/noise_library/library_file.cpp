@@ -76,6 +76,15 @@ bool bring_up_to_date(Database& old) {
 
 }  // namespace
 
+fs::path audio_folder_of(const fs::path& file) {
+    std::error_code error;
+    fs::path real = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
+    if (real.extension() == ".audio")
+        throw Error(ErrorKind::input, {file.string() + " cannot be a library", "its audio needs a folder of that name",
+                                       "Call it library.sqlite."});
+    return real.replace_extension(".audio");
+}
+
 storage::DatabaseOptions database_options(const fs::path& file, const LibraryOptions& options) {
     storage::DatabaseOptions database;
     database.words = {"library", "Choose another --library.", "Wait until that ends, and run the same command again.",

@@ -24,6 +24,10 @@ struct LibraryOptions {
     std::chrono::milliseconds wait{10000};  // for another process that writes
 };
 
+/// The folder of its audio, beside the file itself and not beside a link to it. Throws `Error` (input) for a file that has the name of
+/// its folder.
+std::filesystem::path audio_folder_of(const std::filesystem::path& file);
+
 /// How a library's file is opened.
 storage::DatabaseOptions database_options(const std::filesystem::path& file, const LibraryOptions& options);
 

@@ -1,6 +1,7 @@
 #include "stridor/storage/database.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/storage/new_file.hpp"
 #include "stridor/storage/page_checksum.hpp"
 
 #include <sqlite3.h>
@@ -61,6 +62,8 @@ Database::Database(const std::filesystem::path& file, const DatabaseOptions& opt
     defend();
     // none of these touches the file, which may not be ours
     if (ownership_ == Ownership::alone) execute("PRAGMA locking_mode = EXCLUSIVE");
+    // but this one, which looks whether the schema can be read
+    if (options.damage == Damage::salvage) return;
     execute(ownership_ == Ownership::alone ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = EXTRA");
 }
 
@@ -173,6 +176,26 @@ std::vector<std::string> Database::damages() {
     while (findings.step())
         if (std::string finding = findings.text(0); finding != "ok") found.push_back(std::move(finding));
     return found;
+}
+
+void Database::copy_bytes(const std::filesystem::path& copy) {
+    // through SQLite's own file: closing another one of ours would give back its locks
+    sqlite3_file* file = nullptr;
+    sqlite3_int64 size = 0;
+    sqlite3_file_control(handle_.get(), "main", SQLITE_FCNTL_FILE_POINTER, &file);
+    file->pMethods->xFileSize(file, &size);
+    std::error_code ignored;
+    std::filesystem::remove(copy, ignored);
+    NewFile written(copy, copy.string());
+    std::array<char, page_size> page{};
+    for (sqlite3_int64 place = 0; place < size; place += static_cast<sqlite3_int64>(page_size)) {
+        const auto count = std::min(size - place, static_cast<sqlite3_int64>(page_size));
+        const int code = file->pMethods->xRead(file, page.data(), static_cast<int>(count), place);
+        if (code != SQLITE_OK) fail(code);
+        written.write({page.data(), static_cast<std::size_t>(count)});
+    }
+    written.finish();
+    written.keep(copy);
 }
 
 std::int64_t Database::last_row() const {

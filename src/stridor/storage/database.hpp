@@ -84,6 +84,9 @@ public:
     /// empty for a sound file. Needs a transaction.
     std::vector<std::string> damages();
 
+    /// Writes the bytes of the file, as they stand, into another one.
+    void copy_bytes(const std::filesystem::path& copy);
+
     /// The key of the row that was inserted last.
     std::int64_t last_row() const;
 
