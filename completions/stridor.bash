@@ -64,7 +64,7 @@ _stridor() {
     fi
     if [[ ${COMP_WORDS[1]} == library ]]; then
         if ((COMP_CWORD == 2)); then
-            COMPREPLY=($(compgen -W "add judge list show edit remove export import fields words --help" -- "$word"))
+            COMPREPLY=($(compgen -W "add judge list show edit remove export import check fields words --help" -- "$word"))
             return
         fi
         case ${COMP_WORDS[2]} in
@@ -76,6 +76,7 @@ _stridor() {
             remove) options="--help --library" ;;
             export) options="--help --library --where --search" ;;
             import) options="--help --library" ;;
+            check) options="--help --library --repair" ;;
             fields) options="--help --library" ;;
             words) options="--help --library" ;;
         esac

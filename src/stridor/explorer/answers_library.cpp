@@ -55,7 +55,7 @@ Response audio(const World& world, std::int64_t id) {
         if (entry.format == format) {
             Response response;
             response.content_type = type;
-            response.stream = [path = library.audio_file(entry)](const Send& send, const std::stop_token& stop) {
+            response.stream = [path = library.sound_file(entry)](const Send& send, const std::stop_token& stop) {
                 std::ifstream file(path, std::ios::binary);
                 std::string bytes(piece, '\0');
                 while (!stop.stop_requested() && file.read(bytes.data(), piece).gcount() > 0)
@@ -69,7 +69,7 @@ Response audio(const World& world, std::int64_t id) {
 
 Response entry_analysis(const World& world, std::int64_t id) {
     Library library = open(world);
-    const auto file = io::open_signal(library.audio_file(entry_of(library, id)).string());
+    const auto file = io::open_signal(library.sound_file(entry_of(library, id)).string());
     return analysis_of(*file);
 }
 

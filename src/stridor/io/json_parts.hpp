@@ -2,6 +2,7 @@
 
 // What all JSON documents share. Private to this folder: nlohmann's types stay out of the headers others see.
 
+#include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/classification/verdict.hpp"
 #include "stridor/parameters/field.hpp"
@@ -19,6 +20,15 @@
 namespace stridor::io::json_parts {
 
 using Json = nlohmann::ordered_json;
+
+// levels of a document that somebody else wrote; no program of ours needs ten
+inline constexpr std::size_t deepest_document = 64;
+
+// the text of others as a document; discarded (`is_discarded`) for what is no JSON, or nests deeper than makes sense
+inline Json foreign_document(std::string_view text) {
+    if (base::nesting(text) > deepest_document) return Json(Json::value_t::discarded);
+    return Json::parse(text, nullptr, false);
+}
 
 // what is not UTF-8 in a title becomes a replacement character instead of an exception; NaN and infinities become null
 inline std::string text_of(const Json& document) {

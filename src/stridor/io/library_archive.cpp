@@ -120,6 +120,11 @@ std::vector<Staged> stage_audio(TarReader& tar, noise_library::Intake& intake, c
     return staged;
 }
 
+void expect_whole(const fs::path& archive) {
+    TarReader tar(archive);
+    expect_whole_manifest(tar, archive.string());
+}
+
 }  // namespace
 
 void export_library(const Library& library, std::span<const Entry> entries, const fs::path& archive) {
@@ -130,6 +135,7 @@ void export_library(const Library& library, std::span<const Entry> entries, cons
     std::string manifest = manifest_opening(entries.size());
     for (const Entry& entry : entries)
         manifest += manifest_line(entry, sizes.at(audio_of(entry)));
+    manifest += manifest_closing(manifest);
 
     storage::NewFile file(temporary_beside(archive), archive.string());
     TarWriter tar(file);
@@ -143,7 +149,31 @@ void export_library(const Library& library, std::span<const Entry> entries, cons
     file.keep(archive);
 }
 
+std::vector<Entry> archived_entries(const fs::path& archive) {
+    expect_whole(archive);
+    TarReader tar(archive);
+    Manifest manifest(tar, archive.string());
+    std::vector<Entry> entries;
+    while (std::optional<Announced> each = manifest.next())
+        entries.push_back(std::move(each->entry));
+    return entries;
+}
+
+std::vector<Staged> archived_audio(const fs::path& archive, noise_library::Intake& intake,
+                                   std::span<const AudioName> wanted) {
+    TarReader tar(archive);
+    std::vector<Staged> staged;
+    while (const std::optional<TarMember> member = tar.next())
+        for (const AudioName& name : wanted) {
+            if (member->name != archive_member(name)) continue;
+            Staged audio = intake.stage(name.format, [&] { return tar.read(); });
+            if (audio.name == name) staged.push_back(std::move(audio));
+        }
+    return staged;
+}
+
 Import import_library(Library& library, const fs::path& archive, const TarProgress& progress) {
+    expect_whole(archive);
     TarReader tar(archive, progress);
     Manifest announced(tar, archive.string());
     const Contents contents = contents_of(announced, library);

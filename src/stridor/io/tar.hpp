@@ -2,6 +2,8 @@
 
 #include "stridor/storage/new_file.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -16,6 +18,9 @@
 ///
 /// Regular files alone, names up to 100 bytes, sizes below 8 GiB; no compression, so a small archive cannot hold much.
 namespace stridor::io {
+
+/// What an archive is made of [bytes]: a header is one such block, and files are padded to them.
+inline constexpr std::size_t tar_block = 512;
 
 /// A file of an archive.
 struct TarMember {
@@ -62,6 +67,10 @@ public:
     std::string_view read();
 
 private:
+    using Header = std::array<char, tar_block>;
+
+    std::optional<Header> next_header();
+    TarMember member_of(const Header& header) const;
     [[noreturn]] void refuse(const std::string& why) const;
     void fill(char* bytes, std::uint64_t count);
 

@@ -6,6 +6,7 @@
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -17,17 +18,18 @@ using storage::Transaction;
 
 namespace {
 
-// "STRD", in the file's header where other programs look for the kind of a database
-constexpr std::int64_t application_id = 0x53545244;
-
 constexpr int fixed_columns = 6;  // id, status, category, quiet_because, message, starts
 
 const char* const other_out = "Choose another --out, or remove the file to start anew.";
+const char* const compute_anew = "Remove the file: the same command computes the same cells anew.";
 
 storage::DatabaseOptions store_options() {
     return {{"store", "Choose another --out, or remove the file.", "Wait until that ends, or choose another --out.",
-             other_out, "run the same command again: it goes on from what is saved."}};
+             compute_anew, "run the same command again: it goes on from what is saved."},
+            store_identity};
 }
+
+constexpr const char* create_meta_table = "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID";
 
 std::string cell_columns() {
     std::string columns = "id, status, category, quiet_because, message, starts";
@@ -172,9 +174,7 @@ Store::Store(const std::filesystem::path& file, const Study& study)
       study_text_(canonical_text(study)),
       cells_(cell_count(study)) {
     Transaction transaction(database_);
-    const bool is_new =
-        database_.integer("PRAGMA application_id") == 0 && database_.integer("SELECT count(*) FROM sqlite_schema") == 0;
-    if (is_new)
+    if (database_.is_new())
         create();
     else
         verify();
@@ -182,9 +182,9 @@ Store::Store(const std::filesystem::path& file, const Study& study)
 }
 
 void Store::create() {
-    database_.execute("PRAGMA application_id = " + std::to_string(application_id));
+    database_.execute("PRAGMA application_id = " + std::to_string(store_identity.application_id));
     database_.execute("PRAGMA user_version = " + std::to_string(store_schema));
-    database_.execute("CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID");
+    database_.execute(create_meta_table);
     database_.execute(create_cell_table());
     const std::pair<std::string, std::string> entries[] = {{"study", study_text_},
                                                            {"results", std::to_string(results_version)},
@@ -206,7 +206,7 @@ std::string Store::meta(std::string_view key) {
 
 void Store::verify() {
     const std::string name = file().string();
-    if (database_.integer("PRAGMA application_id") != application_id)
+    if (database_.integer("PRAGMA application_id") != store_identity.application_id)
         throw Error(ErrorKind::input, {name + " is no store of a sweep", "it is another program's SQLite database",
                                        "Choose another --out, or remove the file."});
     const std::int64_t schema = database_.integer("PRAGMA user_version");
@@ -215,6 +215,7 @@ void Store::verify() {
                     {"the store " + name + " has schema " + std::to_string(schema),
                      "this program reads and writes schema " + std::to_string(store_schema), other_out});
     database_.expect_whole();
+    database_.expect_schema(std::array{std::string(create_meta_table), create_cell_table()});
     const std::string stored = meta("study");
     if (stored != study_text_)
         throw Error(ErrorKind::input,
@@ -265,12 +266,15 @@ void Store::visit(std::size_t first, std::size_t last, const std::function<void(
     Statement rows = database_.prepare("SELECT " + cell_columns() + " FROM cell WHERE id >= ? AND id < ? ORDER BY id");
     rows.bind(1, static_cast<std::int64_t>(first));
     rows.bind(2, static_cast<std::int64_t>(last));
+    std::size_t next = first;
     while (rows.step()) {
         std::optional<IndexedCell> cell = cell_in(rows, cells_);
-        if (!cell)
+        // who is shown the cells counts on their order
+        if (!cell || cell->index < next || cell->index >= last)
             throw Error(ErrorKind::io,
                         {"the store " + file().string() + " is damaged",
-                         "cell " + std::to_string(rows.integer(0)) + " is none of this study", other_out});
+                         "cell " + std::to_string(rows.integer(0)) + " is none of this study", compute_anew});
+        next = cell->index + 1;
         use(*cell);
     }
 }

@@ -55,7 +55,9 @@ void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
 
 // somebody else's hand on the file
 void tamper(const std::filesystem::path& file, const std::string& sql) {
-    storage::Database(file, {}).execute(sql);
+    storage::DatabaseOptions options;
+    options.identity = store_identity;
+    storage::Database(file, options).execute(sql);
 }
 
 class StoreFile : public testing::Test {
@@ -200,7 +202,7 @@ TEST_F(StoreFile, RefusesAFileThatIsNoDatabaseAndLeavesItAlone) {
 }
 
 TEST_F(StoreFile, RefusesAnotherProgramsDatabaseAndLeavesItAlone) {
-    tamper(file_, "CREATE TABLE meta(key, value)");
+    storage::Database(file_, {}).execute("CREATE TABLE meta(key, value)");
     const std::string bytes = bytes_of(file_);
     const Thrown thrown = thrown_by_opening(study_);
     EXPECT_EQ(thrown.kind, ErrorKind::input);
