@@ -6,6 +6,7 @@
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -24,9 +25,16 @@ constexpr int fixed_columns = 5;  // id, status, category, message, starts
 
 const char* const other_out = "Choose another --out, or remove the file to start anew.";
 
+// for one who begins at the same moment to get the lock or to let go of it, which takes milliseconds
+constexpr std::chrono::milliseconds longest_wait{250};
+
 storage::DatabaseOptions store_options() {
-    return {{"store", "Choose another --out, or remove the file.", "Wait until that ends, or choose another --out.",
-             other_out, "run the same command again: it goes on from what is saved."}};
+    storage::DatabaseOptions options;
+    options.words = {"store", "Choose another --out, or remove the file.",
+                     "Wait until that ends, or choose another --out.", other_out,
+                     "run the same command again: it goes on from what is saved."};
+    options.wait = longest_wait;
+    return options;
 }
 
 std::string cell_columns() {
