@@ -2,12 +2,14 @@
 
 #include "stridor/io/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -18,7 +20,11 @@ void print(std::string_view text) {
     const bool is_written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
     if (is_written) return;
     const int reason = errno;
-    if (reason == EPIPE) std::_Exit(0);  // the reader (head, less) has seen enough
+    if (reason == EPIPE) {
+        // the reader (head, less) has seen enough: end as other programs do, quietly and not as if all were done
+        std::signal(SIGPIPE, SIG_DFL);
+        std::raise(SIGPIPE);
+    }
     throw Error(ErrorKind::io,
                 {"cannot write to standard output", std::strerror(reason), "Free some space or write elsewhere."});
 }
@@ -48,6 +54,13 @@ void say_error(const Error& error) {
     say(where + styled("error:", Style::red, STDERR_FILENO) + " " + problem.what + why);
     if (error.place() && !error.place()->source_line.empty()) say_source_line(*error.place());
     if (!problem.suggestion.empty()) say("help: " + problem.suggestion);
+}
+
+void open_standard_streams() {
+    // a closed one is opened in the way in which it cannot be used, so that what is read or written there is an error
+    for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(number, F_GETFD) < 0)
+            static_cast<void>(open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
 
 bool has_terminal() {

@@ -3,13 +3,11 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/sha256.hpp"
 #include "stridor/io/archive_manifest.hpp"
+#include "stridor/io/atomic_file.hpp"
 #include "stridor/io/json_verdict.hpp"
 #include "stridor/noise_library/field.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <system_error>
 #include <utility>
@@ -61,11 +59,6 @@ void write_audio(TarWriter& tar, const Library& library, const AudioName& audio,
     if (written != size || hash.text() != audio.hash)
         throw Error(ErrorKind::io, {"the audio " + file.string() + " is damaged", "its bytes are not those of its name",
                                     "Add the recording again: that mends it."});
-}
-
-fs::path temporary_beside(const fs::path& file) {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-    return file.parent_path() / (".stridor-" + std::to_string(::getpid()) + "-" + std::to_string(now) + ".tmp");
 }
 
 // by name in the archive: the audio, and its size; two entries may share one
@@ -137,7 +130,7 @@ void export_library(const Library& library, std::span<const Entry> entries, cons
         manifest += manifest_line(entry, sizes.at(audio_of(entry)));
     manifest += manifest_closing(manifest);
 
-    storage::NewFile file(temporary_beside(archive), archive.string());
+    PiecewiseFile file(archive.string());
     TarWriter tar(file);
     tar.begin({manifest_name, manifest.size()});
     tar.write(manifest);
@@ -145,8 +138,7 @@ void export_library(const Library& library, std::span<const Entry> entries, cons
     for (const auto& [audio, size] : sizes)
         write_audio(tar, library, audio, size);
     tar.finish();
-    file.finish();
-    file.keep(archive);
+    file.commit();
 }
 
 std::vector<Entry> archived_entries(const fs::path& archive) {

@@ -2,9 +2,11 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/storage/system_io.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/storage/new_file.hpp"
+#include "stridor/io/atomic_file.hpp"
 
 #include <array>
 #include <cstddef>
@@ -31,7 +31,7 @@ struct TarMember {
 /// Writes an archive file by file.
 class TarWriter {
 public:
-    explicit TarWriter(storage::NewFile& file) : file_(&file) {}
+    explicit TarWriter(PiecewiseFile& file) : file_(&file) {}
 
     /// Begins a file, whose bytes follow. Throws `Error` (input) if it is too large for the format.
     void begin(const TarMember& member);
@@ -44,7 +44,7 @@ public:
     void finish();
 
 private:
-    storage::NewFile* file_;
+    PiecewiseFile* file_;
     std::uint64_t written_ = 0;  // [bytes] of the file begun last
 };
 

@@ -60,9 +60,7 @@ Database::Database(const std::filesystem::path& file, const DatabaseOptions& opt
     sqlite3_extended_result_codes(handle, 1);
     sqlite3_busy_timeout(handle, static_cast<int>(options.wait.count()));
     defend();
-    // none of these touches the file, which may not be ours
-    if (ownership_ == Ownership::alone) execute("PRAGMA locking_mode = EXCLUSIVE");
-    // but this one, which looks whether the schema can be read
+    // this does not touch the file, which may not be ours, but looks whether the schema can be read
     if (options.damage == Damage::salvage) return;
     execute(ownership_ == Ownership::alone ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = EXTRA");
 }
@@ -281,6 +279,9 @@ std::string Statement::text(int column) const {
 Transaction::Transaction(Database& database, Purpose purpose) : database_(database) {
     const bool is_alone = database.ownership() == Ownership::alone;
     database_.execute(is_alone ? "BEGIN EXCLUSIVE" : purpose == Purpose::write ? "BEGIN IMMEDIATE" : "BEGIN");
+    // only now that the whole lock is ours: a connection in this mode keeps each part of a lock it ever got, and two that
+    // begin at once would each keep the part that the other one lacks
+    if (is_alone) database_.execute("PRAGMA locking_mode = EXCLUSIVE");
 }
 
 Transaction::~Transaction() {

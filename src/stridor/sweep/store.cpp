@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -23,10 +24,17 @@ constexpr int fixed_columns = 6;  // id, status, category, quiet_because, messag
 const char* const other_out = "Choose another --out, or remove the file to start anew.";
 const char* const compute_anew = "Remove the file: the same command computes the same cells anew.";
 
+// for one who begins at the same moment to get the lock or to let go of it, which takes milliseconds
+constexpr std::chrono::milliseconds longest_wait{250};
+
 storage::DatabaseOptions store_options() {
-    return {{"store", "Choose another --out, or remove the file.", "Wait until that ends, or choose another --out.",
-             compute_anew, "run the same command again: it goes on from what is saved."},
-            store_identity};
+    storage::DatabaseOptions options;
+    options.words = {"store", "Choose another --out, or remove the file.",
+                     "Wait until that ends, or choose another --out.", compute_anew,
+                     "run the same command again: it goes on from what is saved."};
+    options.identity = store_identity;
+    options.wait = longest_wait;
+    return options;
 }
 
 constexpr const char* create_meta_table = "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID";
