@@ -20,6 +20,7 @@ namespace stridor::sweep {
 namespace {
 
 using classification::Category;
+using classification::Quiet;
 using parameters::Case;
 using parameters::PaperCase;
 using support::thrown_by;
@@ -208,14 +209,14 @@ TEST(Advice, TellsItsProgress) {
 
 TEST(IsQuiet, IsNotWhatCouldNotBeComputedOrDecided) {
     const StartVerdict none{Status::done, Category::none};
-    EXPECT_TRUE(is_quiet({{none, none}, {0.0, 0.0}}));
-    EXPECT_FALSE(slips_quietly({{none, none}, {0.0, 1.0}}));
+    EXPECT_TRUE(is_quiet({{none, none}, {Quiet::slides, Quiet::sticks}}));
+    EXPECT_FALSE(slips_quietly({{none, none}, {Quiet::slides, Quiet::sticks}}));
     for (const Status status : {Status::invalid, Status::step_limit, Status::diverged, Status::failed}) {
-        const DesignVerdict verdict{{none, {status, Category::none}}, {0.0, 0.0}};
+        const DesignVerdict verdict{{none, {status, Category::none}}, {Quiet::slides, Quiet::no}};
         EXPECT_FALSE(is_quiet(verdict));
         EXPECT_FALSE(is_noisy(verdict));
     }
-    const DesignVerdict undecided{{{Status::done, Category::undecided}}, {0.0}};
+    const DesignVerdict undecided{{{Status::done, Category::undecided}}, {Quiet::no}};
     EXPECT_FALSE(is_quiet(undecided));
     EXPECT_FALSE(is_noisy(undecided));
     EXPECT_FALSE(is_quiet({}));
