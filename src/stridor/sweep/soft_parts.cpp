@@ -63,8 +63,8 @@ Study weatherstrip_shaken() {
     c.drive.frequency = 12.0;
     c.run.duration = 2.0;
     make_lip(c);
-    c.contact = Contact{.preload = 2.0, .static_friction = 0.7, .kinetic_friction = 0.5};
-    return plane(c, rising_by_factors("contact.preload", 0.2, 5.0),
+    c.contact = Contact{.preload = 0.3, .static_friction = 0.7, .kinetic_friction = 0.5};
+    return plane(c, rising_by_factors("contact.preload", 0.1, 2.0),
                  rising_evenly("contact.kinetic_friction", 0.1, 0.7));
 }
 
