@@ -156,7 +156,7 @@ TEST(Evaluate, TakesOtherThresholdsAndOtherCases) {
 TEST(Evaluate, HearsSoftPartsBesideThePapersPlanes) {
     const ScratchFolder folder;
     const std::vector<std::string> shortly{
-        "evaluate", "--perturb-every",  "0",     "--set",         "chart.x.points=2", "--set", "chart.y.points=2",
+        "evaluate", "--perturb-every",  "0",     "--set",          "chart.x.points=2", "--set", "chart.y.points=2",
         "--set",    "run.duration=0.3", "--set", "run.window=0.15"};
     const auto with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), shortly.begin(), shortly.end());

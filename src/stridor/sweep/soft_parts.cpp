@@ -11,8 +11,8 @@ using parameters::Contact;
 using parameters::Joint;
 using parameters::Plate;
 
-constexpr int columns = 20;
-constexpr int rows = 14;
+constexpr int soft_columns = 20;
+constexpr int soft_rows = 14;
 
 // judged by its second half, as the paper's planes are
 Case at_constant_velocity(double velocity, double duration) {
@@ -24,7 +24,7 @@ Case at_constant_velocity(double velocity, double duration) {
     return c;
 }
 
-Study plane(Case base, Axis x, Axis y) {
+Study soft_plane(Case base, Axis x, Axis y) {
     Study study;
     study.base = std::move(base);
     study.x = std::move(x);
@@ -33,11 +33,11 @@ Study plane(Case base, Axis x, Axis y) {
 }
 
 Axis rising_by_factors(std::string_view parameter, double from, double to) {
-    return {std::string(parameter), from, to, columns, Scale::logarithmic};
+    return {std::string(parameter), from, to, soft_columns, Scale::logarithmic};
 }
 
 Axis rising_evenly(std::string_view parameter, double from, double to) {
-    return {std::string(parameter), from, to, rows, Scale::linear};
+    return {std::string(parameter), from, to, soft_rows, Scale::linear};
 }
 
 // 50 mm of a lip, which bends 16 times as easily as it is compressed, on a door's outer panel
@@ -51,8 +51,8 @@ Study weatherstrip() {
     c.title = "weatherstrip: a seal's lip on paint";
     make_lip(c);
     c.contact = Contact{.preload = 8.0, .static_friction = 1.2, .kinetic_friction = 0.9};
-    return plane(c, rising_by_factors("contact.preload", 1.0, 40.0),
-                 rising_evenly("contact.kinetic_friction", 0.2, 1.2));
+    return soft_plane(c, rising_by_factors("contact.preload", 1.0, 40.0),
+                      rising_evenly("contact.kinetic_friction", 0.2, 1.2));
 }
 
 // two seconds: twelve strokes each way are judged after twelve in which the lip may creep to where it sticks for ever
@@ -63,9 +63,9 @@ Study weatherstrip_shaken() {
     c.drive.frequency = 12.0;
     c.run.duration = 2.0;
     make_lip(c);
-    c.contact = Contact{.preload = 2.0, .static_friction = 0.7, .kinetic_friction = 0.5};
-    return plane(c, rising_by_factors("contact.preload", 0.2, 5.0),
-                 rising_evenly("contact.kinetic_friction", 0.1, 0.7));
+    c.contact = Contact{.preload = 0.3, .static_friction = 0.7, .kinetic_friction = 0.5};
+    return soft_plane(c, rising_by_factors("contact.preload", 0.1, 2.0),
+                      rising_evenly("contact.kinetic_friction", 0.1, 0.7));
 }
 
 // a guiding lip on a side window that is held by its seals at 82 Hz
@@ -75,7 +75,8 @@ Study glass_run() {
     c.joint = Joint{3e-3, 4e4, 4e3, 1.0, 0.5, 50.0};
     c.plate = Plate{1.5, 4e5, 30.0};
     c.contact = Contact{.preload = 10.0, .static_friction = 1.0, .kinetic_friction = 0.4};
-    return plane(c, rising_by_factors("drive.velocity", 5e-3, 0.3), rising_evenly("contact.static_friction", 0.4, 1.4));
+    return soft_plane(c, rising_by_factors("drive.velocity", 5e-3, 0.3),
+                      rising_evenly("contact.static_friction", 0.4, 1.4));
 }
 
 // a leg of a clip in a sheet, at the velocity and around the forces of VDA 230-206
@@ -85,8 +86,8 @@ Study clip() {
     c.joint = Joint{5e-3, 2.5e5, 6e4, 2.0, 1.0, 65.0};
     c.plate = Plate{0.25, 3e5, 8.0};
     c.contact = Contact{.preload = 20.0, .static_friction = 0.5, .kinetic_friction = 0.3};
-    return plane(c, rising_by_factors("contact.preload", 2.0, 80.0),
-                 rising_evenly("contact.kinetic_friction", 0.1, 0.5));
+    return soft_plane(c, rising_by_factors("contact.preload", 2.0, 80.0),
+                      rising_evenly("contact.kinetic_friction", 0.1, 0.5));
 }
 
 // 0.6 m of a lip; across the glass it is carried by its arm, at 76 Hz
@@ -96,8 +97,8 @@ Study wiper() {
     c.joint = Joint{6e-3, 2.4e5, 1.2e4, 1.5, 1.2, 75.0};
     c.plate = Plate{0.35, 8e4, 10.0};
     c.contact = Contact{.preload = 10.0, .static_friction = 1.3, .kinetic_friction = 0.8};
-    return plane(c, rising_by_factors("drive.velocity", 0.05, 1.5),
-                 rising_evenly("contact.kinetic_friction", 0.1, 1.3));
+    return soft_plane(c, rising_by_factors("drive.velocity", 0.05, 1.5),
+                      rising_evenly("contact.kinetic_friction", 0.1, 1.3));
 }
 
 // the pad moves along the disc with its caliper, on the suspension, at 80 Hz
@@ -107,8 +108,8 @@ Study brake_pad() {
     c.joint = Joint{4.0, 3.2e7, 1e6, 400.0, 60.0, 86.0};
     c.plate = Plate{6.0, 2.4e8, 600.0};
     c.contact = Contact{.preload = 1000.0, .static_friction = 0.5, .kinetic_friction = 0.4};
-    return plane(c, rising_by_factors("drive.velocity", 2e-3, 0.3),
-                 rising_evenly("contact.kinetic_friction", 0.2, 0.5));
+    return soft_plane(c, rising_by_factors("drive.velocity", 2e-3, 0.3),
+                      rising_evenly("contact.kinetic_friction", 0.2, 0.5));
 }
 
 }  // namespace

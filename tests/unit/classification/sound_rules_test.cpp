@@ -119,17 +119,17 @@ TEST(RecordingRules, ThinEvidenceIsUndecided) {
 
 // a knock: one impulse, heard as creak by its kurtosis
 SoundStretch knock_at(double from) {
-    SoundStretch knock = stretch(with(&SoundFeatures::kurtosis, 100.0), from);
-    knock.features.duration = 0.1;
-    knock.impulses = {0.05};
-    return knock;
+    SoundStretch one = stretch(with(&SoundFeatures::kurtosis, 100.0), from);
+    one.features.duration = 0.1;
+    one.impulses = {0.05};
+    return one;
 }
 
 SoundStretch rest(double from, double duration) {
-    SoundStretch rest = stretch(with(&SoundFeatures::mean_square, 0.0), from);
-    rest.features.duration = duration;
-    rest.impulses.clear();
-    return rest;
+    SoundStretch silence = stretch(with(&SoundFeatures::mean_square, 0.0), from);
+    silence.features.duration = duration;
+    silence.impulses.clear();
+    return silence;
 }
 
 TEST(RecordingRules, KnocksThatComeAgainAfterRestsAreACreak) {

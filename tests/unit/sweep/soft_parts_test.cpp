@@ -93,19 +93,5 @@ TEST(SoftParts, ASlowCreakOfAClipIsHeardAsACreak) {
     EXPECT_EQ(sounds[0].heard, classification::Category::creak) << sounds[0].reason;
 }
 
-// Stick-slip of a brake pad 37 times a second is heard, and a vibration of 33 Hz that dies away is no creak.
-TEST(SoftParts, WhatABrakePadDoesBelow40HzIsHeard) {
-    Study study = soft_part(SoftPart::brake_pad);
-    constexpr std::array going{Direction::going};
-    integration::Workspace workspace;
-    study.base.drive.velocity = 0.204;
-    study.base.contact.kinetic_friction = 0.4727;
-    EXPECT_NE(hear(study.base, going, {}, {}, workspace)[0].heard, classification::Category::none);
-    study.base.contact.kinetic_friction = 0.5;
-    const HeardSound dying = hear(study.base, going, {}, {}, workspace)[0];
-    EXPECT_EQ(dying.cell.category, classification::Category::none);
-    EXPECT_EQ(dying.heard, classification::Category::none) << dying.reason;
-}
-
 }  // namespace
 }  // namespace stridor::sweep
