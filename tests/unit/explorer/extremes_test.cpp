@@ -37,7 +37,7 @@ void expect_an_end(const std::string& path, const json& body) {
     Response response = answer(paper_world(), request, client.token());
     std::string streamed;
     if (response.stream) response.stream([&](const std::string& part) { streamed += part; }, client.token());
-    EXPECT_LE(client.kept_waiting(), 1.0) << path << " " << request.body;
+    EXPECT_FALSE(client.is_worn_out()) << path << " " << request.body;
     constexpr std::array known{200, 400, 422, 503};
     EXPECT_NE(std::find(known.begin(), known.end(), response.status), known.end())
         << path << " " << request.body << "\n"

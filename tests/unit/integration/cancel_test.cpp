@@ -39,7 +39,7 @@ TEST(Cancelling, IsNotNeededWhereCoefficientsAreNoNumbers) {
             support::Patience patience(0.5);
             const Motion motion = run(c, {}, patience.token());
             EXPECT_FALSE(has_result(motion.outcome)) << large;
-            EXPECT_LT(patience.kept_waiting(), 1.0) << large;
+            EXPECT_FALSE(patience.is_worn_out()) << large;
         }
     }
 }
@@ -49,7 +49,7 @@ TEST(Cancelling, EndsTheRepetitionOfALimitCycle) {
     support::Patience patience(0.2);
     const Motion motion = run(constant_squeal(1e9), {}, patience.token());
     EXPECT_EQ(motion.outcome.reason, Reason::cancelled);
-    EXPECT_LT(patience.kept_waiting(), 1.0);
+    EXPECT_FALSE(patience.is_worn_out());
 }
 
 // a heavy joint on soft springs takes steps of minutes, with a thousand million samples in each
