@@ -36,7 +36,7 @@ std::string failure_of_plain_run(const Case& c) {
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::numerical) text = error.what();
     }
-    return patience.kept_waiting() > 1.0 ? "stopped a second after Ctrl-C, or later" : text;
+    return patience.is_worn_out() ? "goes on a second after Ctrl-C" : text;
 }
 
 // in the last hundredth of its time, or in the one and a half periods that a window must hold

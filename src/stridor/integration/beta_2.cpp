@@ -30,8 +30,8 @@ namespace {
 using model::ContactState;
 using model::Structure;
 
-// so often a run looks for a stop request and for numbers that left double precision: a few milliseconds
-constexpr long steps_between_checks = 65536;
+// so often a run looks for a stop request and for numbers that left double precision: a tenth of a millisecond
+constexpr long steps_between_checks = 4096;
 // [1] of the turnover: 5e-10 in thousands of steps; a rounding error of the energy held in each of 1e9 steps makes 1e-7
 constexpr double most_unexplained = 1e-6;
 // above 1/2 beta_2 damps by intent, of first order in the step: its residual is a figure to read, not a check

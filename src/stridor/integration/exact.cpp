@@ -27,7 +27,7 @@ using model::Structure;
 
 namespace {
 
-// so many steps, or samples within a step, between two looks at the stop request: a millisecond
+// so many steps, or samples within a step, between two looks at the stop request: some milliseconds
 constexpr long steps_between_checks = 65536;
 constexpr long samples_between_checks = 4096;
 // so many between two attempts to prove silence: a try costs as much as two steps

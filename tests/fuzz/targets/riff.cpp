@@ -7,10 +7,6 @@
 
 namespace stridor::fuzz {
 
-void require(bool promise) {
-    if (!promise) std::abort();
-}
-
 void riff(std::string_view bytes) {
     const auto data = io::find_riff_data(*io::bytes_of(std::string(bytes)));
     if (data) require(data->offset + data->available == bytes.size());

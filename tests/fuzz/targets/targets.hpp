@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdlib>
 #include <string_view>
 
 /// Readers of bytes that nobody vouches for. Each returns, whatever it is given: an `Error` of the user's kind is an end as good
@@ -16,6 +17,7 @@ void tar(std::string_view bytes);
 void manifest(std::string_view bytes);
 void store(std::string_view bytes);
 void library(std::string_view bytes);
+void case_file(std::string_view bytes);
 
 struct Target {
     std::string_view name;  // of its folder in the corpus
@@ -23,11 +25,14 @@ struct Target {
 };
 
 inline constexpr std::array targets{
-    Target{"signal_csv", signal_csv},   Target{"uff58", uff58}, Target{"sidecar", sidecar},
-    Target{"calibration", calibration}, Target{"riff", riff},   Target{"tar", tar},
-    Target{"manifest", manifest},       Target{"store", store}, Target{"library", library}};
+    Target{"signal_csv", signal_csv},   Target{"uff58", uff58},   Target{"sidecar", sidecar},
+    Target{"calibration", calibration}, Target{"riff", riff},     Target{"tar", tar},
+    Target{"manifest", manifest},       Target{"store", store},   Target{"library", library},
+    Target{"case_file", case_file}};
 
 /// Stops the program where a promise is broken, in every build.
-void require(bool promise);
+inline void require(bool promise) {
+    if (!promise) std::abort();
+}
 
 }  // namespace stridor::fuzz

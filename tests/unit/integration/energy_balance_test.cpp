@@ -12,6 +12,17 @@ TEST(EnergyBalance, ResidualIsAShareOfAllThatWentInOrOut) {
 
 TEST(EnergyBalance, OfNothingHasNoResidual) {
     EXPECT_EQ(EnergyBalance{}.relative_residual(), 0.0);
+    // nothing is turned over: what rounding makes of the energy held is next to nothing
+    EnergyBalance idle;
+    idle.held = 100.0;
+    idle.stored = idle.residual = 1e-14;
+    EXPECT_DOUBLE_EQ(idle.relative_residual(), 1e-13);
+    EXPECT_EQ(weighed({Reason::completed, 1.0}, idle, 1e-9).reason, Reason::completed);
+    idle.residual = 1e-9;
+    EXPECT_EQ(weighed({Reason::completed, 1.0}, idle, 1e-9).reason, Reason::unbalanced);
+    EXPECT_EQ(weighed({Reason::cancelled, 1.0}, idle, 1e-9).reason, Reason::cancelled);
+    idle.residual = INFINITY;
+    EXPECT_EQ(weighed({Reason::settled, 1.0}, idle, 1e-9).reason, Reason::diverged);
 }
 
 }  // namespace
