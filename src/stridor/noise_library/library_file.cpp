@@ -60,14 +60,26 @@ void rewrite(Database& old) {
     replacement.keep();
 }
 
+// looks at everything
+void expect_undamaged(Database& database) {
+    const Transaction snapshot(database, Transaction::Purpose::read);
+    if (const std::vector<std::string> damages = database.damages(); !damages.empty())
+        refuse_damaged(database, damages.front());
+    for (const std::int64_t id : entry_ids(database))
+        if (!is_sound(read_entry(database, id)))
+            refuse_damaged(database, "entry " + std::to_string(id) + " is not what was written");
+}
+
+// Is there a rollback journal? That of a living process, or of a dead one, which SQLite then undoes.
+bool has_journal(const fs::path& file) {
+    std::error_code error;
+    return fs::exists(file.string() + "-journal", error);
+}
+
 // false where it cannot be written
 bool bring_up_to_date(Database& old) {
     if (old.is_read_only()) return false;
-    {
-        const Transaction snapshot(old, Transaction::Purpose::read);
-        if (const std::vector<std::string> damages = old.damages(); !damages.empty())
-            refuse_damaged(old, damages.front());
-    }
+    expect_undamaged(old);
     const Transaction lock(old);
     // another process may have done it in between
     if (!old.has_moved()) rewrite(old);
@@ -103,10 +115,13 @@ storage::DatabaseOptions database_options(const fs::path& file, const LibraryOpt
 }
 
 Database open_database(const fs::path& file, const LibraryOptions& options) {
+    // a journal's own parts have no checksums of ours: after a change was undone by it, all is looked at
+    const bool was_interrupted = has_journal(file);
     {
         Database database(file, database_options(file, options));
         make(database);
         expect_ours(database);
+        if (was_interrupted) expect_undamaged(database);
         const bool is_old = database.integer("PRAGMA user_version") == unchecked_schema;
         if (!is_old || !bring_up_to_date(database)) return database;
     }

@@ -17,6 +17,7 @@ namespace stridor::storage {
 namespace {
 
 constexpr int longest_value = 1 << 28;            // [bytes] of a text; SQLite's own limit is four times as much
+constexpr std::size_t most_damages = 100;         // [1] that are told of one file
 constexpr std::int64_t lock_place = 0x4000'0000;  // [bytes] of the page that SQLite locks and never writes
 
 // The system's number for the last failure; zero if there was none. A failed commit leaves it only with the file.
@@ -159,7 +160,7 @@ std::vector<std::string> Database::damages() {
     file->pMethods->xFileSize(file, &size);
     const auto pages = (size + static_cast<std::int64_t>(page_size) - 1) / static_cast<std::int64_t>(page_size);
     std::array<std::uint8_t, page_size> page{};
-    for (std::int64_t number = 1; number <= pages; ++number) {
+    for (std::int64_t number = 1; number <= pages && found.size() < most_damages; ++number) {
         const std::int64_t offset = (number - 1) * static_cast<std::int64_t>(page_size);
         if (offset == lock_place) continue;
         const int code = file->pMethods->xRead(file, page.data(), static_cast<int>(page_size), offset);

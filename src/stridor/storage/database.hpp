@@ -81,8 +81,8 @@ public:
     /// Are its pages checked? Known once something was read.
     bool is_checked() const;
 
-    /// The numbers of all pages that are not what was written, and SQLite's own findings on how they hang together, in words;
-    /// empty for a sound file. Needs a transaction.
+    /// The pages that are not what was written, the first hundred of them, or else SQLite's own findings on how they hang together,
+    /// in words; empty for a sound file. Needs a transaction.
     std::vector<std::string> damages();
 
     /// Writes the bytes of the file, as they stand, into another one.

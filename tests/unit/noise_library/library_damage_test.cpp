@@ -117,6 +117,53 @@ TEST_F(DamagedLibrary, ChangesNothingOnceItIsDamaged) {
     EXPECT_EQ(bytes_of(file_), bytes);
 }
 
+// a process that died within a change, with pages of it in the file already
+TEST_F(DamagedLibrary, IsUndoneToWhatItWasOrRefusedWhateverBitOfTheJournalIsWrong) {
+    fill(12);
+    const std::string good = told_by(file_);
+    const pid_t id = fork();
+    if (id == 0) {
+        storage::DatabaseOptions options;
+        options.identity = library_identity;
+        storage::Database database(file_, options);
+        database.execute("PRAGMA cache_size = 1");
+        database.execute("BEGIN");
+        for (std::int64_t entry = 12; entry > 2; --entry) {
+            Entry changed = read_entry(database, entry).entry;
+            changed.notes = std::string(500, 'n');
+            write_entry(database, changed);
+        }
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(id, &status, 0);
+    const fs::path journal = file_.string() + "-journal";
+    const std::string bytes = bytes_of(file_);
+    const std::string undo = bytes_of(journal);
+    ASSERT_GT(undo.size(), storage::page_size);
+    const auto opened = [&] {
+        write_bytes(file_, bytes);
+        return told_by(file_);
+    };
+    write_bytes(journal, undo);
+    EXPECT_EQ(opened(), good) << "the sound journal undoes the change";
+    long refused = 0;
+    // all bits of what is not a page, some of the pages
+    for (std::size_t bit = 0; bit < 8 * undo.size(); bit += bit < 8 * 40 ? 1 : support::flip_step(1009, 8009)) {
+        std::string damaged = undo;
+        damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+        write_bytes(journal, damaged);
+        try {
+            ASSERT_EQ(opened(), good) << bit;
+        } catch (const Error& error) {
+            ASSERT_EQ(error.kind(), ErrorKind::io) << bit << ": " << error.what();
+            ++refused;
+        }
+        fs::remove(journal);
+    }
+    EXPECT_GT(refused, 20);
+}
+
 TEST_F(DamagedLibrary, RefusesTriggersViewsAndOtherTables) {
     fill(1);
     const std::string good = bytes_of(file_);
