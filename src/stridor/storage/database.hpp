@@ -78,10 +78,12 @@ private:
     };
 
     [[noreturn]] void fail(int code) const;
+    void own();
 
     std::filesystem::path file_;
     Words words_;
     Ownership ownership_;
+    bool is_owned_ = false;  // the lock that is kept has been got
     std::unique_ptr<sqlite3, Close> handle_;
 };
 
