@@ -15,11 +15,11 @@
 #include "stridor/io/wav.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/record/schedule.hpp"
+#include "stridor/storage/temporary.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -214,25 +214,6 @@ private:
     int shown_ = 0;  // [%]
 };
 
-// a file that goes when nobody needs it any more
-class TemporaryFile {
-public:
-    TemporaryFile() {
-        const char* folder = std::getenv("TMPDIR");
-        path_ = std::string(folder != nullptr && *folder != '\0' ? folder : "/tmp") + "/stridor-XXXXXX.wav";
-        const int file = ::mkstemps(path_.data(), 4);
-        if (file < 0) throw Error(ErrorKind::io, {"no temporary file could be made in " + path_, "", "Set TMPDIR?"});
-        ::close(file);
-    }
-    ~TemporaryFile() { std::remove(path_.c_str()); }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    const std::string& path() const { return path_; }
-
-private:
-    std::string path_;
-};
-
 void require_destination(const ListenOptions& options) {
     if (options.out.empty()) {
         if (find_player().empty())
@@ -297,9 +278,10 @@ void listen(ListenOptions options) {
     if (!options.out.empty()) io::write_wav(options.out, *sound, file);
     print(options.json ? io::listen_json(choice.c, info) + "\n" : report(info));
     if (!options.out.empty()) return;
-    const TemporaryFile temporary;
-    io::write_wav(temporary.path(), *sound, file);
-    play(info.player, temporary.path());
+    const storage::PrivateFolder folder;
+    const std::string temporary = (folder.path() / "sound.wav").string();
+    io::write_wav(temporary, *sound, file);
+    play(info.player, temporary);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Every command that writes, on a disk that fails at the n-th call, for all n: the error is said, no file is half there, what was
 // there before is whole, and the same command again succeeds.
 //
-// STRIDOR_FAILING_STEP=k takes every k-th n only, beginning with 1 (checked builds: 7).
+// STRIDOR_FAILING_STEP=k takes every k-th n only, from another beginning for each fault: usual 3 (checked builds: 11). 1 takes all.
 
 #include "support/effort.hpp"
 #include "support/process.hpp"
@@ -9,10 +9,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <iterator>
 #include <map>
+#include <string_view>
 
 namespace stridor {
 namespace {
@@ -199,9 +202,10 @@ protected:
 
     // names what failed: one of its files, or where temporary ones lie
     bool names_a_file(const std::string& message) const {
-        for (const char* part : {"out/", "out\"", "t.csv", "t.nc", "h.csv", "f.png", "new.", "s.wav", "c.wav", "c.csv",
-                                 "c.uff", "l.sqlite", "l.audio", "large.nc", "archive.tar", "sound.wav", "squeal.toml",
-                                 "pair.toml", "temporary file"})
+        for (const char* part :
+             {"out/",     "out (",       "out\"",     "t.csv",       "t.nc",      "h.csv",         "f.png",
+              "new.",     "s.wav",       "c.wav",     "c.csv",       "c.uff",     "l.sqlite",      "l.audio",
+              "large.nc", "archive.tar", "sound.wav", "squeal.toml", "pair.toml", "temporary file"})
             if (message.find(part) != std::string::npos) return true;
         return false;
     }
@@ -219,13 +223,20 @@ bool has(const Files& files, const std::string& name, const std::string& bytes) 
 
 long step() {
     const char* given = std::getenv("STRIDOR_FAILING_STEP");
-    return given != nullptr ? std::atol(given) : support::effort(1L, 7L);
+    return given != nullptr ? std::atol(given) : support::effort(3L, 11L);
+}
+
+// another beginning for each fault
+long first_of(const Fault& fault) {
+    return std::find_if(std::begin(faults), std::end(faults),
+                        [&](const Fault& each) { return std::string_view(each.name) == fault.name; }) -
+           std::begin(faults);
 }
 
 TEST_P(FailingCalls, LeaveOldOrNewAndSayWhy) {
     long failed = 0;
-    long n = 1;
-    for (;; n += step()) {
+    long tried = 0;
+    for (long n = 1 + first_of(fault()) % step();; n += step(), ++tried) {
         const std::optional<Finished> finished = fail_at(n);
         if (!finished) break;
         const std::string what = command().name + std::string(" ") + fault().name + " at call " + std::to_string(n) +
@@ -257,7 +268,7 @@ TEST_P(FailingCalls, LeaveOldOrNewAndSayWhy) {
         ASSERT_EQ(seen("work"), after_) << what;
         ASSERT_EQ(leftovers(), "") << what;
     }
-    RecordProperty("calls", std::to_string(n - 1));
+    RecordProperty("calls", std::to_string(tried));
     // the disk was in the way at all
     if (fault().error == EIO || fault().error == ENOSPC) {
         EXPECT_GT(failed, 0);

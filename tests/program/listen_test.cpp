@@ -9,11 +9,14 @@
 
 #include <array>
 #include <cmath>
+#include <csignal>
+#include <filesystem>
 #include <span>
 
 using nlohmann::json;
 using stridor::support::Finished;
 using stridor::support::json_of;
+using stridor::support::Launch;
 using stridor::support::run;
 using stridor::support::ScratchFolder;
 using stridor::support::write_text;
@@ -91,6 +94,29 @@ TEST(Listen, HearsTheBeta2EngineToo) {
     const json stepped = listened({"squeal.toml", "--out", "b.wav", "--seconds", "0.1", "--set", "run.engine=beta_2",
                                    "--set", "run.step=1e-6", "--set", "run.duration=0.3", "--set", "run.window=0.3"});
     EXPECT_NEAR(peak(stepped) / peak(exact), 1.0, 0.1);
+}
+
+// a player is given a file by name: it goes with the player, and after a kill with the next one
+TEST(Listen, LeavesNoSoundBehindOncePlayed) {
+    const ScratchFolder folder(stridor::support::Medium::disk);
+    std::filesystem::create_directories(folder / "tmp");
+    write_text(folder / "squeal.toml", run({"init", "squeal"}).out);
+    const auto play = [&](const std::string& player) {
+        write_text(folder / "aplay", "#!/bin/sh\n" + player + "\n");
+        std::filesystem::permissions(folder / "aplay", std::filesystem::perms::owner_all);
+        return run(Launch{{"listen", "squeal.toml", "--seconds", "0.3"},
+                          folder.path(),
+                          {},
+                          std::nullopt,
+                          {{"PATH", folder.path()}, {"TMPDIR", folder / "tmp"}}});
+    };
+    const Finished played = play("test -s \"$2\" || exit 3");
+    EXPECT_EQ(played.exit_code, 0) << played.err;
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "tmp"));
+    EXPECT_EQ(play("kill -9 $PPID").signal, SIGKILL);
+    EXPECT_FALSE(std::filesystem::is_empty(folder / "tmp"));
+    EXPECT_EQ(play("exit 0").exit_code, 0);
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "tmp"));
 }
 
 TEST(Listen, RefusesWhatCannotBeHeard) {

@@ -197,6 +197,17 @@ void Database::copy_bytes(const std::filesystem::path& copy) {
     written.keep(copy);
 }
 
+void Database::own() {
+    // what SQLite did not have to undo for this lock is a journal whose process died, or could not remove it, after all was
+    // written; with the lock it is nobody's
+    std::error_code ignored;
+    std::filesystem::remove(sqlite3_filename_journal(sqlite3_db_filename(handle_.get(), "main")), ignored);
+    // not before the whole lock is ours: a connection in this mode keeps each part of a lock it ever got, and two that begin at
+    // once would each keep the part that the other one lacks
+    execute("PRAGMA locking_mode = EXCLUSIVE");
+    is_owned_ = true;
+}
+
 std::int64_t Database::last_row() const {
     return sqlite3_last_insert_rowid(handle_.get());
 }
@@ -280,9 +291,7 @@ std::string Statement::text(int column) const {
 Transaction::Transaction(Database& database, Purpose purpose) : database_(database) {
     const bool is_alone = database.ownership() == Ownership::alone;
     database_.execute(is_alone ? "BEGIN EXCLUSIVE" : purpose == Purpose::write ? "BEGIN IMMEDIATE" : "BEGIN");
-    // only now that the whole lock is ours: a connection in this mode keeps each part of a lock it ever got, and two that
-    // begin at once would each keep the part that the other one lacks
-    if (is_alone) database_.execute("PRAGMA locking_mode = EXCLUSIVE");
+    if (is_alone && !database_.is_owned_) database_.own();
 }
 
 Transaction::~Transaction() {

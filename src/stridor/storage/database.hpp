@@ -107,11 +107,13 @@ private:
 
     [[noreturn]] void fail(int code) const;
     void defend();
+    void own();
 
     std::filesystem::path file_;
     Words words_;
     Ownership ownership_;
     std::unique_ptr<CheckedFiles> files_;  // nothing for any database
+    bool is_owned_ = false;  // the lock that is kept has been got
     std::unique_ptr<sqlite3, Close> handle_;
 };
 

@@ -3,6 +3,7 @@
 #include "stridor/base/hash.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace stridor::storage {
 
@@ -21,19 +23,18 @@ namespace {
 
 constexpr std::string_view ending = ".tmp";
 
-// ".stridor-1f3a5b7c-": locks of another host may not be seen from here, so its files are left alone
+// "stridor-1f3a5b7c-": locks of another host may not be seen from here, so its files are left alone
 std::string beginning() {
     std::array<char, 256> host{};
     if (::gethostname(host.data(), host.size() - 1) != 0) host[0] = '\0';
-    return ".stridor-" + base::hash_text(host.data()).substr(0, 8) + "-";
+    return "stridor-" + base::hash_text(host.data()).substr(0, 8) + "-";
 }
 
-bool is_temporary_name(const std::string& name, const std::string& begins) {
-    if (!name.starts_with(begins) || !name.ends_with(ending) || name.size() < begins.size() + ending.size() + 3)
+// "123-0" between its beginning and its ending: process and number
+bool is_of_a_process(std::string_view name, std::string_view begins, std::string_view ends) {
+    if (!name.starts_with(begins) || !name.ends_with(ends) || name.size() < begins.size() + ends.size() + 3)
         return false;
-    // "123-0": process and number
-    const std::string_view middle =
-        std::string_view(name).substr(begins.size(), name.size() - begins.size() - ending.size());
+    const std::string_view middle = name.substr(begins.size(), name.size() - begins.size() - ends.size());
     const auto is_allowed = [](char c) { return c == '-' || (c >= '0' && c <= '9'); };
     return std::all_of(middle.begin(), middle.end(), is_allowed) &&
            std::count(middle.begin(), middle.end(), '-') == 1 && middle.front() != '-' && middle.back() != '-';
@@ -51,9 +52,10 @@ Lock try_lock(int descriptor) {
     return errno == EAGAIN || errno == EACCES ? Lock::held_by_another : Lock::unknown;
 }
 
-bool has_name(int descriptor) {
-    struct stat status {};
-    return ::fstat(descriptor, &status) == 0 && status.st_nlink > 0;
+// does a name still mean this open file? Its owner may have renamed it and begun another one of the same name
+bool is_called(const struct stat& opened, const fs::path& name) {
+    struct stat named {};
+    return ::lstat(name.c_str(), &named) == 0 && named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
 }
 
 void remove_if_abandoned(const fs::path& file) {
@@ -62,22 +64,39 @@ void remove_if_abandoned(const fs::path& file) {
     struct stat status {};
     if (!opened.is_open() || ::fstat(opened.number(), &status) != 0) return;
     const bool is_ours = S_ISREG(status.st_mode) && status.st_uid == ::geteuid() && status.st_nlink == 1;
-    if (is_ours && try_lock(opened.number()) == Lock::taken) ::unlink(file.c_str());
+    if (is_ours && try_lock(opened.number()) == Lock::taken && is_called(status, file)) ::unlink(file.c_str());
+}
+
+std::vector<fs::path> of_processes(const fs::path& folder, std::string_view begins, std::string_view ends) {
+    std::vector<fs::path> found;
+    std::error_code error;
+    for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error))
+        if (is_of_a_process(each->path().filename().string(), begins, ends)) found.push_back(each->path());
+    return found;
+}
+
+// a folder opened and locked; nothing where it is another's, or not the one of this name any more
+std::optional<Descriptor> locked_folder(const fs::path& folder) {
+    Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    struct stat status {};
+    if (!opened.is_open() || ::fstat(opened.number(), &status) != 0 || status.st_uid != ::geteuid())
+        return std::nullopt;
+    if (::flock(opened.number(), LOCK_EX | LOCK_NB) != 0) return std::nullopt;
+    return is_called(status, folder) ? std::optional(std::move(opened)) : std::nullopt;
 }
 
 }  // namespace
 
 void remove_leftovers(const fs::path& folder) {
-    const std::string begins = beginning();
-    std::error_code error;
-    for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error))
-        if (is_temporary_name(each->path().filename().string(), begins)) remove_if_abandoned(each->path());
+    const std::string begins = "." + beginning();
+    for (const fs::path& each : of_processes(folder, begins, ending))
+        remove_if_abandoned(each);
 }
 
 Temporary begin_temporary(const fs::path& folder, const std::string& shown) {
     const fs::path named = folder.empty() ? "." : folder;
     remove_leftovers(named);
-    const std::string begins = beginning() + std::to_string(::getpid()) + "-";
+    const std::string begins = "." + beginning() + std::to_string(::getpid()) + "-";
     for (int number = 0;; ++number) {
         fs::path name = named / (begins + std::to_string(number) + std::string(ending));
         Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
@@ -88,7 +107,9 @@ Temporary begin_temporary(const fs::path& folder, const std::string& shown) {
             throw system_failure("write", shown, errno, suggestion);
         }
         // somebody may have taken it for abandoned before it was locked
-        if (try_lock(file.number()) == Lock::held_by_another || !has_name(file.number())) continue;
+        struct stat status {};
+        const bool is_free = try_lock(file.number()) != Lock::held_by_another;
+        if (!is_free || ::fstat(file.number(), &status) != 0 || !is_called(status, name)) continue;
         Descriptor lock(::fcntl(file.number(), F_DUPFD_CLOEXEC, 0));
         if (!lock.is_open()) {
             const int code = errno;
@@ -97,6 +118,30 @@ Temporary begin_temporary(const fs::path& folder, const std::string& shown) {
         }
         return {std::move(name), std::move(file), std::move(lock)};
     }
+}
+
+PrivateFolder::PrivateFolder() {
+    std::error_code error;
+    const fs::path parent = fs::temp_directory_path(error);
+    const std::string begins = beginning();
+    for (const fs::path& each : of_processes(parent, begins, ""))
+        if (const std::optional<Descriptor> lock = locked_folder(each)) fs::remove_all(each, error);
+    for (int number = 0;; ++number) {
+        path_ = parent / (begins + std::to_string(::getpid()) + "-" + std::to_string(number));
+        if (::mkdir(path_.c_str(), 0700) == 0) {
+            std::optional<Descriptor> lock = locked_folder(path_);
+            if (lock) lock_.emplace(std::move(*lock));
+            // somebody may have taken it for abandoned before it was locked; some file systems know no locks
+            if (lock_ || fs::exists(path_, error)) return;
+        } else if (errno != EEXIST)
+            throw system_failure("make a folder in", "\"" + parent.string() + "\"", errno,
+                                 "Set TMPDIR to a folder with more room.");
+    }
+}
+
+PrivateFolder::~PrivateFolder() {
+    std::error_code error;
+    fs::remove_all(path_, error);
 }
 
 }  // namespace stridor::storage

@@ -3,6 +3,7 @@
 #include "stridor/storage/system_io.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 /// Files that are not finished, and how to tell those of the dead from those of the living.
@@ -25,5 +26,24 @@ Temporary begin_temporary(const std::filesystem::path& folder, const std::string
 
 /// Removes what dead processes left in a folder. What cannot be removed stays.
 void remove_leftovers(const std::filesystem::path& folder);
+
+/// A folder of this process where the system keeps temporary files (TMPDIR), for a file that another program needs by name.
+///
+/// It is called "stridor-HOST-PROCESS-NUMBER", is locked likewise, and goes with all that is in it: at its end, or, where the
+/// process dies, as soon as another one makes such a folder.
+class PrivateFolder {
+public:
+    /// Throws `Error` (io).
+    PrivateFolder();
+    ~PrivateFolder();
+    PrivateFolder(const PrivateFolder&) = delete;
+    PrivateFolder& operator=(const PrivateFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+    std::optional<Descriptor> lock_;
+};
 
 }  // namespace stridor::storage
