@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <memory>
 #include <thread>
+#include <utility>
 
 namespace stridor::app {
 
@@ -54,8 +55,13 @@ explorer::World world_of(const ExploreOptions& options) {
         world.library.clear();
     if (options.file.empty()) return world;
     const io::TomlSource source = io::load_toml(options.file, options.overrides);
-    static_cast<void>(io::read_case(source));  // likewise
-    world.presets.insert(world.presets.begin(), {"file", source.text, source.name, options.overrides});
+    explorer::Preset preset{"file", source.text, source.name, options.overrides};
+    const io::SamplesReader keep = [&](const std::string& path) {
+        preset.samples_file = path;
+        return preset.samples = io::read_sampled_file(path);
+    };
+    static_cast<void>(io::read_case(io::parse_toml(source), keep));  // likewise
+    world.presets.insert(world.presets.begin(), std::move(preset));
     return world;
 }
 
