@@ -8,11 +8,20 @@
 /// The program's only doors to the terminal: data goes to stdout, messages to stderr.
 namespace stridor::app {
 
-/// Writes data to stdout; throws `Error` (io) where it cannot be written (a full disk behind a redirection).
+/// Writes text to stdout; throws `Error` (io) where it cannot be written (a full disk behind a redirection).
+///
+/// What came from files and names stands in it, too, and must not steer the terminal: control characters are shown, as
+/// `base::visible` does. JSON stays what it is, for none stand in it as they are.
 void print(std::string_view text);
 
-/// Writes a message to stderr, with a line end.
+/// The same for what others read byte by byte: a table, a case file, a path. Control characters are shown where a terminal is.
+void print_data(std::string_view bytes);
+
+/// Writes a message to stderr, with a line end; control characters are shown.
 void say(std::string_view text);
+
+/// Text without control characters but those of `styled`, with line ends.
+std::string shown(std::string_view text);
 
 /// "file:line:col: error: what (why)", the line with a caret, and "help: ...".
 void say_error(const Error& error);
