@@ -14,6 +14,7 @@ void calibration(std::string_view bytes);
 void riff(std::string_view bytes);
 void tar(std::string_view bytes);
 void manifest(std::string_view bytes);
+void requests(std::string_view bytes);
 
 struct Target {
     std::string_view name;  // of its folder in the corpus
@@ -21,9 +22,9 @@ struct Target {
 };
 
 inline constexpr std::array targets{
-    Target{"signal_csv", signal_csv},   Target{"uff58", uff58}, Target{"sidecar", sidecar},
-    Target{"calibration", calibration}, Target{"riff", riff},   Target{"tar", tar},
-    Target{"manifest", manifest}};
+    Target{"signal_csv", signal_csv},   Target{"uff58", uff58},      Target{"sidecar", sidecar},
+    Target{"calibration", calibration}, Target{"riff", riff},        Target{"tar", tar},
+    Target{"manifest", manifest},       Target{"requests", requests}};
 
 /// Stops the program where a promise is broken, in every build.
 void require(bool promise);
