@@ -6,17 +6,17 @@ _stridor() {
         return
     fi
     if [[ $previous == --set ]]; then
-        COMPREPLY=($(compgen -W "title= joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= contact.preload= contact.static_friction= contact.kinetic_friction= contact.impact= contact.restitution= drive.kind= drive.amplitude= drive.frequency= drive.velocity= drive.file= run.duration= run.window= run.initial= run.perturbation= run.engine= run.early_ending= run.step= run.beta_2= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
+        COMPREPLY=($(compgen -W "title= joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= contact.preload= contact.static_friction= contact.kinetic_friction= contact.impact= contact.restitution= drive.kind= drive.amplitude= drive.frequency= drive.velocity= drive.file= run.duration= run.window= run.initial= run.perturbation= run.engine= run.early_ending= run.step= run.beta_2= verdict.start= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.least_releases= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
         compopt -o nospace
         return
     fi
     if [[ $previous == @(--over|--tolerance) && ${COMP_WORDS[1]} == @(advise|stability) ]]; then
-        COMPREPLY=($(compgen -W "joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= contact.preload= contact.static_friction= contact.kinetic_friction= contact.restitution= drive.amplitude= drive.frequency= drive.velocity= run.duration= run.window= run.perturbation= run.step= run.beta_2= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
+        COMPREPLY=($(compgen -W "joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= contact.preload= contact.static_friction= contact.kinetic_friction= contact.restitution= drive.amplitude= drive.frequency= drive.velocity= run.duration= run.window= run.perturbation= run.step= run.beta_2= verdict.start= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.least_releases= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
         compopt -o nospace
         return
     fi
     if [[ ${COMP_WORDS[1]} == init && COMP_CWORD -eq 2 ]]; then
-        COMPREPLY=($(compgen -W "squeal squeak creak quiet noise-chart rate-map schema" -- "$word"))
+        COMPREPLY=($(compgen -W "squeal squeak creak quiet noise-chart rate-map weatherstrip weatherstrip-shaken glass-run clip wiper brake-pad schema" -- "$word"))
         return
     fi
     case ${COMP_WORDS[1]} in
@@ -33,7 +33,7 @@ _stridor() {
         library) options="--help" ;;
         analyse) options="--help --full-scale --channel --dataset --rate --set --a-weighting --figure --json" ;;
         classify) options="--help --full-scale --channel --dataset --rate --set --json" ;;
-        evaluate) options="--help --set --of --perturb-every --recordings --csv --threads --json" ;;
+        evaluate) options="--help --planes --set --of --perturb-every --recordings --csv --threads --json" ;;
         compare) options="--help --label --library --of --quantity --json" ;;
         match) options="--help --chart --set --best --every --store --out --with-level --threads --library --of --quantity --json" ;;
         explore) options="--help --set --port --no-browser --unix-socket --library --threads --address --allow-remote --host-name" ;;
@@ -64,7 +64,7 @@ _stridor() {
     fi
     if [[ ${COMP_WORDS[1]} == library ]]; then
         if ((COMP_CWORD == 2)); then
-            COMPREPLY=($(compgen -W "add judge list show edit remove export import fields words --help" -- "$word"))
+            COMPREPLY=($(compgen -W "add judge list show edit remove export import check fields words --help" -- "$word"))
             return
         fi
         case ${COMP_WORDS[2]} in
@@ -76,6 +76,7 @@ _stridor() {
             remove) options="--help --library" ;;
             export) options="--help --library --where --search" ;;
             import) options="--help --library" ;;
+            check) options="--help --library --repair" ;;
             fields) options="--help --library" ;;
             words) options="--help --library" ;;
         esac

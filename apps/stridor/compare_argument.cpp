@@ -48,7 +48,7 @@ Asked asked_entry(const std::string& text, const std::string& number, const Libr
     io::OpenOptions open;
     if (const std::optional<io::FullScale> full_scale = io::calibration_in(entry.calibration))
         open.full_scales = {*full_scale};
-    Asked asked = asked_file(text, library.audio_file(entry).string(), open);
+    Asked asked = asked_file(text, library.sound_file(entry).string(), open);
     asked.label = !entry.denomination.empty() ? entry.denomination : entry.file.empty() ? text : entry.file;
     if (!entry.system.empty()) asked.label = entry.system + ": " + asked.label;
     asked.origin = fmt::format("library entry {}", id);

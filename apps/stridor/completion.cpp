@@ -130,7 +130,9 @@ std::string bash_script(const CLI::App& program) {
            "        return\n"
            "    fi\n"
            "    if [[ ${COMP_WORDS[1]} == init && COMP_CWORD -eq 2 ]]; then\n"
-           "        COMPREPLY=($(compgen -W \"squeal squeak creak quiet noise-chart rate-map schema\" -- \"$word\"))\n"
+           "        COMPREPLY=($(compgen -W \"squeal squeak creak quiet noise-chart rate-map weatherstrip "
+           "weatherstrip-shaken "
+           "glass-run clip wiper brake-pad schema\" -- \"$word\"))\n"
            "        return\n"
            "    fi\n"
            "    case ${COMP_WORDS[1]} in\n" +

@@ -13,6 +13,7 @@
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/signal/sound_analysis.hpp"
 #include "stridor/sweep/paper_charts.hpp"
+#include "stridor/sweep/soft_parts.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -32,6 +33,7 @@ struct EvaluateOptions {
     std::vector<std::string> files;
     std::vector<std::string> assignments;
     std::string of = "joint";
+    std::string planes = "all";
     std::size_t perturb_every = sweep::HearingOptions{}.perturb_every;
     std::string recordings;
     std::string csv;
@@ -96,18 +98,35 @@ std::vector<io::HeardCase> hear_table_1(const sweep::HearingOptions& options) {
     return cases;
 }
 
+io::HeardChart built_in(std::string name, io::PlaneSet set, const sweep::Study& study,
+                        const std::vector<std::string>& overrides) {
+    sweep::Study changed = io::read_study({io::study_toml(study), name, overrides});
+    return {std::move(name), set, std::move(changed), {}};
+}
+
+std::vector<io::HeardChart> built_in_charts(const std::string& planes, const std::vector<std::string>& overrides) {
+    constexpr double paper_angle = 70.0;  // [deg]
+    std::vector<io::HeardChart> charts;
+    if (planes != "soft") {
+        charts.push_back(built_in("noise-chart", io::PlaneSet::paper, sweep::figure_8(), overrides));
+        charts.push_back(built_in("rate-map", io::PlaneSet::paper, sweep::figure_6(paper_angle), overrides));
+    }
+    if (planes != "paper")
+        for (std::size_t k = 0; k < sweep::soft_part_names.size(); ++k)
+            charts.push_back(built_in(std::string(sweep::soft_part_names[k].name), io::PlaneSet::soft,
+                                      sweep::soft_part(static_cast<sweep::SoftPart>(k)), overrides));
+    return charts;
+}
+
 std::vector<io::HeardChart> charts_of(const EvaluateOptions& options) {
     std::vector<std::string> overrides;
     std::copy_if(options.assignments.begin(), options.assignments.end(), std::back_inserter(overrides),
                  [](const std::string& assignment) { return !is_threshold(assignment); });
     std::vector<io::HeardChart> charts;
     for (const std::string& file : options.files)
-        charts.push_back({file, io::read_study(file, overrides), {}});
+        charts.push_back({file, io::PlaneSet::file, io::read_study(file, overrides), {}});
     if (!charts.empty() || !options.recordings.empty()) return charts;
-    constexpr double paper_angle = 70.0;  // [deg]
-    charts.push_back({"", io::read_study({io::study_toml(sweep::figure_8()), "Figure 8", overrides}), {}});
-    charts.push_back({"", io::read_study({io::study_toml(sweep::figure_6(paper_angle)), "Figure 6", overrides}), {}});
-    return charts;
+    return built_in_charts(options.planes, overrides);
 }
 
 void hear_charts(std::vector<io::HeardChart>& charts, sweep::HearingOptions options) {
@@ -154,8 +173,15 @@ void add_evaluate(CLI::App& program) {
     auto options = std::make_shared<EvaluateOptions>();
     CLI::App* command = program.add_subcommand(
         "evaluate", "How often the verdict by ear says what the contact states say, on thousands of simulated sounds.");
-    command->add_option("files", options->files,
-                        "chart files whose every cell is heard (default: the planes of Figures 8 and 6); - is stdin");
+    CLI::Option* files = command->add_option("files", options->files,
+                                             "chart files whose every cell is heard (default: built-in planes); - is "
+                                             "stdin");
+    CLI::Option* planes = command
+                              ->add_option("--planes", options->planes,
+                                           "built-in planes: Figures 8 and 6 of the paper, the soft parts, or all")
+                              ->check(CLI::IsMember({"paper", "soft", "all"}))
+                              ->capture_default_str()
+                              ->excludes(files);
     command
         ->add_option("--set", options->assignments,
                      "another threshold by ear (squeal_regularity=0.7) or key of the charts (joint.incidence_angle=50)")
@@ -173,14 +199,16 @@ void add_evaluate(CLI::App& program) {
     command
         ->add_option("--recordings", options->recordings,
                      "recordings instead, with what they are in expected.csv or the table of README.md")
-        ->type_name("FOLDER");
+        ->type_name("FOLDER")
+        ->excludes(planes);
     command->add_option("--csv", options->csv, "write a row per simulated sound, with the figures of both verdicts")
         ->type_name("FILE");
     command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
         ->check(CLI::Range(0, 4096));
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.evaluate/1)");
     command->footer(
-        "Examples:\n  stridor evaluate\n  stridor evaluate pair.toml --set joint.incidence_angle=50 --csv sounds.csv\n"
+        "Examples:\n  stridor evaluate\n  stridor evaluate --planes soft\n  stridor evaluate pair.toml --set "
+        "joint.incidence_angle=50 --csv sounds.csv\n"
         "  stridor evaluate pair.toml --set creak_rest=0.6 --perturb-every 0\n"
         "  stridor evaluate --recordings clips");
     command->callback([options] { evaluate(*options); });

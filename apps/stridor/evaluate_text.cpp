@@ -68,15 +68,67 @@ std::string cases_text(const std::vector<io::HeardCase>& cases) {
     return text + "\nWhole: the second as it is heard, with its reversals; going, coming: those phases alone.\n";
 }
 
+// "creak heard as none 12, undecided 3; squeal heard as squeak 1"
+std::string differences_text(const Confusion& table) {
+    std::string text;
+    for (const Category truth : decided_categories) {
+        const auto& row = table.counts[static_cast<std::size_t>(truth)];
+        std::string others;
+        for (std::size_t heard = 0; heard < row.size(); ++heard)
+            if (heard != static_cast<std::size_t>(truth) && row[heard] > 0)
+                others += fmt::format("{} {} {}", others.empty() ? "" : ",", classification::category_names[heard],
+                                      row[heard]);
+        if (others.empty()) continue;
+        text += fmt::format("{}{} heard as{}", text.empty() ? "" : "; ", classification::name(truth), others);
+    }
+    return text;
+}
+
+std::string chart_text(const io::HeardChart& chart) {
+    const Confusion table = sweep::confusion(chart.sounds);
+    std::string text = fmt::format("\n{}: {} sounds, agreement {}\n", chart.study.base.title, chart.sounds.size(),
+                                   agreement_text(table));
+    const std::string differences = differences_text(table);
+    if (!differences.empty()) text += "  " + differences + "\n";
+    const std::size_t open = classification::total(table) - classification::total(classification::decided(table));
+    if (open > 0) text += fmt::format("  {} undecided by contact states\n", open);
+    return text;
+}
+
+std::string set_title(io::PlaneSet set) {
+    switch (set) {
+        case io::PlaneSet::file:
+            return "charts of files";
+        case io::PlaneSet::paper:
+            return "the paper's planes";
+        case io::PlaneSet::soft:
+            return "soft parts";
+    }
+    return "";
+}
+
+// the table of each set, where there are several
+std::string sets_text(const io::HearingReport& report) {
+    const std::vector<io::PlaneSet> sets = io::sets_of(report);
+    if (sets.size() < 2) return "";
+    std::string text;
+    for (const io::PlaneSet set : sets) {
+        const Confusion table = io::confusion(report, set);
+        text += fmt::format("\n{}: {} sounds\n\n{}\nagreement {}\n", set_title(set), classification::total(table),
+                            confusion_text(table), agreement_text(table));
+    }
+    return text;
+}
+
 std::string charts_text(const io::HearingReport& report) {
     std::string text;
     std::size_t failed = 0;
     for (const io::HeardChart& chart : report.charts) {
+        text += chart_text(chart);
         for (const sweep::HeardSound& sound : chart.sounds)
             failed += sound.cell.status == sweep::Status::done ? 0 : 1;
-        text += fmt::format("\n{}: {} sounds, agreement {}\n", chart.study.base.title, chart.sounds.size(),
-                            agreement_text(sweep::confusion(chart.sounds)));
     }
+    text += sets_text(report);
     const Confusion all = io::confusion(report);
     text += fmt::format("\n{} sounds; rows: by contact states, columns: by ear\n\n{}\n", classification::total(all),
                         confusion_text(all));

@@ -110,7 +110,7 @@ struct ShowOptions {
 };
 
 std::string shown(const ShowOptions& options, const Library& library, const Entry& entry) {
-    if (options.audio) return library.audio_file(entry).string() + "\n";
+    if (options.audio) return library.sound_file(entry).string() + "\n";
     if (options.field.empty()) return entry_page(library, entry);
     const Field* field = noise_library::find_field(options.field);
     if (field == nullptr)
@@ -303,6 +303,7 @@ void add_library(CLI::App& program) {
     add_remove(*library);
     add_library_export(*library);
     add_library_import(*library);
+    add_library_check(*library);
     add_fields(*library);
     add_words(*library);
     library->footer(

@@ -64,5 +64,6 @@ void add_library_add(CLI::App& library);
 void add_library_judge(CLI::App& library);
 void add_library_export(CLI::App& library);
 void add_library_import(CLI::App& library);
+void add_library_check(CLI::App& library);
 
 }  // namespace stridor::app

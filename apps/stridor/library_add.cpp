@@ -143,7 +143,7 @@ Entry heard_again(Library& library, std::int64_t id, const HearingOptions& optio
     if (const std::optional<io::KeptVerdict> kept = io::kept_verdict(entry.verdict);
         hearing.channel.empty() && kept && kept->channel > 0)
         hearing.channel = std::to_string(kept->channel);
-    judge(io::open_input(library.audio_file(entry).string()), hearing, entry, heard);
+    judge(io::open_input(library.sound_file(entry).string()), hearing, entry, heard);
     const auto put = [&](Entry& each) {
         each.category = entry.category;
         each.verdict = entry.verdict;

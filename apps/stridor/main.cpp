@@ -9,6 +9,7 @@
 #include <csignal>
 #include <exception>
 #include <new>
+#include <sstream>
 
 namespace stridor::app {
 
@@ -51,14 +52,22 @@ void build(CLI::App& program) {
     add_completion(program);
 }
 
+void parse(CLI::App& program, int argc, char** argv) {
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& asked) {  // --help, --version
+        std::ostringstream text;
+        program.exit(asked, text, text);
+        print(text.str());
+    }
+}
+
 int run(int argc, char** argv) {
     CLI::App program("Predicts whether a rubbing contact squeals, squeaks, creaks or stays quiet.", "stridor");
     build(program);
     try {
-        program.parse(argc, argv);
+        parse(program, argc, argv);
         return 0;
-    } catch (const CLI::Success& asked) {  // --help, --version
-        return program.exit(asked);
     } catch (const CLI::ParseError& error) {
         say(std::string("stridor: ") + styled("error:", Style::red, 2) + " " + error.what());
         say("help: `stridor --help` lists the commands, `stridor COMMAND --help` their options.");
@@ -80,6 +89,7 @@ int run(int argc, char** argv) {
 }  // namespace stridor::app
 
 int main(int argc, char** argv) {
+    stridor::app::open_standard_streams();
     // a closed pipe and a file beyond its size limit are error returns, not silent deaths
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

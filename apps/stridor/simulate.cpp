@@ -26,6 +26,8 @@ namespace {
 using classification::Category;
 using classification::Verdict;
 
+constexpr double most_samples = 2e6;  // of a trace: 0.9 GB with the text of its file
+
 struct SimulateOptions {
     CaseOptions input;
     bool json = false;
@@ -51,6 +53,13 @@ record::Request request_for(const SimulateOptions& options, const parameters::Ca
     if (!is_ordered)
         throw Error(ErrorKind::input, {"the trace has no samples",
                                        "its interval must be positive and --trace-from before --trace-to", ""});
+    const double samples = (request.trace.to - request.trace.from) / request.trace.interval;
+    const bool is_countable = std::abs(request.trace.to / request.trace.interval) <= 1e15;
+    if (samples > most_samples || !is_countable)
+        throw Error(ErrorKind::input,
+                    {fmt::format("the trace has {:.3g} samples", samples),
+                     fmt::format("a trace is kept in memory, {:.0f} samples at most", most_samples),
+                     "Lengthen --trace-interval, or shorten the time from --trace-from to --trace-to."});
     return request;
 }
 
@@ -101,6 +110,19 @@ std::string proof_text(const integration::Motion& motion) {
     return "";
 }
 
+// what of the window no verdict looks at
+std::string left_out(const parameters::Case& c, const std::vector<Verdict>& verdicts) {
+    if (c.drive.kind != parameters::DriveKind::constant)
+        return "shares are of the whole phase; the verdict is made from its steady part (verdict.settling, "
+               "verdict.reversal).\n";
+    const analysis::Evidence& e = verdicts.front().evidence;
+    if (!(e.window_time > e.judged_time)) return "";
+    return fmt::format(
+        "shares are of the whole window; the verdict is made from its last {:.4g} s: what comes before is the start\n"
+        "(verdict.start) and left out.\n",
+        e.judged_time);
+}
+
 std::string report(const parameters::Case& c, const integration::Motion& motion, const std::vector<Verdict>& verdicts) {
     std::string text = styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n";
     text +=
@@ -127,15 +149,13 @@ std::string report(const parameters::Case& c, const integration::Motion& motion,
                                            margin.distance),
                                Style::dim, STDOUT_FILENO);
     }
-    text +=
-        "\nshares are of the whole phase; the verdict is made from its steady part (verdict.settling, "
-        "verdict.reversal).\n"
-        "A category names a vibration pattern of the model, not a sound pressure.\n";
+    text += "\n" + left_out(c, verdicts) + "A category names a vibration pattern of the model, not a sound pressure.\n";
     return text;
 }
 
-void require_result(const integration::Outcome& outcome, const parameters::Case& c) {
+void require_result(const integration::Motion& motion, const parameters::Case& c) {
     using integration::Reason;
+    const integration::Outcome& outcome = motion.outcome;
     const std::string at = fmt::format("{:.6g} s of {:g} s", outcome.time, c.run.duration);
     switch (outcome.reason) {
         case Reason::completed:
@@ -156,6 +176,11 @@ void require_result(const integration::Outcome& outcome, const parameters::Case&
             throw Error(ErrorKind::numerical, {"events pile up without end at " + at,
                                                "double precision cannot tell them apart, so the motion stops there",
                                                "Change a parameter a little, or try run.engine = \"beta_2\"."});
+        case Reason::unbalanced:
+            throw Error(ErrorKind::numerical, {fmt::format("the energy balance is off by {:.1g} of the turnover",
+                                                           motion.energy.relative_residual()),
+                                               "the motion hangs on differences that double precision does not hold",
+                                               "Check the units of the case, or use a smaller run.step with beta_2."});
         case Reason::cancelled:
             throw Error(ErrorKind::interrupted,
                         {"stopped at " + at, "a single run keeps nothing", "Run the same command again."});
@@ -176,7 +201,7 @@ void simulate(const SimulateOptions& options) {
     const record::Request request = request_for(options, c);
     const Interrupt interrupt;
     const integration::Motion motion = integration::simulate(c, request, interrupt.token());
-    require_result(motion.outcome, c);
+    require_result(motion, c);
     const std::vector<Verdict> verdicts = classification::classify_phases(motion.record.phases, c.verdict);
     write_records(options, c, motion);
     print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"

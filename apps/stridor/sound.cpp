@@ -7,18 +7,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
+#include <cstddef>
 #include <utility>
 
 namespace stridor::app {
 
 namespace {
-
-[[noreturn]] void fail(const char* what) {
-    throw Error(ErrorKind::io, {what, std::strerror(errno), "Set TMPDIR to a folder with more space?"});
-}
 
 void require_result(const integration::Outcome& outcome) {
     if (outcome.reason == integration::Reason::cancelled)
@@ -33,13 +28,11 @@ void require_result(const integration::Outcome& outcome) {
 
 }  // namespace
 
-Spool::Spool(double rate, std::string unit) : layout_{rate, {{"", std::move(unit)}}, 0}, file_(std::tmpfile()) {
-    if (!file_) fail("no temporary file could be made");
-}
+Spool::Spool(double rate, std::string unit) : layout_{rate, {{"", std::move(unit)}}, 0} {}
 
 void Spool::append(std::span<const double> samples) {
-    if (std::fwrite(samples.data(), sizeof(double), samples.size(), file_.get()) != samples.size())
-        fail("the sound could not be kept in a temporary file");
+    const std::span<const std::byte> bytes = std::as_bytes(samples);
+    file_.append({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     for (const double sample : samples)
         square_sum_ += sample * sample;
     peak_ = std::max(peak_, signal::peak(samples));
@@ -47,8 +40,7 @@ void Spool::append(std::span<const double> samples) {
 }
 
 void Spool::rewind() {
-    if (std::fflush(file_.get()) != 0) fail("the sound could not be kept in a temporary file");
-    std::rewind(file_.get());
+    next_ = 0;
 }
 
 double Spool::mean_square() const {
@@ -56,9 +48,10 @@ double Spool::mean_square() const {
 }
 
 std::size_t Spool::read(std::span<double> frames) {
-    const std::size_t count = std::fread(frames.data(), sizeof(double), frames.size(), file_.get());
-    if (count < frames.size() && std::ferror(file_.get()) != 0) fail("the temporary file could not be read");
-    return count;
+    const std::span<std::byte> bytes = std::as_writable_bytes(frames);
+    const std::size_t count = file_.read_at(next_, {reinterpret_cast<char*>(bytes.data()), bytes.size()});
+    next_ += count;
+    return count / sizeof(double);
 }
 
 Rendering render(const parameters::Case& c, const signal::AuralisationSettings& settings, record::KeepHistory history,

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "stridor/io/bytes.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"
 #include "stridor/signal/auralisation.hpp"
 #include "stridor/signal/source.hpp"
 
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <span>
@@ -34,11 +34,9 @@ public:
     std::size_t read(std::span<double> frames) override;
 
 private:
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
     signal::Layout layout_;
-    std::unique_ptr<std::FILE, Close> file_;
+    io::Spool file_;
+    std::uint64_t next_ = 0;  // [bytes] where the next read begins
     double peak_ = 0.0;
     double square_sum_ = 0.0;
 };

@@ -3,6 +3,7 @@
 #include "stridor/base/escapes.hpp"
 #include "stridor/io/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -25,7 +27,11 @@ void put(std::string_view bytes) {
         std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() && std::fflush(stdout) == 0;
     if (is_written) return;
     const int reason = errno;
-    if (reason == EPIPE) std::_Exit(0);  // the reader (head, less) has seen enough
+    if (reason == EPIPE) {
+        // the reader (head, less) has seen enough: end as other programs do, quietly and not as if all were done
+        std::signal(SIGPIPE, SIG_DFL);
+        std::raise(SIGPIPE);
+    }
     throw Error(ErrorKind::io,
                 {"cannot write to standard output", std::strerror(reason), "Free some space or write elsewhere."});
 }
@@ -93,6 +99,13 @@ void say_error(const Error& error) {
     say(where + styled("error:", Style::red, STDERR_FILENO) + " " + problem.what + why);
     if (error.place() && !error.place()->source_line.empty()) say_source_line(*error.place());
     if (!problem.suggestion.empty()) say("help: " + problem.suggestion);
+}
+
+void open_standard_streams() {
+    // a closed one is opened in the way in which it cannot be used, so that what is read or written there is an error
+    for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(number, F_GETFD) < 0)
+            static_cast<void>(open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
 
 bool has_terminal() {

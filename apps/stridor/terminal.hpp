@@ -8,7 +8,12 @@
 /// The program's only doors to the terminal: data goes to stdout, messages to stderr.
 namespace stridor::app {
 
-/// Writes text to stdout; throws `Error` (io) where it cannot be written (a full disk behind a redirection).
+/// Makes sure that the numbers of stdin, stdout and stderr are taken: with one of them closed, the next file opened would have
+/// its number, and messages would go into that file.
+void open_standard_streams();
+
+/// Writes text to stdout; throws `Error` (io) where it cannot be written (a full disk behind a redirection), and ends the process
+/// by SIGPIPE where nobody reads any more.
 ///
 /// What came from files and names stands in it, too, and must not steer the terminal: control characters are shown, as
 /// `base::visible` does. JSON stays what it is, for none stand in it as they are.

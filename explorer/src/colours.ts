@@ -45,6 +45,7 @@ export const light: Palette = {
   traces: ["#004488", "#BB5566", "#8A6A12", "#3A7D44"],
   category: {
     none: { ground: "#E6E6E6", texture: "plain", mark: "#E6E6E6" },
+    "none (sticks)": { ground: "#C4CCD4", texture: "plain", mark: "#C4CCD4" },
     squeak: { ground: "#DDAA33", texture: "dots", mark: "#7A5500" },
     squeal: { ground: "#BB5566", texture: "rising", mark: "#E8B4BC" },
     creak: { ground: "#004488", texture: "falling", mark: "#6F9CCC" },
@@ -69,6 +70,7 @@ export const dark: Palette = {
   traces: ["#6CA8E6", "#E07F8F", "#DDAA33", "#7CC48A"],
   category: {
     none: { ground: "#30353B", texture: "plain", mark: "#30353B" },
+    "none (sticks)": { ground: "#4A525C", texture: "plain", mark: "#4A525C" },
     squeak: { ground: "#E8BC55", texture: "dots", mark: "#6B4A00" },
     squeal: { ground: "#CC6677", texture: "rising", mark: "#F3C6CD" },
     creak: { ground: "#1F66AE", texture: "falling", mark: "#8FBCE8" },
@@ -78,8 +80,15 @@ export const dark: Palette = {
   state: { slip: "#88CCEE", stick: "#B5B52B", separation: "#8C5A9E" },
 };
 
-/** The category of each number in a chart's frame; 255: no result. */
-export const categories = ["none", "squeal", "squeak", "creak", "undecided"] as const;
+/** What each number in a chart's frame stands for; 255: no result. The last is none, too: the contact sticks. */
+export const categories = ["none", "squeal", "squeak", "creak", "undecided", "none (sticks)"] as const;
+
+/** The category alone, and why it is quiet if it is. */
+export function categoryAndQuiet(code: number): [string, string] {
+  const name = categories[code] ?? "";
+  if (name === "none (sticks)") return ["none", "sticks"];
+  return [name, name === "none" ? "slides" : ""];
+}
 
 export function fillOf(palette: Palette, category: string | null | undefined): Fill {
   return palette.category[category ?? "failed"] ?? (palette.category.failed as Fill);

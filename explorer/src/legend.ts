@@ -20,7 +20,7 @@ export class Legend {
   }
 
   private swatches_(gaps: boolean): void {
-    const names = ["none", "squeak", "squeal", "creak", "undecided", ...(gaps ? ["failed"] : [])];
+    const names = ["none", "none (sticks)", "squeak", "squeal", "creak", "undecided", ...(gaps ? ["failed"] : [])];
     this.element.replaceChildren(
       ...names.map((name) => {
         const swatch = h("span", { class: "swatch", "aria-hidden": "true" });

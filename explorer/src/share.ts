@@ -1,7 +1,7 @@
 /** Ways out of the page: link, command, TOML, picture, table, report. */
 import * as api from "./api.ts";
 import type { Chart } from "./chart.ts";
-import { categories, light } from "./colours.ts";
+import { categoryAndQuiet, light } from "./colours.ts";
 import { button, download, h, setText } from "./dom.ts";
 import { plotBox, type ChartData } from "./map.ts";
 import { command } from "./state.ts";
@@ -117,18 +117,18 @@ export function table(data: ChartData, figure: string, header: readonly string[]
     ...header,
     `# x: ${data.x.parameter}`,
     `# y: ${data.y.parameter}`,
-    ["x", "y", "direction", "category", "source", ...drawn].join(","),
-    [data.x.unit, data.y.unit, "-", "-", "-", ...drawn.map(() => "1")].join(","),
+    ["x", "y", "direction", "category", "quiet_because", "source", ...drawn].join(","),
+    [data.x.unit, data.y.unit, "-", "-", "-", "-", ...drawn.map(() => "1")].join(","),
   ];
   data.directions.forEach((direction, d) => {
     data.y.values.forEach((y, iy) => {
       data.x.values.forEach((x, ix) => {
         const index = (d * data.y.points + iy) * data.x.points + ix;
-        const category = categories[data.category[index] as number] ?? "";
+        const [category, quiet] = categoryAndQuiet(data.category[index] as number);
         const source = data.computed ? (data.computed[index] ? "computed" : "inferred") : "";
         const value = data.figure?.[index];
         const shown = value === undefined ? [] : [Number.isFinite(value) ? String(value) : ""];
-        lines.push([x, y, direction, category, source, ...shown].join(","));
+        lines.push([x, y, direction, category, quiet, source, ...shown].join(","));
       });
     });
   });

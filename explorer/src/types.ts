@@ -91,6 +91,7 @@ export interface Levels {
 
 export interface Verdict {
   category: Category;
+  quiet_because: "slides" | "sticks" | null;
   rates: Rates;
   judged_rates: Rates;
   regularity: number | null;

@@ -65,7 +65,7 @@ export class VerdictBar {
   private chip_(result: PhaseResult, direction: Direction, chosen: Direction): HTMLElement {
     const { verdict } = result;
     const swatch = h("span", { class: "swatch", "aria-hidden": "true" });
-    paintSwatch(swatch, verdict.category);
+    paintSwatch(swatch, verdict.quiet_because === "sticks" ? "none (sticks)" : verdict.category);
     const chip = h(
       "button",
       {
@@ -88,7 +88,7 @@ export class VerdictBar {
 
 function detail(result: PhaseResult): string {
   const { verdict } = result;
-  if (verdict.category === "none") return quantity(verdict.levels.plate.level, "dB", 3);
+  if (verdict.category === "none") return `${verdict.quiet_because} · ${quantity(verdict.levels.plate.level, "dB", 3)}`;
   return `${quantity(verdict.frequency, "Hz")} · ${quantity(verdict.levels.plate.level, "dB", 3)}`;
 }
 
@@ -107,7 +107,7 @@ function rates(result: PhaseResult): HTMLElement {
 function spoken(result: PhaseResult): string {
   const { verdict } = result;
   const name = result.phase === "all" ? "" : `${result.phase}: `;
-  const category = verdict.category === "none" ? "no noise" : verdict.category;
+  const category = verdict.category === "none" ? `no noise, it ${verdict.quiet_because}` : verdict.category;
   const pitch = verdict.category !== "none" && verdict.frequency ? ` at ${quantity(verdict.frequency, "Hz", 3)}` : "";
   return name + category + pitch;
 }

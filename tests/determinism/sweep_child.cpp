@@ -1,23 +1,37 @@
-// Runs the sweep of `swept_study` into a store: sweep_child STORE THREADS REFINE. Its test kills it.
+// Runs the sweep of `swept_study` into a store and prints how many cells it computed: sweep_child STORE THREADS REFINE [READY
+// GO]. Its test kills it. READY and GO are two open pipes: it writes a byte into one and begins when the other one is closed.
 
 #include "determinism/swept_study.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/sweep/run.hpp"
 
+#include <unistd.h>
+
 #include <iostream>
+#include <stdexcept>
 #include <string>
+
+namespace {
+
+void wait_for_go(int ready, int go) {
+    char byte = 0;
+    if (write(ready, &byte, 1) != 1 || read(go, &byte, 1) != 0) throw std::runtime_error("no barrier");
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     using namespace stridor;
-    if (argc != 4) return 2;
+    if (argc != 4 && argc != 6) return 2;
     try {
         const sweep::Study study = sweep::swept_study(std::stoi(argv[3]));
+        if (argc == 6) wait_for_go(std::stoi(argv[4]), std::stoi(argv[5]));
         sweep::Store store(argv[1], study);
         sweep::RunOptions options;
         options.threads = std::stoi(argv[2]);
         // many commits, so that kills fall into some
         options.cells_per_commit = 4;
-        sweep::run(study, store, options);
+        std::cout << sweep::run(study, store, options).computed << std::endl;
         return 0;
     } catch (const Error& error) {
         std::cerr << error.what() << '\n';

@@ -6,14 +6,21 @@
 #include "stridor/sweep/run.hpp"
 #include "support/process.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <memory>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace stridor::sweep {
 namespace {
@@ -130,6 +137,69 @@ TEST_P(Sweep, RefusesTheStoreThatAnotherProcessIsFilling) {
     const Finished refused = support::run(child(1));
     EXPECT_EQ(refused.exit_code, base::exit_code(ErrorKind::io));
     EXPECT_NE(refused.err.find("is in use (another process has it open)"), std::string::npos) << refused.err;
+}
+
+// at a barrier: two pipes, of which the children inherit one end each
+class Barrier {
+public:
+    Barrier() {
+        if (pipe(ready_.data()) != 0 || pipe(go_.data()) != 0) throw std::runtime_error("no pipe");
+        for (const int ours : {ready_[0], go_[1]})
+            fcntl(ours, F_SETFD, FD_CLOEXEC);
+    }
+    ~Barrier() {
+        for (const int end : {ready_[0], ready_[1], go_[0], go_[1]})
+            if (end >= 0) close(end);
+    }
+    Barrier(const Barrier&) = delete;
+    Barrier& operator=(const Barrier&) = delete;
+
+    std::vector<std::string> arguments() const { return {std::to_string(ready_[1]), std::to_string(go_[0])}; }
+
+    void release(int children) {
+        for (char byte = 0; children > 0; --children)
+            ASSERT_EQ(read(ready_[0], &byte, 1), 1);
+        close(std::exchange(go_[1], -1));
+    }
+
+private:
+    std::array<int, 2> ready_{};
+    std::array<int, 2> go_{};
+};
+
+// the others find the store in use, or whole if the one was quick
+TEST_P(Sweep, IsComputedByExactlyOneOfSeveralThatBeginAtOnce) {
+    const std::vector<Cell> cells = undisturbed(2);
+    const auto total = static_cast<std::size_t>(
+        std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return !std::isnan(cell.slip); }));
+    const int rounds = support::effort(50, 5) / (GetParam() == 0 ? 1 : 5);
+    for (int round = 0; round < rounds; ++round) {
+        const std::filesystem::path file = folder_ / ("begun-" + std::to_string(round));
+        Barrier barrier;
+        Launch launch = child(1);
+        launch.arguments[0] = file.string();
+        for (const std::string& argument : barrier.arguments())
+            launch.arguments.push_back(argument);
+        const int starters = round % 5 == 4 ? 4 : 2;
+        std::vector<std::unique_ptr<Process>> processes;
+        for (int k = 0; k < starters; ++k)
+            processes.push_back(std::make_unique<Process>(launch));
+        barrier.release(starters);
+        int computing = 0;
+        for (const std::unique_ptr<Process>& process : processes) {
+            const Finished finished = process->wait();
+            if (finished.exit_code == 0 && finished.out != "0\n") {
+                ++computing;
+                EXPECT_GE(std::stoul(finished.out), total);
+            }
+            if (finished.exit_code == 0) continue;
+            EXPECT_EQ(finished.exit_code, base::exit_code(ErrorKind::io));
+            EXPECT_NE(finished.err.find("is in use (another process has it open)"), std::string::npos) << finished.err;
+        }
+        ASSERT_EQ(computing, 1) << "round " << round;
+        Store store(file, study_);
+        ASSERT_TRUE(same_cells(all_cells(load(study_, store)), cells)) << "round " << round;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Refined, Sweep, testing::Values(0, 3));

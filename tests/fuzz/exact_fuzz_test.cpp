@@ -2,10 +2,13 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/effort.hpp"
+#include "support/figure_laws.hpp"
 #include "support/motion_laws.hpp"
+#include "support/patience.hpp"
 #include "support/runs.hpp"
 #include "support/shrink.hpp"
 #include "support/wild_cases.hpp"
@@ -23,6 +26,34 @@ namespace {
 using integration::Motion;
 using integration::Reason;
 using parameters::Case;
+
+// as users run it: to the end, or to a proof
+std::string failure_of_plain_run(const Case& c) {
+    support::Patience patience(2.0);
+    std::string text;
+    try {
+        text = support::broken_figure(c, integration::simulate(c, {}, patience.token()));
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::numerical) text = error.what();
+    }
+    return patience.kept_waiting() > 1.0 ? "stopped a second after Ctrl-C, or later" : text;
+}
+
+// in the last hundredth of its time, or in the one and a half periods that a window must hold
+Case with_short_window(Case c) {
+    c.run.window *= 0.01;
+    if (c.drive.kind == parameters::DriveKind::sinusoidal)
+        c.run.window = std::min(c.run.duration, std::max(c.run.window, 1.5 / c.drive.frequency));
+    return c;
+}
+
+// with the paper's time stepping, a fiftieth of its stable step
+Case with_steps(Case c) {
+    c.run.engine = parameters::Engine::beta_2;
+    c.contact.impact = parameters::ImpactLaw::plastic;
+    c.run.step = std::min(0.02 * integration::cost(c).step_limit, 1e-3 * c.run.duration);
+    return c;
+}
 
 // ten samples in the shortest time in which anything happens
 Motion densely_sampled(const Case& c) {
@@ -51,6 +82,7 @@ std::string failure_of(const Case& c) {
         if (reason != Reason::completed && reason != Reason::settled)
             return std::string(integration::reason_names[static_cast<std::size_t>(reason)]) + " at " +
                    std::to_string(motion.outcome.time / c.run.duration) + " of the run";
+        if (const std::string broken = support::broken_figure(c, motion); !broken.empty()) return broken;
         return support::broken_law(c, motion);
     } catch (const Error& error) {
         // a sliding start may have no equilibrium, or no direction
@@ -72,6 +104,24 @@ TEST(ExactFuzz, KeepsTheLawsOfTheModelInWildCases) {
         ++failures;
         ASSERT_LT(failures, 50);
     }
+}
+
+// rates add up to 1, peaks lie above their root mean square, balances close, whatever the window
+TEST(ExactFuzz, GivesFiguresThatAgreeInWildCases) {
+    long failures = 0;
+    const support::Runs runs = support::runs(support::effort(2000, 100));
+    for (std::uint64_t number = runs.first; number < runs.first + runs.count; ++number)
+        for (Case (*change)(Case) : {+[](Case c) { return c; }, with_short_window, with_steps}) {
+            const Case c = change(support::wild_case(number));
+            const auto fails = [](const Case& each) { return !failure_of_plain_run(each).empty(); };
+            if (!parameters::findings(c).empty() || !fails(c)) continue;
+            const Case plain = support::shrunk(c, fails);
+            ADD_FAILURE() << "wild case " << number << ": " << failure_of_plain_run(c)
+                          << "\nfails as well: " << support::command_of(plain)
+                          << "\nwith: " << failure_of_plain_run(plain);
+            ++failures;
+            ASSERT_LT(failures, 50);
+        }
 }
 
 // what is written of a failure is no more than it takes

@@ -153,6 +153,35 @@ TEST(Evaluate, TakesOtherThresholdsAndOtherCases) {
     EXPECT_EQ(evaluated({"--set", "joint.angle=7"}).exit_code, 2);
 }
 
+TEST(Evaluate, HearsSoftPartsBesideThePapersPlanes) {
+    const ScratchFolder folder;
+    const std::vector<std::string> shortly{
+        "evaluate", "--perturb-every",  "0",     "--set",         "chart.x.points=2", "--set", "chart.y.points=2",
+        "--set",    "run.duration=0.3", "--set", "run.window=0.15"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), shortly.begin(), shortly.end());
+        return run(more, folder.path());
+    };
+    const json document = json_of(with({"--json", "--csv", "sounds.csv"}).out);
+    const std::vector<std::string> names{"noise-chart", "rate-map", "weatherstrip", "weatherstrip-shaken",
+                                         "glass-run",   "clip",     "wiper",        "brake-pad"};
+    ASSERT_EQ(document["charts"].size(), names.size());
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        EXPECT_EQ(document["charts"][k]["plane"], names[k]);
+        EXPECT_EQ(document["charts"][k]["set"], k < 2 ? "paper" : "soft");
+        EXPECT_TRUE(document["charts"][k]["file"].is_null());
+    }
+    EXPECT_EQ(document["sets"]["paper"]["sounds"], 12);
+    EXPECT_EQ(document["sets"]["soft"]["sounds"], 48);
+    EXPECT_EQ(document["tables"]["all"]["sounds"], 60);
+    EXPECT_NE(stridor::support::read_text(folder / "sounds.csv").find(",brake-pad\n"), std::string::npos);
+    const std::string text = with({"--planes", "soft"}).out;
+    EXPECT_NE(text.find("a guiding lip on a side window: 8 sounds"), std::string::npos) << text;
+    EXPECT_EQ(text.find("Figure 8"), std::string::npos) << text;
+    EXPECT_EQ(with({"--planes", "soft", "file.toml"}).exit_code, 2);
+    EXPECT_EQ(with({"--planes", "hard"}).exit_code, 2);
+}
+
 TEST(Evaluate, HearsRecordingsOfAFolder) {
     const ScratchFolder folder;
     make_sounds(folder);

@@ -324,6 +324,41 @@ TEST_F(LibraryProgram, TakesTheRecordingsOfTwoProcessesAtOnce) {
     EXPECT_EQ(Library(folder_ / "library.sqlite").size(), 20);
 }
 
+TEST_F(LibraryProgram, FindsDamageAndRepairsIt) {
+    for (std::uint64_t k = 0; k < 3; ++k) {
+        const std::string name = "sound" + std::to_string(k) + ".wav";
+        write_text(folder_ / name, wav(k));
+        expect_done(with_file({"library", "add", name, "--no-verdict", "--system", "seal"}));
+    }
+    expect_done(with_file({"library", "export", "all.tar"}));
+    const Finished sound = stridor(with_file({"library", "check"}));
+    EXPECT_EQ(sound.exit_code, 0);
+    EXPECT_EQ(sound.out, "3 entries, 3 sounds: nothing is damaged\n");
+    const std::string listed = stridor(with_file({"library", "list"})).out;
+
+    std::string bytes = read_text(folder_ / "library.sqlite");
+    bytes[8000] = static_cast<char>(bytes[8000] ^ 1);
+    write_text(folder_ / "library.sqlite", bytes);
+    expect_refused(with_file({"library", "list"}), 5, {"is damaged", "library check --repair"});
+    const Finished damaged = stridor(with_file({"library", "check"}));
+    EXPECT_EQ(damaged.exit_code, 5);
+    EXPECT_NE(damaged.out.find("page 2 of "), std::string::npos) << damaged.out;
+
+    const Finished repaired = stridor(with_file({"library", "check", "--repair", "all.tar"}));
+    EXPECT_EQ(repaired.exit_code, 0) << repaired.err;
+    EXPECT_NE(repaired.out.find("2 entries kept, 1 brought back"), std::string::npos) << repaired.out;
+    EXPECT_EQ(stridor(with_file({"library", "list"})).out, listed);
+    EXPECT_EQ(read_text(folder_ / "library.sqlite.damaged"), bytes);
+
+    // a sound is damaged: it is found, and neither played nor compared
+    const std::string audio = stridor(with_file({"library", "show", "2", "--audio"})).out;
+    write_text(folder_ / audio.substr(0, audio.size() - 1), "other bytes");
+    expect_refused(with_file({"library", "show", "2", "--audio"}), 5, {"the audio of entry 2 is damaged"});
+    EXPECT_EQ(stridor(with_file({"library", "check", "--repair"})).exit_code, 5);
+    EXPECT_EQ(stridor(with_file({"library", "check", "--repair", "all.tar"})).exit_code, 0);
+    EXPECT_EQ(stridor(with_file({"library", "show", "2", "--audio"})).out, audio);
+}
+
 TEST_F(LibraryProgram, SaysThatTheDiskIsFull) {
     write_text(folder_ / "a.wav", wav(1, 100000));
     Launch launch{with_file({"library", "add", "a.wav"}), folder_.path(), {}, 65536, {}};

@@ -33,7 +33,7 @@ void redirect(const std::filesystem::path& file, int flags, int descriptor) {
     for (const auto& [name, value] : launch.environment)
         setenv(name.c_str(), value.c_str(), 1);
     std::vector<char*> words;
-    std::string path = program();
+    std::string path = launch.program.empty() ? program() : launch.program;
     words.push_back(path.data());
     std::vector<std::string> arguments = launch.arguments;
     for (std::string& argument : arguments)

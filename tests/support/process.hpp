@@ -27,6 +27,7 @@ struct Launch {
     std::string input;                                             // stdin
     std::optional<unsigned long> largest_file;                     // [bytes] RLIMIT_FSIZE, a disk that fills up
     std::vector<std::pair<std::string, std::string>> environment;  // added to ours
+    std::string program{};                                         // another one than STRIDOR_PROGRAM
 };
 
 /// A running program; its output goes to files in a folder of its own, so that it never blocks on a pipe.

@@ -10,8 +10,25 @@ Evidence evidence(const record::Tally& tally) {
     figures.rates = rates(tally.time);
     figures.judged_rates = rates(tally.judged_time);
     figures.alternation = alternation(tally);
-    figures.levels = levels(tally);
+    for (std::size_t to = 0; to < model::contact_states; ++to)
+        figures.releases +=
+            tally.changes[record::change_kind(model::ContactState::stick, static_cast<model::ContactState>(to))].count;
+    figures.all_releases = tally.releases;
+    figures.ending = tally.ending;
+    const bool is_over = slides_for_good(figures) || sticks_for_good(figures);
+    const Along along = sticks_for_good(figures) ? Along::carried : Along::counted;
+    figures.levels = levels(tally, is_over && tally.closing_time > 0.0 ? Part::closing : Part::judged, along);
     return figures;
+}
+
+bool sticks_for_good(const Evidence& evidence) {
+    const record::Future future = evidence.ending.outlook.future;
+    const bool sticks_throughout = evidence.judged_rates.stick >= 1.0 && future != record::Future::releases;
+    return future == record::Future::sticks || sticks_throughout;
+}
+
+bool slides_for_good(const Evidence& evidence) {
+    return evidence.ending.outlook.future == record::Future::slides || evidence.judged_rates.slip >= 1.0;
 }
 
 }  // namespace stridor::analysis

@@ -15,8 +15,15 @@ struct Evidence {
     Rates rates;               // whole window
     Rates judged_rates;        // judged part: reversals cut
     Alternation alternation;   // judged part
-    Levels levels;             // judged part
+    long releases = 0;         // [1] sticks that ended, judged part
+    long all_releases = 0;     // [1] the same, whole window
+    record::Ending ending;     // of the run, and what is known beyond it
+    Levels levels;             // judged part; of a contact that slides or sticks for ever its closing part
 };
+
+/// Is it proven, or plain from all of the judged time, that the contact sticks for ever? Likewise that it slides.
+bool sticks_for_good(const Evidence& evidence);
+bool slides_for_good(const Evidence& evidence);
 
 Evidence evidence(const record::Tally& tally);
 

@@ -24,18 +24,26 @@ Level level_of(std::span<const record::Vibration> components, double time) {
         square_time += component.square_time;
         peak_square = std::max(peak_square, component.peak_square);
     }
-    const double nothing = time > 0.0 ? 1.0 : std::numeric_limits<double>::quiet_NaN();
+    if (!(time > 0.0)) {
+        constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+        return {nothing, nothing, nothing, nothing};
+    }
     const double rms = std::sqrt(square_time / time);
-    const double peak = nothing * std::sqrt(peak_square);
+    // instants of the largest velocity lie between the sampled ones; a steady velocity is its own peak but for rounding
+    const double peak = std::max(rms, std::sqrt(peak_square));
     return {rms, peak, level(rms), level(peak)};
 }
 
 }  // namespace
 
-Levels levels(const record::Tally& tally) {
-    STRIDOR_EXPECT(tally.vibration.size() == 3);
-    const std::span<const record::Vibration> all(tally.vibration);
-    return {level_of(all.first(2), tally.vibration_time), level_of(all.subspan(2, 1), tally.vibration_time)};
+Levels levels(const record::Tally& tally, Part part, Along along) {
+    const bool is_closing = part == Part::closing;
+    const std::span<const record::Vibration> all(is_closing ? tally.closing_vibration : tally.vibration);
+    const double time = is_closing ? tally.closing_time : tally.vibration_time;
+    STRIDOR_EXPECT(all.size() == 3);
+    const Level plate = level_of(all.subspan(2, 1), time);
+    // the gap is closed: across the contact a carried joint moves as the plate does
+    return {along == Along::carried ? plate : level_of(all.first(2), time), plate};
 }
 
 }  // namespace stridor::analysis

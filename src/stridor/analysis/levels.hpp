@@ -11,7 +11,7 @@ inline constexpr double reference_velocity = 1e-9;
 /// A contact that only slides ends at rest: its level is then -infinity or that of rounding, hundreds of dB below any other.
 struct Level {
     double rms = 0.0;            // [m/s] root mean square of the velocity vector
-    double peak = 0.0;           // [m/s] largest single component of the velocity
+    double peak = 0.0;           // [m/s] largest magnitude of the velocity vector, at least the root mean square
     double decibels = 0.0;       // [dB re 1e-9 m/s] of the root mean square; -infinity at rest
     double peak_decibels = 0.0;  // [dB re 1e-9 m/s] of the peak
 };
@@ -22,7 +22,13 @@ struct Levels {
     Level plate;  // mass 2: y2'
 };
 
+/// Which part of the run: all that is judged, or the end of that under a constant drive.
+enum class Part { judged, closing };
+
+/// Is the joint's motion along the contact its own, or the plate's, which carries it while it sticks and is no vibration?
+enum class Along { counted, carried };
+
 /// Levels from a tally of the rubbing system, degrees of freedom (x1, y1, y2). NaN where nothing was judged.
-Levels levels(const record::Tally& tally);
+Levels levels(const record::Tally& tally, Part part = Part::judged, Along along = Along::counted);
 
 }  // namespace stridor::analysis

@@ -20,14 +20,17 @@ namespace stridor::chart {
 namespace {
 
 using classification::Category;
+using classification::Quiet;
 
 constexpr std::array all_categories{Category::none, Category::squeak, Category::squeal, Category::creak,
                                     Category::undecided};
-constexpr std::size_t failed_kind = all_categories.size();
+constexpr std::size_t stuck_kind = all_categories.size();  // quiet because it sticks
+constexpr std::size_t failed_kind = stuck_kind + 1;
 
-// the kind of a cell: its category's place in `all_categories`, or `failed_kind`
+// the kind of a cell: its category's place in `all_categories`, `stuck_kind` or `failed_kind`
 std::size_t kind_of(const sweep::CellVerdict& cell) {
     if (cell.status != sweep::Status::done) return failed_kind;
+    if (cell.quiet == Quiet::sticks) return stuck_kind;
     const auto* const found = std::find(all_categories.begin(), all_categories.end(), cell.category);
     return static_cast<std::size_t>(found - all_categories.begin());
 }
@@ -96,6 +99,7 @@ std::vector<Text> category_texts() {
     std::vector<Text> names;
     for (const Category category : all_categories)
         names.emplace_back(classification::name(category));
+    names.emplace_back("none (sticks)");
     names.emplace_back("failed");
     return names;
 }
@@ -171,6 +175,7 @@ Scene noise_chart(const sweep::SweepResult& result) {
     std::vector<Fill> fills;
     for (const Category category : all_categories)
         fills.push_back(category_fill(category));
+    fills.push_back(stuck_fill());
     fills.push_back(failed_fill());
     std::vector<Text> names = category_texts();
     std::vector<CategoryCells> maps;
@@ -189,7 +194,8 @@ Scene noise_chart(const sweep::SweepResult& result) {
         if (kind == failed_kind && occurs(kind))
             scene.legend.push_back({failures(result), fills[kind]});
         else if (is_category || occurs(kind))
-            scene.legend.push_back({names[kind], fills[kind]});
+            scene.legend.push_back(
+                {kind == 0 && occurs(stuck_kind) ? Text("none (slides)") : names[kind], fills[kind]});
     }
     if (std::any_of(result.cells.begin(), result.cells.end(), is_torn))
         scene.legend.push_back({"quiet unless disturbed", Points{{}, {}, ink, 2.0, white}});

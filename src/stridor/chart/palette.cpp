@@ -55,6 +55,10 @@ Fill category_fill(classification::Category category) {
     return {white, Texture::dots, {0x66, 0x66, 0x66}};
 }
 
+Fill stuck_fill() {
+    return {{0xC4, 0xCC, 0xD4}, Texture::none, {}};
+}
+
 Fill failed_fill() {
     return {white, Texture::crossed, {0x88, 0x88, 0x88}};
 }

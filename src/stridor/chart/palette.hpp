@@ -23,6 +23,9 @@ inline constexpr Colour highlight{0xF3, 0xF0, 0xE6};  // the ground under a stre
 /// Fill of a category; `undecided` is white with dots, for it is no verdict.
 Fill category_fill(classification::Category category);
 
+/// Fill of a contact that is quiet because it sticks: the second, darker shade of `none`.
+Fill stuck_fill();
+
 /// Fill of a cell that has no result: white and crossed, never the colour of a category.
 Fill failed_fill();
 

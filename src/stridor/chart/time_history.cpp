@@ -173,6 +173,7 @@ Scene time_history(const parameters::Case& c, const record::Record& record, cons
 Range telling_stretch(const parameters::Case& c, double length) {
     record::Span best;
     for (const record::Span& span : record::schedule(c).spans) {
+        if (span.use == record::Use::closing) best.to = span.to;
         if (span.use != record::Use::judged) continue;
         // the second going phase if there is one: the first still feels the start
         if (span.phase == record::Phase::coming && best.to > best.from) continue;

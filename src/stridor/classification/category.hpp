@@ -16,4 +16,13 @@ constexpr std::string_view name(Category category) {
     return category_names[static_cast<std::size_t>(category)];
 }
 
+/// Why a contact makes no noise: it slides, or it sticks and the joint is carried along.
+enum class Quiet : std::uint8_t { no, slides, sticks };
+
+inline constexpr std::array<std::string_view, 3> quiet_names{"no", "slides", "sticks"};
+
+constexpr std::string_view name(Quiet quiet) {
+    return quiet_names[static_cast<std::size_t>(quiet)];
+}
+
 }  // namespace stridor::classification

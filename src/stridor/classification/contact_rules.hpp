@@ -12,8 +12,12 @@ namespace stridor::classification {
 
 /// The category of one phase from its contact states (Elmaian et al. 2012, section 3.2), by these rules in this order:
 ///
-///     slip share >= quiet_slip                   none    only slip, or stuck throughout: nothing alternates
-///     stick share >= creak_stick                 creak   stick predominates
+///     proven to stick for ever, or to slide      none    whatever came before does not come again
+///     slip share >= quiet_slip                   none    it slides: nothing alternates
+///     stuck throughout                           none    it sticks, unless it is known to slip later (undecided) or
+///                                                        slips again and again outside the judged part (creak)
+///     stick share >= creak_stick                 creak   stick predominates, and ends least_releases times at least
+///                                                        or in a proven limit cycle; else undecided
 ///     fewer than least_intervals repeats         undecided
 ///     regularity >= squeal_regularity            squeal  states alternate regularly, in at most squeal_beats unlike beats
 ///     otherwise                                  squeak

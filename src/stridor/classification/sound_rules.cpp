@@ -84,9 +84,44 @@ double energy_of(const SoundFeatures& f) {
     return f.mean_square * f.duration;
 }
 
-void describe_impulses(SoundSegment& segment) {
-    std::vector<double> intervals(segment.impulses.size());
-    std::adjacent_difference(segment.impulses.begin(), segment.impulses.end(), intervals.begin());
+// the impulses of creaks with nothing but rest between them
+struct Train {
+    std::size_t first = 0;  // of its segments
+    std::size_t last = 0;
+    std::vector<double> impulses{};  // [s] shape [impulse]
+    double from = 0.0;               // [s]
+    double to = 0.0;                 // [s]
+};
+
+// One slip in half a second leaves a stretch of its own, with rest before and after it: knocks that come again within
+// `creak_pause` are one train.
+std::vector<Train> trains_of(std::span<const SoundSegment> segments, const SoundThresholds& t) {
+    std::vector<Train> trains;
+    bool is_open = false;
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+        const SoundSegment& segment = segments[k];
+        const Category category = segment.verdict.category;
+        if (category == Category::none || category == Category::undecided) continue;
+        const bool is_creak = category == Category::creak;
+        if (is_creak) {
+            const double begin = segment.impulses.empty() ? segment.from : segment.impulses.front();
+            const double end = !is_open                         ? 0.0
+                               : trains.back().impulses.empty() ? trains.back().to
+                                                                : trains.back().impulses.back();
+            if (!is_open || begin - end > t.creak_pause) trains.push_back({k, k, {}, segment.from, segment.to});
+            Train& train = trains.back();
+            train.last = k;
+            train.to = segment.to;
+            train.impulses.insert(train.impulses.end(), segment.impulses.begin(), segment.impulses.end());
+        }
+        is_open = is_creak;
+    }
+    return trains;
+}
+
+void describe_impulses(SoundSegment& segment, std::span<const double> impulses) {
+    std::vector<double> intervals(impulses.size());
+    std::adjacent_difference(impulses.begin(), impulses.end(), intervals.begin());
     if (intervals.size() < 2) return;
     intervals.erase(intervals.begin());
     double change = 0.0;
@@ -131,27 +166,45 @@ std::vector<SoundSegment> segments_of(std::span<const SoundStretch> stretches, c
     return segments;
 }
 
-void doubt(SoundSegment& segment, const SoundThresholds& t) {
+void doubt_duration(SoundVerdict& verdict, double duration, const SoundThresholds& t) {
+    if (verdict.category == Category::none || duration >= t.least_duration) return;
+    verdict.category = Category::undecided;
+    verdict.reasons.push_back(fmt::format("lasts only {:.0f} ms", 1e3 * duration));
+}
+
+void doubt(SoundSegment& segment, const Train& train, const SoundThresholds& t) {
     SoundVerdict& verdict = segment.verdict;
-    const double duration = segment.to - segment.from;
-    if (verdict.category != Category::none && duration < t.least_duration) {
-        verdict.category = Category::undecided;
-        verdict.reasons.push_back(fmt::format("lasts only {:.0f} ms", 1e3 * duration));
-    }
+    const bool repeats = train.first < train.last;
+    const double duration = repeats ? train.to - train.from : segment.to - segment.from;
+    doubt_duration(verdict, duration, t);
     if (verdict.category != Category::creak) {
         segment.impulses.clear();
         return;
     }
-    describe_impulses(segment);
+    describe_impulses(segment, train.impulses);
     // impulses that run into each other are counted by their interval
     const SoundFeatures& f = verdict.features;
     const bool is_periodic = f.impulse_periodicity >= t.creak_periodicity && f.impulse_interval > 0.0;
-    const double repeats = is_periodic ? std::floor(duration / f.impulse_interval) : 0.0;
-    const double count = std::max(static_cast<double>(segment.impulses.size()), repeats);
+    const double cycles = is_periodic ? std::floor((segment.to - segment.from) / f.impulse_interval) : 0.0;
+    const double count = std::max(static_cast<double>(train.impulses.size()), cycles);
     verdict.margins.push_back({"least_impulses", "impulses", count, t.least_impulses, count - t.least_impulses});
-    if (count >= t.least_impulses) return;
-    verdict.category = Category::undecided;
-    verdict.reasons.push_back(fmt::format("only {} impulses: a knock rather than a creak", segment.impulses.size()));
+    if (count < t.least_impulses) {
+        verdict.category = Category::undecided;
+        verdict.reasons.push_back(fmt::format("only {} impulses: a knock rather than a creak", train.impulses.size()));
+    } else if (static_cast<double>(segment.impulses.size()) < t.least_impulses && repeats) {
+        verdict.reasons.push_back(fmt::format("one of {} impulses with rest between them", train.impulses.size()));
+    }
+}
+
+void doubt(std::span<SoundSegment> segments, const SoundThresholds& t) {
+    for (SoundSegment& segment : segments) {
+        if (segment.verdict.category == Category::creak) continue;
+        segment.impulses.clear();
+        doubt_duration(segment.verdict, segment.to - segment.from, t);
+    }
+    for (const Train& train : trains_of(segments, t))
+        for (std::size_t k = train.first; k <= train.last; ++k)
+            if (segments[k].verdict.category == Category::creak) doubt(segments[k], train, t);
 }
 
 }  // namespace
@@ -160,8 +213,8 @@ RecordingVerdict classify_recording(std::span<const SoundStretch> stretches, con
     RecordingVerdict verdict;
     verdict.segments = segments_of(stretches, t);
     double whole = 0.0;
-    for (SoundSegment& segment : verdict.segments) {
-        doubt(segment, t);
+    doubt(verdict.segments, t);
+    for (const SoundSegment& segment : verdict.segments) {
         const double energy = segment.mean_square * (segment.to - segment.from);
         verdict.shares[static_cast<std::size_t>(segment.verdict.category)] += energy;
         whole += energy;

@@ -21,6 +21,7 @@ struct Margin {
 /// A category with the figures it was made from, how far each lies from its threshold, and why.
 struct Verdict {
     Category category = Category::undecided;
+    Quiet quiet = Quiet::no;  // why, if the category is none
     analysis::Evidence evidence;
     std::vector<Margin> margins;       // in the order the rules look at them; those never reached are listed too
     std::vector<std::string> reasons;  // sentences, in the order of the rules

@@ -16,6 +16,13 @@ namespace stridor::explorer {
 namespace {
 
 constexpr std::uint8_t no_result = 255;
+// after the categories: none because the contact sticks
+constexpr auto stuck = static_cast<std::uint8_t>(classification::category_names.size());
+
+std::uint8_t code_of(const sweep::CellVerdict& cell) {
+    if (cell.status != sweep::Status::done) return no_result;
+    return cell.quiet == classification::Quiet::sticks ? stuck : static_cast<std::uint8_t>(cell.category);
+}
 
 Json boundary_objects(const sweep::SweepResult& result) {
     Json array = Json::array();
@@ -39,7 +46,7 @@ Json boundary_objects(const sweep::SweepResult& result) {
 std::string category_bytes(const sweep::SweepResult& result) {
     std::vector<std::uint8_t> codes;
     for (const sweep::CellVerdict& cell : result.cells)
-        codes.push_back(cell.status == sweep::Status::done ? static_cast<std::uint8_t>(cell.category) : no_result);
+        codes.push_back(code_of(cell));
     return base64_of<std::uint8_t>(codes);
 }
 

@@ -55,7 +55,7 @@ Response audio(const World& world, std::int64_t id) {
         if (entry.format == format) {
             Response response;
             response.content_type = type;
-            response.stream = [bytes = io::open_plain_bytes(library.audio_file(entry).string())](
+            response.stream = [bytes = io::open_plain_bytes(library.sound_file(entry).string())](
                                   const Send& send, const std::stop_token& stop) {
                 for (std::uint64_t at = 0; at < bytes->size() && !stop.stop_requested(); at += piece)
                     send(io::text_at(*bytes, at, piece));
@@ -68,9 +68,7 @@ Response audio(const World& world, std::int64_t id) {
 
 Response entry_analysis(const World& world, std::int64_t id) {
     Library library = open(world);
-    const std::string path = library.audio_file(entry_of(library, id)).string();
-    static_cast<void>(
-        io::open_plain_bytes(path));  // a library from elsewhere may hold a pipe, which would keep us for ever
+    const std::string path = library.sound_file(entry_of(library, id)).string();
     return analysis_of(*io::open_signal(path));
 }
 

@@ -15,6 +15,7 @@ namespace stridor::explorer {
 namespace {
 
 constexpr int most_overrides = 200;
+constexpr std::size_t deepest_body = 16;  // levels of a request; the deepest has four
 
 [[noreturn]] void refuse(const std::string& what, const std::string& why) {
     throw Error(ErrorKind::input, {what, why, ""});
@@ -63,6 +64,8 @@ sweep::Axis axis_in(const Json& chart, const std::string& name) {
 }  // namespace
 
 Json parse_body(const std::string& text) {
+    // copying or destroying a deep document takes the stack
+    if (base::nesting(text) > deepest_body) refuse("the request nests too deep", "");
     Json body = Json::parse(text, nullptr, false);
     if (body.is_discarded() || !body.is_object()) refuse("the request is no JSON object", "");
     return body;

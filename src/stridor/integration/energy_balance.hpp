@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/integration/outcome.hpp"
+
 namespace stridor::integration {
 
 /// Where the energy of a run came from and went [J].
@@ -16,10 +18,18 @@ struct EnergyBalance {
     double friction_loss = 0.0;  // -T w
     double impact_loss = 0.0;    // -N g', spent when surfaces meet
     double residual = 0.0;       // what is left over
+    double held = 0.0;           // the largest that springs, masses and the preload held at a time, a bound
 
-    /// The residual as a share of all energy that went in or out [1].
+    /// The residual as a share of all energy that went in or out [1], the turnover.
+    ///
+    /// Rounding makes 1e-16 of the energy held, whether any of it is turned over or not: a turnover below a thousandth of it
+    /// counts as that thousandth, so that a motion in which nothing happens has a residual of 1e-13 and not of 1.
     double relative_residual() const;
 };
+
+/// `unbalanced` instead of a result whose relative residual is above `most_unexplained`, `diverged` instead of one whose balance
+/// is no number: velocities may still be numbers where their squares no longer are.
+Outcome weighed(const Outcome& outcome, const EnergyBalance& balance, double most_unexplained);
 
 /// What the other terms of a balance leave over [J]: its residual.
 double unexplained(const EnergyBalance& balance);

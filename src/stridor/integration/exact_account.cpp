@@ -28,7 +28,8 @@ void add_velocities(Totals& sum, const Flows& flows, const Flow& flow, const Sum
         }
     for (int dof = 0; dof < flows.dofs; ++dof)
         for (int i = 0; i < lanes; ++i)
-            sum.peak_square[dof] = std::max({sum.peak_square[dof], full.peak[dof].at[i], part.peak[dof].at[i]});
+            sum.peak_square[dof] =
+                std::max({sum.peak_square[dof], full.peak[body_of(dof)].at[i], part.peak[body_of(dof)].at[i]});
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ struct Account {
 /// Integrals over the time since the last reset.
 struct Totals {
     double square_time[most_coordinates]{};  // [m^2/s] of u'^2
-    double peak_square[most_coordinates]{};  // [m^2/s^2] largest u'^2 at the nodes
+    double peak_square[most_coordinates]{};  // [m^2/s^2] largest velocity squared of its body, at nodes
     double dashpot_loss = 0.0;               // [J]
     double friction_loss = 0.0;              // [J]
     double drive_work = 0.0;                 // [J]

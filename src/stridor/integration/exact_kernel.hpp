@@ -8,10 +8,10 @@ namespace stridor::integration {
 
 /// Integrals over nodes, not yet weighted: sums over steps of products of the velocities z' and of powers at the contact.
 struct alignas(64) Sums {
-    Lanes product[6];              // [m^2/s^2] z'_j z'_k for (j, k) = (0,0), (0,1), (1,1), (0,2), (1,2), (2,2)
-    Lanes on_slip;                 // [N*m/s] slip: N w
-    Lanes on_surface;              // [N*m/s] slip: N V; stick: T V
-    Lanes peak[most_coordinates];  // [m^2/s^2] largest squares of u'
+    Lanes product[6];         // [m^2/s^2] z'_j z'_k for (j, k) = (0,0), (0,1), (1,1), (0,2), (1,2), (2,2)
+    Lanes on_slip;            // [N*m/s] slip: N w
+    Lanes on_surface;         // [N*m/s] slip: N V; stick: T V
+    Lanes peak[most_bodies];  // [m^2/s^2] largest squares of the velocity of each body (`body_of`)
 };
 
 /// Is a function known to be negative at the end of an interval?

@@ -155,7 +155,7 @@ public:
     explicit Meter(const Sums& sums) {
         for (int k = 0; k < products; ++k)
             product_[k] = load(sums.product[k]);
-        for (int i = 0; i < dofs; ++i)
+        for (int i = 0; i < bodies; ++i)
             peak_[i] = load(sums.peak[i]);
         on_slip_ = load(sums.on_slip);
         on_surface_ = load(sums.on_surface);
@@ -174,18 +174,22 @@ public:
     }
 
     void watch(const Vector* velocity, int count, const double (&basis)[most_coordinates][most_coordinates]) {
+        Vector square[dofs];
         for (int i = 0; i < dofs; ++i) {
             Vector u = velocity[0] * basis[i][0];
             for (int j = 1; j < count; ++j)
                 u = u + velocity[j] * basis[i][j];
-            peak_[i] = larger(peak_[i], u * u);
+            square[i] = u * u;
         }
+        peak_[0] = larger(peak_[0], square[0] + square[1]);
+        for (int i = 1; i < bodies; ++i)
+            peak_[i] = larger(peak_[i], square[i + 1]);
     }
 
     void save_to(Sums& sums) const {
         for (int k = 0; k < products; ++k)
             save(product_[k], sums.product[k]);
-        for (int i = 0; i < dofs; ++i)
+        for (int i = 0; i < bodies; ++i)
             save(peak_[i], sums.peak[i]);
         save(on_slip_, sums.on_slip);
         save(on_surface_, sums.on_surface);
@@ -193,8 +197,9 @@ public:
 
 private:
     static constexpr int products = dofs * (dofs + 1) / 2;
+    static constexpr int bodies = dofs - 1;  // the rubbing one moves along and across, any other along one direction
     Vector product_[products];
-    Vector peak_[dofs];
+    Vector peak_[bodies];
     Vector on_slip_, on_surface_;
 };
 

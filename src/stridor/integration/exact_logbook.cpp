@@ -112,10 +112,10 @@ void Logbook::fill_with_silence(const Sliding& sliding, const Kernel& loops, Lan
     }
 }
 
-void Logbook::fill_with_cycle(const Totals& period, double begin, double now) {
+void Logbook::fill_with_cycle(const Totals& period, double begin, double now, const std::stop_token& stop) {
     const double duration = now - begin;
     bank();
-    repeat_period(recent_.since(begin), duration, end_, recorder_);
+    repeat_period(recent_.since(begin), duration, end_, recorder_, stop);
     while (!is_full()) {
         add(banked_, period, (spans()[span_].to - now) / duration);
         now = spans()[span_].to;

@@ -4,6 +4,8 @@
 #include "stridor/integration/exact_logbook.hpp"
 #include "stridor/integration/imposed_motion.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stop_token>
 
@@ -14,9 +16,9 @@ template <int dofs>
 class Runner {
 public:
     Runner(const model::Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
-           const Exact& settings, SharedFlows<dofs>& shared, record::Recorder& recorder);
+           const Exact& settings, SharedFlows<dofs>& shared, record::Recorder& recorder, std::stop_token stop);
 
-    Motion run(std::stop_token stop);
+    Motion run();
 
 private:
     static constexpr int closed = dofs - 1;
@@ -25,12 +27,16 @@ private:
     static constexpr int V = surface_lane(closed);
     static constexpr int G = gap_lane(closed);
     using Vector = typename model::Structure<dofs>::Vector;
+    using Matrix = typename model::Structure<dofs>::Matrix;
 
     // what ended a step: an event function, or none
     struct Crossing {
         double tau = no_crossing;  // [1]
         int test = -1;
     };
+
+    // what lies within a step besides events: a change of the drive, or a request to stop
+    enum class Boundary { none, knot, stop_request };
 
     struct Position {
         Vector displacement;  // [m] u
@@ -41,19 +47,30 @@ private:
     double time() const { return origin_ + static_cast<double>(count_) * flow().step; }
 
     void begin(const Start& start);
-    Outcome advance(std::stop_token stop);
-    Position position(const Lanes& s, Mode mode) const;
+    Outcome advance();
     SurfaceNumbers surface(double time) const;
+    void widen_reach() {
+        Lanes& most = mode_ == Mode::open ? open_reach_ : closed_reach_;
+        for (int i = 0; i < lanes; ++i)
+            most.at[i] = std::max(most.at[i], std::abs(s_.at[i]));
+    }
     Crossing first_event() const;
     void glide();
     void step();
-    bool pass_boundaries(double& from, double& reach, Crossing& crossing);
+    Boundary pass_boundaries(double& from, double& reach, Crossing& crossing);
     void turn_knot(double time);
     void sample(double tau, double time);
     void enter(const Transition& next);
     bool is_finite() const;
     bool piles_up();
+
+    // exact_energy.cpp
+    Position position(const Lanes& s, Mode mode) const;
+    Position seen(const Lanes& s, Mode mode, const Matrix& basis) const;
+    double stored(const Position& here) const;
+    double held() const;
     EnergyBalance energy() const;
+    record::Outlook outlook(const Outcome& outcome) const;
 
     void watch_for_silence();
     void watch_for_cycle();
@@ -63,8 +80,10 @@ private:
     const Kernel& kernel_;
     const Flows& flows_;
     Exact settings_;
+    const parameters::Drive& drive_settings_;
     ImposedMotion drive_;
     record::Recorder& recorder_;
+    std::stop_token stop_;
     Logbook book_;
 
     Mode mode_ = Mode::stick;
@@ -75,9 +94,12 @@ private:
 
     double initial_energy_ = 0.0;  // [J]
     Vector initial_displacement_;  // [m]
+    Lanes closed_reach_{};         // the largest that each number of the state has been, by kind of state
+    Lanes open_reach_{};
 
     double window_begin_ = 0.0;  // [s] of the search for pile-ups
     int window_events_ = 0;
+    std::optional<Reason> lost_;  // why the search for events gave up
 
     bool may_end_early_ = false;
     std::optional<Sliding> sliding_;

@@ -17,6 +17,7 @@ inline constexpr int terms = 24;  // of the series: 1/24! is far below rounding
 inline constexpr int term_blocks = terms / lanes;
 inline constexpr int most_tests = 2;  // event functions of a contact state
 inline constexpr int most_coordinates = 3;
+inline constexpr int most_bodies = 2;
 inline constexpr int most_multiplicity = 3;  // of the root an event function begins with
 
 /// No crossing within the step.
@@ -85,6 +86,11 @@ struct Flows {
     double kinetic_friction;                             // [1]
     Flow flow[modes];
 };
+
+/// The body a degree of freedom belongs to: the rubbing one moves along and across the contact, with the first two.
+constexpr int body_of(int dof) {
+    return dof < 2 ? 0 : dof - 1;
+}
 
 /// Positions of the numbers in a state with so many closed coordinates (dofs - 1).
 constexpr int velocity_lane(int closed, int coordinate) {

@@ -73,9 +73,9 @@ std::vector<record::ContactInterval> RecentChanges::since(double time) const {
 }
 
 void repeat_period(const std::vector<record::ContactInterval>& period, double duration, double end,
-                   record::Recorder& recorder) {
+                   record::Recorder& recorder, const std::stop_token& stop) {
     if (period.empty()) return;
-    for (double number = 1.0;; ++number)
+    for (double number = 1.0; !stop.stop_requested(); ++number)
         for (record::ContactInterval interval : period) {
             interval.from += number * duration;
             if (interval.from >= end) return;

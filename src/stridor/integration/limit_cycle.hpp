@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 namespace stridor::integration {
@@ -65,8 +66,9 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Repeats the changes of one period, which ends at `time`, until the run's end.
+/// Repeats the changes of one period, of some duration, until the run's end or until it is to stop: a long run repeats a short
+/// period a thousand million times.
 void repeat_period(const std::vector<record::ContactInterval>& period, double duration, double end,
-                   record::Recorder& recorder);
+                   record::Recorder& recorder, const std::stop_token& stop);
 
 }  // namespace stridor::integration

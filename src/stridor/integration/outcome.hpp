@@ -13,10 +13,11 @@ enum class Reason {
     step_limit,  // the time step lies beyond the scheme's stability limit: not run
     cancelled,   // stopped on request
     chattering,  // events pile up without time going on
+    unbalanced,  // its energy balance does not close: what it moved by was rounding
 };
 
-inline constexpr std::array<std::string_view, 6> reason_names{"completed",  "settled",   "diverged",
-                                                              "step_limit", "cancelled", "chattering"};
+inline constexpr std::array<std::string_view, 7> reason_names{"completed", "settled",    "diverged",  "step_limit",
+                                                              "cancelled", "chattering", "unbalanced"};
 
 struct Outcome {
     Reason reason = Reason::completed;

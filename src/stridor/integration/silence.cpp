@@ -98,14 +98,17 @@ void Sliding::pass(const Kernel& kernel, double duration, record::Use use, Lanes
 
     Sums peaks{};
     Lanes sampled = s;
-    const bool is_kept = use == record::Use::judged;
-    const auto steps = is_kept ? static_cast<long>(std::min(sampled_steps, duration / flow_.step)) : 0;
-    for (long k = 0; k < steps; ++k)
+    const bool is_kept = record::is_judged(use);
+    const double sampled_length = is_kept ? std::min(sampled_steps, duration / flow_.step) : 0.0;
+    const double sampled_whole = std::floor(sampled_length);
+    for (long k = 0; k < static_cast<long>(sampled_whole); ++k)
         kernel.leap(flow_, sampled, peaks);
+    // a window may be shorter than a step
+    if (is_kept) kernel.add_part(flow_, sampled, 0.0, sampled_length - sampled_whole, peaks);
     Sums& part = account.part[static_cast<int>(flow_.mode)];
-    for (int dof = 0; dof < most_coordinates; ++dof)
+    for (int body = 0; body < most_bodies; ++body)
         for (int i = 0; i < lanes; ++i)
-            part.peak[dof].at[i] = std::max(part.peak[dof].at[i], peaks.peak[dof].at[i]);
+            part.peak[body].at[i] = std::max(part.peak[body].at[i], peaks.peak[body].at[i]);
 
     // exp(A duration): whole steps by repeated squaring, the rest by the series
     const auto size = before.size();

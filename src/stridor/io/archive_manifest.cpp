@@ -17,10 +17,11 @@ using noise_library::Figure;
 
 namespace {
 
-constexpr const char* schema = "stridor.library-archive/1";
-constexpr std::size_t longest_line = std::size_t{4} << 20U;          // [bytes] of an entry
-constexpr std::uint64_t longest_manifest = std::uint64_t{1} << 29U;  // [bytes]
-constexpr int deepest = 4;                                           // levels of an entry's line; more is no entry
+constexpr const char* schema = "stridor.library-archive/2";
+constexpr const char* unhashed_schema = "stridor.library-archive/1";  // without the last line, which has the hash
+constexpr std::size_t longest_line = std::size_t{4} << 20U;           // [bytes] of an entry
+constexpr std::uint64_t longest_manifest = std::uint64_t{1} << 29U;   // [bytes]
+constexpr int deepest = 4;                                            // levels of an entry's line; more is no entry
 
 AudioName audio_of(const Entry& entry) {
     return {entry.audio, entry.format};
@@ -125,12 +126,20 @@ Announced announced_in(const Manifest::Lines& lines, const std::string& line) {
     return announced;
 }
 
-void expect_schema(const Manifest::Lines& lines, const std::string& line) {
+// must the manifest end with its hash?
+bool is_hashed(const Manifest::Lines& lines, const std::string& line) {
     const Json opening = lines.object(line);
     const std::string found = opening.contains("schema") && opening["schema"].is_string()
                                   ? opening["schema"].get<std::string>()
                                   : std::string("none");
-    if (found != schema) lines.refuse("its schema is " + found + ", this program reads " + schema);
+    if (found != schema && found != unhashed_schema)
+        lines.refuse("its schema is " + found + ", this program reads " + schema);
+    return found == schema;
+}
+
+// the last line, with the hash of all before
+std::string closing_of(const std::string& hash) {
+    return line_of({{"sha256", hash}});
 }
 
 }  // namespace
@@ -155,6 +164,32 @@ std::string manifest_line(Entry entry, std::uint64_t bytes) {
     return line_of(object);
 }
 
+std::string manifest_closing(std::string_view lines) {
+    return closing_of(base::sha256_text(lines));
+}
+
+void expect_whole_manifest(TarReader& tar, const std::string& archive) {
+    const std::optional<TarMember> first = tar.next();
+    // what is no archive at all is refused by who reads it
+    if (!first || first->name != manifest_name || first->size > longest_manifest) return;
+    Manifest::Lines lines(tar, archive);
+    base::Sha256 hash;
+    std::string last;
+    bool says_so = false;
+    for (std::optional<std::string> line = lines.next(); line; line = lines.next()) {
+        if (last.empty())
+            says_so = line->find(schema) != std::string::npos;
+        else
+            hash.add(last + "\n");
+        last = std::move(*line);
+    }
+    // no single bit hides both that there is a hash and the hash itself
+    const bool has_hash = last.find("\"sha256\"") != std::string::npos;
+    if ((says_so || has_hash) && last + "\n" != closing_of(hash.text()))
+        throw Error(ErrorKind::io,
+                    {archive + " is damaged", "its manifest does not have its hash", "Ask for it again."});
+}
+
 Manifest::Manifest(TarReader& tar, const std::string& archive) : lines_(std::make_unique<Lines>(tar, archive)) {
     const std::optional<TarMember> first = tar.next();
     if (!first || first->name != manifest_name)
@@ -163,17 +198,22 @@ Manifest::Manifest(TarReader& tar, const std::string& archive) : lines_(std::mak
     if (first->size > longest_manifest) lines_->refuse("it is longer than 512 MiB");
     const std::optional<std::string> opening = lines_->next();
     if (!opening) lines_->refuse("it is empty");
-    expect_schema(*lines_, *opening);
-    hash_.add(*opening);
+    is_hashed_ = is_hashed(*lines_, *opening);
+    hash_.add(*opening + "\n");
 }
 
 Manifest::~Manifest() = default;
 
 std::optional<Announced> Manifest::next() {
     const std::optional<std::string> line = lines_->next();
+    if (!line && is_hashed_) lines_->refuse("its last line, with its hash, is missing");
     if (!line) return std::nullopt;
-    hash_.add("\n");
-    hash_.add(*line);
+    if (is_hashed_ && *line + "\n" == closing_of(base::Sha256(hash_).text())) {
+        if (lines_->next()) lines_->refuse("lines follow its hash");
+        is_hashed_ = false;
+        return std::nullopt;
+    }
+    hash_.add(*line + "\n");
     return announced_in(*lines_, *line);
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 /// The manifest of an archive of noise libraries: its first file, text with a JSON object per line. docs/formats/library.md.
 namespace stridor::io {
@@ -19,6 +20,12 @@ inline constexpr const char* manifest_name = "manifest.jsonl";
 /// The first line of a manifest of so many entries, and the line of one whose audio has so many bytes.
 std::string manifest_opening(std::size_t entries);
 std::string manifest_line(noise_library::Entry entry, std::uint64_t bytes);
+
+/// The last line: the hash of all lines before it.
+std::string manifest_closing(std::string_view lines);
+
+/// Throws `Error` (io) where an archive's manifest has not the hash that it ends with. One of the first schema has none.
+void expect_whole_manifest(TarReader& tar, const std::string& archive);
 
 /// Where in an archive audio stands.
 std::string archive_member(const noise_library::AudioName& audio);
@@ -44,7 +51,7 @@ public:
     /// The next entry; nothing after the last.
     std::optional<Announced> next();
 
-    /// SHA-256 of the lines read; nothing may be read afterwards.
+    /// SHA-256 of the lines read, but the last one of a manifest with a hash; nothing may be read afterwards.
     std::string digest();
 
     class Lines;
@@ -52,6 +59,7 @@ public:
 private:
     std::unique_ptr<Lines> lines_;
     base::Sha256 hash_{};
+    bool is_hashed_ = false;  // and the last line was not met
 };
 
 }  // namespace stridor::io

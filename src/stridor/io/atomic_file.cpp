@@ -2,7 +2,9 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/storage/new_file.hpp"
 #include "stridor/storage/system_io.hpp"
+#include "stridor/storage/temporary.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -10,7 +12,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -28,23 +29,6 @@ Error failure(const std::string& doing, const std::string& path, int code, std::
     return storage::system_failure(doing, in_quotes(path), code, std::move(suggestion));
 }
 
-/// Removes a file unless it was renamed.
-class Temporary {
-public:
-    explicit Temporary(std::string path) : path_(std::move(path)) {}
-    Temporary(const Temporary&) = delete;
-    Temporary& operator=(const Temporary&) = delete;
-    ~Temporary() {
-        if (!path_.empty()) ::unlink(path_.c_str());
-    }
-
-    const std::string& path() const { return path_; }
-    void keep() { path_.clear(); }
-
-private:
-    std::string path_;
-};
-
 std::string read_all(int descriptor, const std::string& path) {
     std::string content;
     std::array<char, 65536> block{};
@@ -54,22 +38,6 @@ std::string read_all(int descriptor, const std::string& path) {
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) throw failure("read", path, errno);
         content.append(block.data(), static_cast<std::size_t>(count));
-    }
-}
-
-// a short name of its own, so that a long target name stays within what a folder allows
-std::string name_beside(const std::string& folder, int number) {
-    return folder + "/.stridor-" + std::to_string(::getpid()) + "-" + std::to_string(number) + ".tmp";
-}
-
-std::pair<int, std::string> open_temporary(const std::string& folder, const std::string& path) {
-    for (int number = 0;; ++number) {
-        std::string name = name_beside(folder, number);
-        const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor >= 0) return {descriptor, std::move(name)};
-        if (errno == EEXIST) continue;
-        const bool lacks_folder = errno == ENOENT;
-        throw failure("write", path, errno, lacks_folder ? "Create the folder " + in_quotes(folder) + " first." : "");
     }
 }
 
@@ -91,26 +59,23 @@ public:
         if (exists && S_ISDIR(status.st_mode)) throw failure("write", path, EISDIR, "Name a file in it.");
         // renaming onto a device or a pipe would replace it
         if (exists && !S_ISREG(status.st_mode)) {
-            file_.emplace(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-            if (!file_->is_open()) throw failure("write", path, errno);
+            device_.emplace(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+            if (!device_->is_open()) throw failure("write", path, errno);
             return;
         }
         std::error_code code;
         const std::filesystem::path resolved = std::filesystem::canonical(path, code);
         if (exists && !code) path_ = resolved.string();
-        const std::string parent = std::filesystem::path(path_).parent_path().string();
-        folder_ = parent.empty() ? "." : parent;
-        auto [descriptor, name] = open_temporary(folder_, path_);
-        temporary_.emplace(std::move(name));
-        file_.emplace(descriptor);
-        if (exists && ::fchmod(descriptor, status.st_mode & 07777U) != 0) throw failure("write", path_, errno);
+        folder_ = std::filesystem::path(path_).parent_path();
+        file_.emplace(storage::begin_temporary(folder_, in_quotes(path_)), in_quotes(path_));
+        if (exists && ::fchmod(file_->number(), status.st_mode & 07777U) != 0) throw failure("write", path_, errno);
     }
 
-    void write(std::string_view bytes) const { storage::write_all(file_->number(), bytes, in_quotes(path_)); }
+    void write(std::string_view bytes) { storage::write_all(number(), bytes, in_quotes(path_)); }
 
     void overwrite(std::uint64_t offset, std::string_view bytes) const {
         while (!bytes.empty()) {
-            const ssize_t count = ::pwrite(file_->number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+            const ssize_t count = ::pwrite(number(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
             if (count < 0 && errno == EINTR) continue;
             if (count < 0) throw failure("write", path_, errno);
             bytes.remove_prefix(static_cast<std::size_t>(count));
@@ -119,28 +84,27 @@ public:
     }
 
     std::string temporary_name(std::uint64_t room) const {
-        if (!temporary_) throw failure("write", path_, ESPIPE);
-        if (const int code = ::posix_fallocate(file_->number(), 0, static_cast<off_t>(room)); code != 0)
-            throw failure("write", path_, code);
-        return temporary_->path();
+        if (!file_) throw failure("write", path_, ESPIPE);
+        int code = EINTR;
+        while (code == EINTR)
+            code = ::posix_fallocate(number(), 0, static_cast<off_t>(room));
+        if (code != 0) throw failure("write", path_, code);
+        return file_->temporary().string();
     }
 
     void commit() {
-        if (temporary_) storage::flush(file_->number(), in_quotes(path_));
-        file_->close(in_quotes(path_));
-        if (!temporary_) return;
-        if (::rename(temporary_->path().c_str(), path_.c_str()) != 0) throw failure("write", path_, errno);
-        temporary_->keep();
-
-        // the name itself is on the disk only once its folder is
-        storage::flush_folder(folder_, in_quotes(path_));
+        if (device_) return device_->close(in_quotes(path_));
+        file_->finish();
+        file_->keep(path_);
     }
 
 private:
+    int number() const { return device_ ? device_->number() : file_->number(); }
+
     std::string path_;
-    std::string folder_;
-    std::optional<Temporary> temporary_;  // nothing: straight into the device
-    std::optional<storage::Descriptor> file_;
+    std::filesystem::path folder_;
+    std::optional<storage::NewFile> file_;       // nothing: straight into the device
+    std::optional<storage::Descriptor> device_;  // or pipe
 };
 
 PiecewiseFile::PiecewiseFile(const std::string& path) : target_(std::make_unique<Target>(path)) {}

@@ -2,6 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/io/atomic_file.hpp"
+#include "stridor/storage/system_io.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -12,6 +13,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -27,14 +29,15 @@ Error failure(const std::string& doing, const std::string& path, int code) {
     return {ErrorKind::io, {"cannot " + doing + " \"" + path + "\"", why, ""}};
 }
 
-std::size_t read_all_at(int descriptor, std::uint64_t offset, std::span<char> into, const std::string& path) {
+// nothing where the system has an error
+std::optional<std::size_t> read_all_at(int descriptor, std::uint64_t offset, std::span<char> into) {
     std::size_t done = 0;
     while (done < into.size()) {
         const ssize_t count =
             ::pread(descriptor, into.data() + done, into.size() - done, static_cast<off_t>(offset + done));
         if (count == 0) break;
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) throw failure("read", path, errno);
+        if (count < 0) return std::nullopt;
         done += static_cast<std::size_t>(count);
     }
     return done;
@@ -55,7 +58,9 @@ public:
     std::size_t read_at(std::uint64_t offset, std::span<char> into) const override {
         // what is appended after opening does not count
         const std::uint64_t left = offset < size_ ? size_ - offset : 0;
-        return read_all_at(descriptor_, offset, into.first(std::min<std::uint64_t>(into.size(), left)), path_);
+        const auto count = read_all_at(descriptor_, offset, into.first(std::min<std::uint64_t>(into.size(), left)));
+        if (!count) throw failure("read", path_, errno);
+        return *count;
     }
 
 private:
@@ -139,9 +144,14 @@ std::string text_at(const Bytes& bytes, std::uint64_t offset, std::size_t length
 
 Spool::Spool() : descriptor_(-1) {
     std::error_code code;
-    std::string name = (std::filesystem::temp_directory_path(code) / "stridor-XXXXXX").string();
+    const std::filesystem::path folder = std::filesystem::temp_directory_path(code);
+    shown_ = "a temporary file in \"" + folder.string() + "\"";
+    descriptor_ = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0600);
+    if (descriptor_ >= 0) return;
+    // not every file system knows files without a name
+    std::string name = (folder / "stridor-XXXXXX").string();
     descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
-    if (descriptor_ < 0) throw failure("write", name, errno);
+    if (descriptor_ < 0) throw failure("write", errno);
     ::unlink(name.c_str());
 }
 
@@ -149,18 +159,24 @@ Spool::~Spool() {
     ::close(descriptor_);
 }
 
+Error Spool::failure(const std::string& doing, int code) const {
+    return storage::system_failure(doing, shown_, code, "Set TMPDIR to a folder with more room.");
+}
+
 void Spool::append(std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t count = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) throw failure("write", "a temporary file", errno);
+        if (count < 0) throw failure("write", errno);
         bytes.remove_prefix(static_cast<std::size_t>(count));
         size_ += static_cast<std::uint64_t>(count);
     }
 }
 
 std::size_t Spool::read_at(std::uint64_t offset, std::span<char> into) const {
-    return read_all_at(descriptor_, offset, into, "a temporary file");
+    const std::optional<std::size_t> count = read_all_at(descriptor_, offset, into);
+    if (!count) throw failure("read", errno);
+    return *count;
 }
 
 }  // namespace stridor::io

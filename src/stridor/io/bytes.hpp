@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/base/error.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -54,6 +56,9 @@ public:
     std::size_t read_at(std::uint64_t offset, std::span<char> into) const override;
 
 private:
+    Error failure(const std::string& doing, int code) const;
+
+    std::string shown_;  // what errors call it
     int descriptor_;
     std::uint64_t size_ = 0;
 };

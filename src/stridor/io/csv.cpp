@@ -62,6 +62,7 @@ std::vector<Column> chart_columns(const sweep::Study& study, const std::vector<s
                                 {"category", word_unit}};
     for (const sweep::CellFigure& figure : figures)
         columns.push_back({std::string(figure.name), std::string(figure.unit)});
+    columns.push_back({"quiet_because", word_unit});
     columns.push_back({"source", word_unit});
     if (!study.starts.empty()) columns.push_back({"agreement", word_unit});
     for (const parameters::Initial start : study.starts)
@@ -102,6 +103,8 @@ public:
         table_.word(is_done ? classification::name(verdict.category) : std::string_view());
         for (const sweep::CellFigure& figure : figures_)
             table_.number(cell.*figure.member);
+        const bool is_quiet = verdict.quiet != classification::Quiet::no;
+        table_.word(is_quiet ? classification::name(verdict.quiet) : std::string_view());
         table_.word(sweep::source_names[sweep::is_inferred(result_, index) ? 1 : 0]);
         if (!study.starts.empty()) table_.word(sweep::agreement_names[static_cast<std::size_t>(verdict.agreement)]);
         for (std::size_t start = 0; start < study.starts.size(); ++start)

@@ -93,7 +93,10 @@ Json chart_object(const HeardChart& chart) {
     std::size_t failed = 0;
     for (const HeardSound& sound : chart.sounds)
         failed += sound.cell.status == sweep::Status::done ? 0 : 1;
-    return {{"file", chart.file.empty() ? Json() : Json(chart.file)},
+    const bool is_file = chart.set == PlaneSet::file;
+    return {{"file", is_file ? Json(chart.name) : Json()},
+            {"plane", is_file ? Json() : Json(chart.name)},
+            {"set", name_of(plane_set_names, chart.set)},
             {"case", json_parts::case_object(chart.study.base)},
             {"x", json_parts::axis_object(chart.study.x)},
             {"y", json_parts::axis_object(chart.study.y)},
@@ -101,6 +104,13 @@ Json chart_object(const HeardChart& chart) {
             {"cells", chart.sounds.size()},
             {"failed", failed},
             {"tables", tables_object([&](Half half) { return sweep::confusion(chart.sounds, half); })}};
+}
+
+Json sets_object(const HearingReport& report) {
+    Json sets = Json::object();
+    for (const PlaneSet set : sets_of(report))
+        sets[std::string(name_of(plane_set_names, set))] = table_object(confusion(report, set));
+    return sets;
 }
 
 Json perturbations_array(const HearingReport& report) {
@@ -138,10 +148,11 @@ std::vector<Column> columns() {
     for (const sweep::Perturbation& perturbation : sweep::perturbations())
         columns.push_back({std::string(perturbation.name), words});
     columns.push_back({"reason", words});
+    columns.push_back({"plane", words});
     return columns;
 }
 
-void add_row(csv_text::Table& table, const HeardSound& sound) {
+void add_row(csv_text::Table& table, const HeardSound& sound, const std::string& plane) {
     const bool is_done = sound.cell.status == sweep::Status::done;
     table.word(name_of(sweep::status_names, sound.cell.status));
     table.word(is_done ? word(sound.cell.category) : "");
@@ -157,6 +168,7 @@ void add_row(csv_text::Table& table, const HeardSound& sound) {
     for (std::size_t k = 0; k < sweep::perturbations().size(); ++k)
         table.word(sound.perturbed.empty() ? "" : word(sound.perturbed[k]));
     table.word(is_done ? sound.reason : sound.cell.message);
+    table.word(plane);
     table.end_row();
 }
 
@@ -167,6 +179,23 @@ Confusion confusion(const HearingReport& report, Half half) {
     for (const HeardChart& chart : report.charts)
         table = classification::sum(table, sweep::confusion(chart.sounds, half));
     return table;
+}
+
+Confusion confusion(const HearingReport& report, PlaneSet set) {
+    Confusion table;
+    for (const HeardChart& chart : report.charts)
+        if (chart.set == set) table = classification::sum(table, sweep::confusion(chart.sounds));
+    return table;
+}
+
+std::vector<PlaneSet> sets_of(const HearingReport& report) {
+    std::vector<PlaneSet> sets;
+    for (std::size_t k = 0; k < plane_set_names.size(); ++k) {
+        const auto set = static_cast<PlaneSet>(k);
+        const auto is_of_it = [&](const HeardChart& chart) { return chart.set == set; };
+        if (std::any_of(report.charts.begin(), report.charts.end(), is_of_it)) sets.push_back(set);
+    }
+    return sets;
 }
 
 Confusion perturbed_confusion(const HearingReport& report, std::optional<std::size_t> perturbation) {
@@ -196,6 +225,7 @@ std::string hearing_json(const HearingReport& report) {
             charts.push_back(chart_object(chart));
         document["charts"] = std::move(charts);
         document["tables"] = tables_object([&](Half half) { return confusion(report, half); });
+        document["sets"] = sets_object(report);
         document["perturb_every"] = report.options.perturb_every;
         if (report.options.perturb_every > 0) {
             document["unperturbed"] = table_object(perturbed_confusion(report, std::nullopt));
@@ -230,7 +260,7 @@ std::string hearing_csv(const HearingReport& report) {
             table.number(sweep::value_at(study.x, place.ix));
             table.number(sweep::value_at(study.y, place.iy));
             table.word(word(study.directions[place.direction]));
-            add_row(table, sound);
+            add_row(table, sound, report.charts[k].name);
             text += table.take();
         }
     return text;

@@ -5,7 +5,10 @@
 #include "stridor/sweep/hearing_run.hpp"
 #include "stridor/sweep/study.hpp"
 
+#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stridor::io {
@@ -18,9 +21,15 @@ struct HeardCase {
     std::string reason;                                                    // why the whole sounds so
 };
 
+/// What a chart belongs to: a user's file, the paper's planes, or the planes of soft parts.
+enum class PlaneSet { file, paper, soft };
+
+inline constexpr std::array<std::string_view, 3> plane_set_names{"file", "paper", "soft"};
+
 /// A chart by ear.
 struct HeardChart {
-    std::string file;  // its name; empty for a built-in one
+    std::string name;  // of its file, or as `stridor init` calls a built-in one
+    PlaneSet set = PlaneSet::file;
     sweep::Study study;
     std::vector<sweep::HeardSound> sounds{};  // shape [cell]
 };
@@ -44,14 +53,20 @@ struct HearingReport {
 classification::Confusion confusion(const HearingReport& report, sweep::Half half = sweep::Half::both);
 classification::Confusion perturbed_confusion(const HearingReport& report, std::optional<std::size_t> perturbation);
 
+/// The same of the charts of one set.
+classification::Confusion confusion(const HearingReport& report, PlaneSet set);
+
+/// The sets that the report has charts of, in the order of `PlaneSet`.
+std::vector<PlaneSet> sets_of(const HearingReport& report);
+
 bool is_right(const HeardRecording& recording);
 
-/// "stridor.evaluate/1": Table 1, the tables of each chart and of all together, of both halves and after each perturbation, and
-/// the recordings; thresholds.
+/// "stridor.evaluate/1": Table 1, the tables of each chart, of each set and of all together, of both halves and after each
+/// perturbation, and the recordings; thresholds.
 std::string hearing_json(const HearingReport& report);
 
 /// "stridor.evaluate/1": a row per sound of the charts: where it is, both verdicts, figures of both, why it sounds so, and the
-/// verdicts by ear after each perturbation (empty where it was not perturbed).
+/// verdicts by ear after each perturbation (empty where it was not perturbed), and the chart's name.
 std::string hearing_csv(const HearingReport& report);
 
 }  // namespace stridor::io

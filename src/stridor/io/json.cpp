@@ -23,6 +23,7 @@ Json verdict_object(const classification::Verdict& verdict) {
     const analysis::Evidence& evidence = verdict.evidence;
     const analysis::Alternation& alternation = evidence.alternation;
     return {{"category", classification::name(verdict.category)},
+            {"quiet_because", quiet_word(verdict.quiet)},
             {"rates", rates_object(evidence.rates)},
             {"judged_rates", rates_object(evidence.judged_rates)},
             {"regularity", alternation.regularity},
@@ -30,6 +31,7 @@ Json verdict_object(const classification::Verdict& verdict) {
             {"variation", alternation.variation},
             {"mismatch", alternation.mismatch},
             {"intervals", alternation.intervals},
+            {"releases", evidence.releases},
             {"lag", alternation.lag},
             {"beat",
              {{"from", name_of(model::contact_state_names, alternation.from)},
@@ -77,6 +79,8 @@ Json simulation_units(const Case& c) {
                       {"outcome.limit_cycle.time", "s"},
                       {"outcome.limit_cycle.period", "s"},
                       {"outcome.limit_cycle.residual", "1"},
+                      {"outcome.ending.since", "s"},
+                      {"outcome.ending.release", "s"},
                       {"energy", "J"},
                       {"energy.relative_residual", "1"},
                       {"phases.window", "s"},
@@ -145,6 +149,12 @@ Json outcome_object(const integration::Motion& motion) {
                                  {"period", motion.cycle->period},
                                  {"residual", motion.cycle->residual},
                                  {"events", motion.cycle->events}};
+    if (motion.record.phases.empty()) return object;
+    const record::Ending& ending = motion.record.phases.front().ending;
+    object["ending"] = {{"state", name_of(model::contact_state_names, ending.state)},
+                        {"since", ending.since},
+                        {"future", name_of(record::future_names, ending.outlook.future)},
+                        {"release", ending.outlook.release}};
     return object;
 }
 

@@ -67,6 +67,7 @@ Json cells_object(const sweep::SweepResult& result) {
     put("category", [](const sweep::CellVerdict& cell) {
         return cell.status == sweep::Status::done ? Json(classification::name(cell.category)) : Json();
     });
+    put("quiet_because", [](const sweep::CellVerdict& cell) { return quiet_word(cell.quiet); });
     for (const sweep::CellFigure& figure : sweep::cell_figures())
         object[std::string(figure.name)] = nulls;
     Json& source = object["source"] = Json::array();

@@ -34,7 +34,7 @@ Json figures_object(std::span<const Figure> figures) {
 
 // the verdict as the object it is; as text should it be none
 Json verdict_of(const std::string& text) {
-    Json verdict = Json::parse(text, nullptr, false);
+    Json verdict = json_parts::foreign_document(text);
     return verdict.is_discarded() ? Json(text) : verdict;
 }
 

@@ -2,6 +2,7 @@
 
 // What all JSON documents share. Private to this folder: nlohmann's types stay out of the headers others see.
 
+#include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/classification/verdict.hpp"
 #include "stridor/parameters/field.hpp"
@@ -20,6 +21,15 @@ namespace stridor::io::json_parts {
 
 using Json = nlohmann::ordered_json;
 
+// levels of a document that somebody else wrote; no program of ours needs ten
+inline constexpr std::size_t deepest_document = 64;
+
+// the text of others as a document; discarded (`is_discarded`) for what is no JSON, or nests deeper than makes sense
+inline Json foreign_document(std::string_view text) {
+    if (base::nesting(text) > deepest_document) return Json(Json::value_t::discarded);
+    return Json::parse(text, nullptr, false);
+}
+
 // what is not UTF-8 in a title becomes a replacement character instead of an exception; NaN and infinities become null
 inline std::string text_of(const Json& document) {
     return document.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -32,6 +42,11 @@ inline Json text_or_null(const std::string& text) {
 template <typename Enumeration>
 std::string_view name_of(std::span<const std::string_view> names, Enumeration value) {
     return names[static_cast<std::size_t>(value)];
+}
+
+// why a contact is quiet; null if it is not
+inline Json quiet_word(classification::Quiet quiet) {
+    return quiet == classification::Quiet::no ? Json() : Json(classification::name(quiet));
 }
 
 inline Json case_object(const parameters::Case& c) {

@@ -80,7 +80,7 @@ std::string verdict_json(const SoundReport& report, std::size_t channel,
 }
 
 std::optional<KeptVerdict> kept_verdict(std::string_view text) {
-    const Json document = Json::parse(text, nullptr, false);
+    const Json document = json_parts::foreign_document(text);
     if (!document.is_object() || document.value("schema", Json()) != schema) return std::nullopt;
     KeptVerdict kept;
     kept.is_current = document.value("version", Json()) == Json(base::version()) &&

@@ -3,13 +3,11 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/sha256.hpp"
 #include "stridor/io/archive_manifest.hpp"
+#include "stridor/io/atomic_file.hpp"
 #include "stridor/io/json_verdict.hpp"
 #include "stridor/noise_library/field.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <system_error>
 #include <utility>
@@ -61,11 +59,6 @@ void write_audio(TarWriter& tar, const Library& library, const AudioName& audio,
     if (written != size || hash.text() != audio.hash)
         throw Error(ErrorKind::io, {"the audio " + file.string() + " is damaged", "its bytes are not those of its name",
                                     "Add the recording again: that mends it."});
-}
-
-fs::path temporary_beside(const fs::path& file) {
-    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-    return file.parent_path() / (".stridor-" + std::to_string(::getpid()) + "-" + std::to_string(now) + ".tmp");
 }
 
 // by name in the archive: the audio, and its size; two entries may share one
@@ -120,6 +113,11 @@ std::vector<Staged> stage_audio(TarReader& tar, noise_library::Intake& intake, c
     return staged;
 }
 
+void expect_whole(const fs::path& archive) {
+    TarReader tar(archive);
+    expect_whole_manifest(tar, archive.string());
+}
+
 }  // namespace
 
 void export_library(const Library& library, std::span<const Entry> entries, const fs::path& archive) {
@@ -130,8 +128,9 @@ void export_library(const Library& library, std::span<const Entry> entries, cons
     std::string manifest = manifest_opening(entries.size());
     for (const Entry& entry : entries)
         manifest += manifest_line(entry, sizes.at(audio_of(entry)));
+    manifest += manifest_closing(manifest);
 
-    storage::NewFile file(temporary_beside(archive), archive.string());
+    PiecewiseFile file(archive.string());
     TarWriter tar(file);
     tar.begin({manifest_name, manifest.size()});
     tar.write(manifest);
@@ -139,11 +138,34 @@ void export_library(const Library& library, std::span<const Entry> entries, cons
     for (const auto& [audio, size] : sizes)
         write_audio(tar, library, audio, size);
     tar.finish();
-    file.finish();
-    file.keep(archive);
+    file.commit();
+}
+
+std::vector<Entry> archived_entries(const fs::path& archive) {
+    expect_whole(archive);
+    TarReader tar(archive);
+    Manifest manifest(tar, archive.string());
+    std::vector<Entry> entries;
+    while (std::optional<Announced> each = manifest.next())
+        entries.push_back(std::move(each->entry));
+    return entries;
+}
+
+std::vector<Staged> archived_audio(const fs::path& archive, noise_library::Intake& intake,
+                                   std::span<const AudioName> wanted) {
+    TarReader tar(archive);
+    std::vector<Staged> staged;
+    while (const std::optional<TarMember> member = tar.next())
+        for (const AudioName& name : wanted) {
+            if (member->name != archive_member(name)) continue;
+            Staged audio = intake.stage(name.format, [&] { return tar.read(); });
+            if (audio.name == name) staged.push_back(std::move(audio));
+        }
+    return staged;
 }
 
 Import import_library(Library& library, const fs::path& archive, const TarProgress& progress) {
+    expect_whole(archive);
     TarReader tar(archive, progress);
     Manifest announced(tar, archive.string());
     const Contents contents = contents_of(announced, library);

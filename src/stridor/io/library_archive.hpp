@@ -20,6 +20,13 @@ namespace stridor::io {
 void export_library(const noise_library::Library& library, std::span<const noise_library::Entry> entries,
                     const std::filesystem::path& archive);
 
+/// The entries of an archive, without ids. Throws as `import_library` does.
+std::vector<noise_library::Entry> archived_entries(const std::filesystem::path& archive);
+
+/// Stages those of the wanted sounds that an archive has, whole.
+std::vector<noise_library::Staged> archived_audio(const std::filesystem::path& archive, noise_library::Intake& intake,
+                                                  std::span<const noise_library::AudioName> wanted);
+
 /// What an import did.
 struct Import {
     std::vector<std::int64_t> added{};  // ids
@@ -30,7 +37,8 @@ struct Import {
 /// Adds the entries of an archive; all or none. One that the library has already is skipped, whatever verdict by ear either
 /// has: the library's stays.
 ///
-/// Throws `Error` (input) for an archive that is damaged or not what it says: nothing of it then stays. No name in it is
+/// Throws `Error` (input) for an archive that is not what it says, (io) for one whose manifest has not its hash: nothing of it
+/// then stays. No name in it is
 /// ever used as a path. Memory grows with the number of audio files alone.
 Import import_library(noise_library::Library& library, const std::filesystem::path& archive,
                       const TarProgress& progress = {});

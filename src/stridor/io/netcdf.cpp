@@ -1,6 +1,7 @@
 #include "stridor/io/netcdf.hpp"
 
 #include "stridor/base/hash.hpp"
+#include "stridor/base/separate_process.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/io/atomic_file.hpp"
 #include "stridor/io/dof_names.hpp"
@@ -12,6 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -34,8 +38,8 @@ std::string coordinate_name(const sweep::Axis& axis, const sweep::Axis& other) {
     const std::string& key = axis.parameter;
     const auto short_name = [](const std::string& full) { return full.substr(full.find('.') + 1); };
     const std::string name = short_name(key);
-    constexpr std::array<std::string_view, 7> fixed{"direction", "category", "status",       "source",
-                                                    "agreement", "start",    "start_verdict"};
+    constexpr std::array<std::string_view, 8> fixed{"direction", "category",  "quiet_because", "status",
+                                                    "source",    "agreement", "start",         "start_verdict"};
     const bool is_taken = name == short_name(other.parameter) || sweep::find_cell_figure(name) != nullptr ||
                           std::find(fixed.begin(), fixed.end(), name) != fixed.end();
     std::string full = key;
@@ -89,6 +93,12 @@ void put_verdicts(NetcdfDataset& file, const sweep::SweepResult& result, std::sp
     };
     file.flags("category", dimensions, numbers_of(result, category), classification::category_names,
                {"", "category of the motion; missing where the cell is not done"});
+    const auto quiet = [&](std::size_t index) {
+        const sweep::CellVerdict& cell = result.cells[index];
+        return cell.status == sweep::Status::done ? static_cast<int>(cell.quiet) : -1;
+    };
+    file.flags("quiet_because", dimensions, numbers_of(result, quiet), classification::quiet_names,
+               {"", "is it quiet, and because the contact slides or sticks? Missing where the cell is not done"});
     const auto status = [&](std::size_t index) { return result.cells[index].status; };
     file.flags("status", dimensions, numbers_of(result, status), sweep::status_names, {"", "how the cell ended"});
     const auto source = [&](std::size_t index) { return sweep::is_inferred(result, index) ? 1 : 0; };
@@ -96,14 +106,38 @@ void put_verdicts(NetcdfDataset& file, const sweep::SweepResult& result, std::sp
                {"", "was the cell computed, or inferred from neighbours that agree?"});
 }
 
-/// Puts the figures of computed cells into the file, a row of the chart at a time.
+/// The figures of a row of the chart; NaN where a cell was not computed.
+struct FigureRow {
+    std::size_t row = 0;           // counted through all directions
+    std::vector<double> values{};  // shape [figure][column]
+};
+
+using TakeRow = std::function<void(const FigureRow&)>;
+
+// shows the rows one after the other; rows without a computed cell are left out
+void visit_rows(const sweep::SweepResult& result, const TakeRow& take) {
+    const std::span<const sweep::CellFigure> figures = sweep::cell_figures();
+    const auto columns = static_cast<std::size_t>(result.study.x.points);
+    const std::vector<double> unknown(figures.size() * columns, sweep::Cell::unknown);
+    FigureRow row{0, unknown};
+    result.computed->visit(0, result.cells.size(), [&](const sweep::IndexedCell& computed) {
+        if (computed.index / columns != row.row) {
+            take(row);
+            row = {computed.index / columns, unknown};
+        }
+        for (std::size_t k = 0; k < figures.size(); ++k)
+            row.values[k * columns + computed.index % columns] = computed.cell.*figures[k].member;
+    });
+    take(row);
+}
+
+/// The figures in the file, a row of the chart at a time.
 class FigureWriter {
 public:
     FigureWriter(NetcdfDataset& file, const sweep::Study& study, std::span<const int> dimensions)
         : file_(file),
           columns_(static_cast<std::size_t>(study.x.points)),
-          rows_(static_cast<std::size_t>(study.y.points)),
-          values_(sweep::cell_figures().size(), std::vector<double>(columns_, sweep::Cell::unknown)) {
+          rows_(static_cast<std::size_t>(study.y.points)) {
         // of a refined chart most are missing
         const Packing packing = study.refine > 0 ? Packing::deflate : Packing::none;
         for (const sweep::CellFigure& figure : sweep::cell_figures())
@@ -111,49 +145,39 @@ public:
                 file.doubles(std::string(figure.name), dimensions, packing, {figure.unit, figure.sentence}));
     }
 
-    void put(const sweep::IndexedCell& computed) {
-        if (computed.index / columns_ != row_) finish_row();
-        row_ = computed.index / columns_;
-        for (std::size_t k = 0; k < values_.size(); ++k)
-            values_[k][computed.index % columns_] = computed.cell.*sweep::cell_figures()[k].member;
-    }
-
-    void finish_row() {
-        const std::array start{row_ / rows_, row_ % rows_, std::size_t{0}};
+    void put(const FigureRow& row) {
+        const std::array start{row.row / rows_, row.row % rows_, std::size_t{0}};
         const std::array count{std::size_t{1}, std::size_t{1}, columns_};
-        for (std::size_t k = 0; k < values_.size(); ++k) {
-            file_.put(variables_[k], start, count, values_[k]);
-            std::fill(values_[k].begin(), values_[k].end(), sweep::Cell::unknown);
-        }
+        for (std::size_t k = 0; k < variables_.size(); ++k)
+            file_.put(variables_[k], start, count, std::span(row.values).subspan(k * columns_, columns_));
     }
 
 private:
     NetcdfDataset& file_;
     std::size_t columns_;
     std::size_t rows_;
-    std::vector<std::vector<double>> values_;  // of one row, shape [figure][column]
     std::vector<int> variables_;
-    std::size_t row_ = 0;  // counted through all directions
 };
 
-void put_figures(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const int> dimensions) {
-    FigureWriter writer(file, result.study, dimensions);
-    result.computed->visit(0, result.cells.size(), [&](const sweep::IndexedCell& computed) { writer.put(computed); });
-    writer.finish_row();
-}
-
-// what each start led to, and whether they agree
-void put_starts(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const int> dimensions) {
+// what each start led to; shape [start][cell], -1 where a cell was inferred
+std::vector<signed char> verdicts_of_starts(const sweep::SweepResult& result) {
     const std::size_t cells = result.cells.size();
-    std::vector<std::string> names;
-    for (const parameters::Initial start : result.study.starts)
-        names.emplace_back(sweep::start_names()[static_cast<std::size_t>(start)]);
-    std::vector<signed char> verdicts(names.size() * cells, -1);
+    std::vector<signed char> verdicts(result.study.starts.size() * cells, -1);
+    if (verdicts.empty()) return verdicts;
     result.computed->visit(0, cells, [&](const sweep::IndexedCell& computed) {
         for (std::size_t start = 0; start < computed.cell.starts.size(); ++start)
             verdicts[start * cells + computed.index] =
                 static_cast<signed char>(sweep::number_of(computed.cell.starts[start]));
     });
+    return verdicts;
+}
+
+// that, and whether the starts agree
+void put_starts(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const int> dimensions,
+                std::span<const signed char> verdicts) {
+    std::vector<std::string> names;
+    for (const parameters::Initial start : result.study.starts)
+        names.emplace_back(sweep::start_names()[static_cast<std::size_t>(start)]);
     std::vector<int> with_start{file.dimension("start", names.size())};
     file.words("start", with_start, names, {"", "how the motion starts"});
     with_start.insert(with_start.end(), dimensions.begin(), dimensions.end());
@@ -164,12 +188,61 @@ void put_starts(NetcdfDataset& file, const sweep::SweepResult& result, std::span
                {"", "do all starts lead to the same verdict?"});
 }
 
+/// Makes the chart's file; the figures come from `rows`, which calls its argument with each row.
+void put_chart(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const signed char> starts,
+               const std::function<void(const TakeRow&)>& rows) {
+    const sweep::Study& study = result.study;
+    const std::string canonical = sweep::canonical_text(study);
+    put_origin(file, "chart", study.base.title.empty() ? "noise chart" : study.base.title);
+    const int direction = put_directions(file, study);
+    const int y = put_axis(file, coordinate_name(study.y, study.x), study.y, "Y");
+    const int x = put_axis(file, coordinate_name(study.x, study.y), study.x, "X");
+    const std::array dimensions{direction, y, x};
+    file.attribute("study", canonical);
+    file.attribute("study_hash", base::hash_text(canonical));
+    file.attribute("case", study_toml(study, {.comments = Comments::none, .heading = ""}));
+    put_verdicts(file, result, dimensions);
+    FigureWriter figures(file, study, dimensions);
+    rows([&](const FigureRow& row) { figures.put(row); });
+    if (!study.starts.empty()) put_starts(file, result, dimensions, starts);
+}
+
+// the rows that another process sends, each its number and its values
+void receive_rows(const base::Receive& receive, std::size_t values, const TakeRow& take) {
+    FigureRow row{0, std::vector<double>(values)};
+    while (receive(std::as_writable_bytes(std::span(&row.row, 1)))) {
+        receive(std::as_writable_bytes(std::span(row.values)));
+        take(row);
+    }
+}
+
+/// HDF5 writes the temporary file by itself, in a process of its own.
+///
+/// That process has of the chart what is in memory; the figures are sent to it, for the database they lie in may not be used by
+/// two processes.
+void write_apart(const std::string& path, const std::string& temporary, const sweep::SweepResult& result,
+                 std::span<const signed char> starts) {
+    const std::size_t values = sweep::cell_figures().size() * static_cast<std::size_t>(result.study.x.points);
+    base::SeparateProcess writer("cannot write \"" + path + "\"", [&](const base::Receive& receive) {
+        // it is a file of ours, locked by us
+        ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
+        NetcdfDataset file(path, temporary);
+        put_chart(file, result, starts, [&](const TakeRow& take) { receive_rows(receive, values, take); });
+        file.finish();
+    });
+    visit_rows(result, [&](const FigureRow& row) {
+        writer.send(std::as_bytes(std::span(&row.row, 1)));
+        writer.send(std::as_bytes(std::span(row.values)));
+    });
+    writer.finish();
+}
+
 // what a chart takes on the disk at most [bytes], generously
 std::size_t room_of(const sweep::SweepResult& result) {
     constexpr std::size_t frame = std::size_t{1} << 20U;
     const std::size_t bytes_of_figures = sweep::cell_figures().size() * sizeof(double);
     const std::size_t filled = result.study.refine > 0 ? sweep::computed_count(result) : result.cells.size();
-    return frame + filled * bytes_of_figures + result.cells.size() * (4 + result.study.starts.size());
+    return frame + filled * bytes_of_figures + result.cells.size() * (5 + result.study.starts.size());
 }
 
 void put_trace(NetcdfDataset& file, const record::Trace& trace) {
@@ -223,23 +296,17 @@ void put_history(NetcdfDataset& file, const record::ContactHistory& history) {
 
 }  // namespace
 
-void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result) {
-    const sweep::Study& study = result.study;
-    const std::string canonical = sweep::canonical_text(study);
+void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result, std::size_t largest_in_memory) {
+    const std::vector<signed char> starts = verdicts_of_starts(result);
+    const std::size_t room = room_of(result);
     PiecewiseFile whole(path);
-    NetcdfDataset file(path, whole.temporary_name(room_of(result)));
-    put_origin(file, "chart", study.base.title.empty() ? "noise chart" : study.base.title);
-    const int direction = put_directions(file, study);
-    const int y = put_axis(file, coordinate_name(study.y, study.x), study.y, "Y");
-    const int x = put_axis(file, coordinate_name(study.x, study.y), study.x, "X");
-    const std::array dimensions{direction, y, x};
-    file.attribute("study", canonical);
-    file.attribute("study_hash", base::hash_text(canonical));
-    file.attribute("case", study_toml(study, {.comments = Comments::none, .heading = ""}));
-    put_verdicts(file, result, dimensions);
-    put_figures(file, result, dimensions);
-    if (!study.starts.empty()) put_starts(file, result, dimensions);
-    file.finish();
+    if (room <= largest_in_memory) {
+        NetcdfDataset file(path);
+        put_chart(file, result, starts, [&](const TakeRow& take) { visit_rows(result, take); });
+        file.finish([&](std::string_view bytes) { whole.write(bytes); });
+    } else {
+        write_apart(path, whole.temporary_name(room), result, starts);
+    }
     whole.commit();
 }
 
@@ -252,7 +319,7 @@ void write_trace_netcdf(const std::string& path, const parameters::Case& c, cons
     file.attribute("case", case_toml(c, {.comments = Comments::none, .heading = ""}));
     if (!record.trace.time.empty()) put_trace(file, record.trace);
     if (!record.history.empty()) put_history(file, record.history);
-    write_file(path, file.bytes());
+    file.finish([&](std::string_view bytes) { write_file(path, bytes); });
 }
 
 }  // namespace stridor::io

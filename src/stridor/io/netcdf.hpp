@@ -4,11 +4,12 @@
 #include "stridor/record/recorder.hpp"
 #include "stridor/sweep/cell.hpp"
 
+#include <cstddef>
 #include <string>
 
-/// NetCDF-4 files after the CF conventions 1.10, written beside their name and renamed. The HDF5 library below cannot be
-/// trusted with a full disk: a trace is made in memory, and for a chart, which may not fit there, the room is made sure of
-/// first. The same content gives the same bytes. Not for two threads at a time: the library has global state. Throws `Error`
+/// NetCDF-4 files after the CF conventions 1.10, written beside their name and renamed. The HDF5 library below crashes where a
+/// write fails, so that its files are made in memory; a chart too large for that is written by a process of its own, whose
+/// death is an error like any other. The same content gives the same bytes. Not for two threads at a time: the library has global state. Throws `Error`
 /// (io).
 namespace stridor::io {
 
@@ -19,7 +20,11 @@ namespace stridor::io {
 /// double, NaN where a cell is not done or was inferred; of a chart with starts agreement, and start_verdict(start, direction,
 /// y, x). Global attributes: x and y (the parameters' keys), study (`sweep::canonical_text`), study_hash,
 /// case (the chart as TOML, which can be run again).
-void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result);
+///
+/// One that takes more than `largest_in_memory` bytes, generously counted, is not made in memory: usual 32 MiB, some 170,000
+/// computed cells.
+void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result,
+                        std::size_t largest_in_memory = std::size_t{32} << 20U);
 
 /// A trace and the contact history of a run, as far as they were kept: dimensions time, dof and interval; displacement, velocity
 /// and acceleration as (dof, time), forces and contact state as (time), the history's stays as interval_*(interval).

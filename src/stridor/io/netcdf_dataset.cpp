@@ -119,11 +119,11 @@ void NetcdfDataset::finish() {
     check(nc_close(std::exchange(id_, -1)));
 }
 
-std::string NetcdfDataset::bytes() {
+void NetcdfDataset::finish(const std::function<void(std::string_view)>& take) {
     NC_memio memory{};
     check(nc_close_memio(std::exchange(id_, -1), &memory));
     const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
-    return {static_cast<const char*>(memory.memory), memory.size};
+    take({static_cast<const char*>(memory.memory), memory.size});
 }
 
 }  // namespace stridor::io

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,9 +26,10 @@ enum class Packing { none, deflate };
 /// Dimensions are known by the numbers the library gives them. Variables are written whole, in one call, or in parts.
 class NetcdfDataset {
 public:
-    /// In memory, to be taken by `bytes`.
+    /// In memory.
     explicit NetcdfDataset(std::string name);
-    /// In the file `path`, which may be there.
+    /// In the file `path`, which may be there. HDF5 takes a write that fails for the end of the process (a segmentation
+    /// fault, there or at the process' end): only in a process that may be lost.
     NetcdfDataset(std::string name, const std::string& path);
     NetcdfDataset(const NetcdfDataset&) = delete;
     NetcdfDataset& operator=(const NetcdfDataset&) = delete;
@@ -54,8 +56,8 @@ public:
 
     /// Ends the file; nothing may be added after it.
     void finish();
-    /// Ends a file in memory and gives its bytes.
-    std::string bytes();
+    /// Ends a file in memory and shows its bytes, which go with the call.
+    void finish(const std::function<void(std::string_view)>& take);
 
 private:
     void check(int code) const;

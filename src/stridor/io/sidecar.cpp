@@ -66,6 +66,9 @@ SidecarChannel channel_of(const Json& object, const std::string& name) {
 }
 
 Json parsed(std::string_view json, const std::string& name) {
+    if (base::nesting(json) > json_parts::deepest_document)
+        throw refusal(name, "the sidecar is no JSON of ours",
+                      "it nests deeper than " + std::to_string(json_parts::deepest_document) + " levels");
     try {
         return Json::parse(json);
     } catch (const Json::exception& error) {

@@ -2,9 +2,11 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/storage/system_io.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -15,7 +17,7 @@ namespace stridor::io {
 
 namespace {
 
-constexpr std::size_t block_size = 512;
+constexpr std::size_t block_size = tar_block;
 constexpr std::uint64_t size_limit = std::uint64_t{1} << 33U;  // eleven octal digits
 
 using Header = std::array<char, block_size>;
@@ -30,6 +32,7 @@ constexpr Part mode_part{100, 8};
 constexpr Part size_part{124, 12};
 constexpr Part checksum_part{148, 8};
 constexpr std::size_t type_place = 156;
+constexpr char folder_type = '5';
 constexpr Part magic_part{257, 6};
 constexpr Part prefix_part{345, 155};
 
@@ -146,6 +149,20 @@ void TarReader::fill(char* bytes, std::uint64_t count) {
 }
 
 std::optional<TarMember> TarReader::next() {
+    // folders tell nothing, and an archive may hold any number of them
+    while (true) {
+        const std::optional<Header> header = next_header();
+        if (!header) return std::nullopt;
+        TarMember member = member_of(*header);
+        if ((*header)[type_place] == folder_type) continue;
+        left_in_member_ = member.size;
+        padding_ = padding_after(member.size);
+        return member;
+    }
+}
+
+// nothing at the end of the archive
+std::optional<TarReader::Header> TarReader::next_header() {
     while (!read().empty())
         continue;
     if (padding_ > left_in_file_) refuse("its end is missing");
@@ -154,23 +171,24 @@ std::optional<TarMember> TarReader::next() {
 
     Header header{};
     fill(header.data(), header.size());
-    if (std::all_of(header.begin(), header.end(), [](char c) { return c == '\0'; })) return std::nullopt;
+    const bool is_end = std::all_of(header.begin(), header.end(), [](char c) { return c == '\0'; });
+    return is_end ? std::nullopt : std::optional(header);
+}
+
+TarMember TarReader::member_of(const Header& header) const {
     const std::optional<std::uint64_t> sum = octal_of(header, checksum_part);
     const std::optional<std::uint64_t> size = octal_of(header, size_part);
     if (!text_of(header, magic_part).starts_with("ustar") || !sum || *sum != checksum(header))
         refuse("it is not in the ustar format, or damaged");
     const char type = header[type_place];
-    const bool is_folder = type == '5';
+    const bool is_folder = type == folder_type;
     if (type != '0' && type != '\0' && !is_folder) refuse("it holds something else than files");
     std::string name(text_of(header, name_part));
     if (const std::string_view prefix = text_of(header, prefix_part); !prefix.empty())
         name = std::string(prefix) + "/" + name;
     if (!size || (is_folder && *size > 0)) refuse("the size of " + name + " is no number");
     if (*size > left_in_file_) refuse(name + " says it is longer than the archive");
-    left_in_member_ = *size;
-    padding_ = padding_after(*size);
-    if (is_folder) return next();
-    return TarMember{name.starts_with("./") ? name.substr(2) : name, *size};
+    return {name.starts_with("./") ? name.substr(2) : name, *size};
 }
 
 std::string_view TarReader::read() {

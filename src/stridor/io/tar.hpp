@@ -1,7 +1,9 @@
 #pragma once
 
-#include "stridor/storage/new_file.hpp"
+#include "stridor/io/atomic_file.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -17,6 +19,9 @@
 /// Regular files alone, names up to 100 bytes, sizes below 8 GiB; no compression, so a small archive cannot hold much.
 namespace stridor::io {
 
+/// What an archive is made of [bytes]: a header is one such block, and files are padded to them.
+inline constexpr std::size_t tar_block = 512;
+
 /// A file of an archive.
 struct TarMember {
     std::string name;
@@ -26,7 +31,7 @@ struct TarMember {
 /// Writes an archive file by file.
 class TarWriter {
 public:
-    explicit TarWriter(storage::NewFile& file) : file_(&file) {}
+    explicit TarWriter(PiecewiseFile& file) : file_(&file) {}
 
     /// Begins a file, whose bytes follow. Throws `Error` (input) if it is too large for the format.
     void begin(const TarMember& member);
@@ -39,7 +44,7 @@ public:
     void finish();
 
 private:
-    storage::NewFile* file_;
+    PiecewiseFile* file_;
     std::uint64_t written_ = 0;  // [bytes] of the file begun last
 };
 
@@ -62,6 +67,10 @@ public:
     std::string_view read();
 
 private:
+    using Header = std::array<char, tar_block>;
+
+    std::optional<Header> next_header();
+    TarMember member_of(const Header& header) const;
     [[noreturn]] void refuse(const std::string& why) const;
     void fill(char* bytes, std::uint64_t count);
 

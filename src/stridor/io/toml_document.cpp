@@ -20,6 +20,7 @@ namespace {
 // nothing but "a.a.a..." nests so deeply that taking it down overflows the stack.
 constexpr std::size_t largest_file = 65536;   // [1] bytes
 constexpr std::ptrdiff_t most_points = 4000;  // [1] "." characters, each of which may open a section
+constexpr std::ptrdiff_t deepest_text = 64;   // [1] levels of lists, tables and dotted names; keys have three
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
@@ -134,6 +135,20 @@ void collect(const toml::table& table, const std::string& prefix, int depth, con
     }
 }
 
+// The parser calls itself for each list or table in another, and tables go as deep as their dotted names. Counts both
+// roughly: brackets and points in comments and texts, too.
+bool is_deep(std::string_view text) {
+    std::ptrdiff_t depth = 0;
+    std::ptrdiff_t names = 0;
+    for (const char c : text) {
+        if (c == '.' && ++names > deepest_text) return true;
+        if (c == '=' || c == ',' || c == '\n' || c == '{') names = 0;
+        if ((c == '[' || c == '{') && ++depth > deepest_text) return true;
+        if ((c == ']' || c == '}') && depth > 0) --depth;
+    }
+    return false;
+}
+
 void check_size(const TomlSource& source) {
     const std::ptrdiff_t points = std::count(source.text.begin(), source.text.end(), '.');
     if (source.text.size() <= largest_file && points <= most_points) return;
@@ -143,6 +158,15 @@ void check_size(const TomlSource& source) {
          "it has " + std::to_string(source.text.size()) + " bytes and " + std::to_string(points) + " points; at most " +
              std::to_string(largest_file) + " and " + std::to_string(most_points) + " make sense",
          ""},
+        base::Place{source.name, 0, 0, ""});
+}
+
+void check_depth(const TomlSource& source) {
+    if (!is_deep(source.text)) return;
+    throw Error(
+        ErrorKind::input,
+        {"this is no case file",
+         "its lists, tables or names stand in each other more than " + std::to_string(deepest_text) + " deep", ""},
         base::Place{source.name, 0, 0, ""});
 }
 
@@ -160,6 +184,7 @@ const TomlEntry* TomlDocument::find(std::string_view key) const {
 
 TomlDocument parse_toml(const TomlSource& source) {
     check_size(source);
+    check_depth(source);
     const Places places(source.text, source.name);
     TomlDocument document{source.name, {}};
     try {

@@ -192,6 +192,17 @@ void Intake::place(std::span<Staged> staged, const std::set<AudioName>& needed) 
     }
 }
 
+bool is_whole(const fs::path& file, const AudioName& name) {
+    // a pipe or a device in a library from elsewhere would keep its reader for ever
+    std::error_code error;
+    if (fs::exists(file, error) && !fs::is_regular_file(file, error)) return false;
+    base::Sha256 hash;
+    FilePieces pieces(file);
+    for (std::string_view piece = pieces(); !piece.empty(); piece = pieces())
+        hash.add(piece);
+    return hash.text() == name.hash;
+}
+
 bool has_leftovers(const fs::path& audio_folder) {
     const std::vector<fs::path> files = files_in(incoming(audio_folder));
     return !dead_markers(files).empty() || std::any_of(files.begin(), files.end(), is_abandoned);

@@ -93,6 +93,9 @@ private:
     Marker marker_;
 };
 
+/// Are the bytes of a file those of its name? Throws `Error` (io) where it cannot be read.
+bool is_whole(const std::filesystem::path& file, const AudioName& name);
+
 /// Did a process die while it changed the audio?
 bool has_leftovers(const std::filesystem::path& audio_folder);
 

@@ -1,8 +1,10 @@
 #include "stridor/noise_library/entry_rows.hpp"
 
 #include "stridor/noise_library/field.hpp"
+#include "stridor/noise_library/library_file.hpp"
 #include "stridor/noise_library/selection.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -54,22 +56,58 @@ void write_figures(Database& database, std::int64_t id, const Entry& entry) {
 
 }  // namespace
 
-void create_tables(Database& database) {
+std::vector<std::string> table_statements() {
     std::string columns;
     for (const Field& field : fields())
         if (!is_document(field)) columns += ", " + column_of(field);
-    // ids are never used twice, so that a note about entry 12 stays true
-    database.execute("CREATE TABLE entry(id INTEGER PRIMARY KEY AUTOINCREMENT, digest TEXT NOT NULL" + columns + ")");
-    database.execute("CREATE INDEX entry_digest ON entry(digest)");
-    database.execute("CREATE INDEX entry_audio ON entry(audio)");
-    // apart from the rows that every search goes through
-    database.execute(
-        "CREATE TABLE document(entry INTEGER NOT NULL, name TEXT NOT NULL, text TEXT NOT NULL, "
-        "PRIMARY KEY(entry, name)) WITHOUT ROWID");
-    database.execute(
-        "CREATE TABLE figure(entry INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL, value, "
-        "PRIMARY KEY(entry, name)) WITHOUT ROWID");
-    database.execute("CREATE INDEX figure_name ON figure(name)");
+    return {// ids are never used twice, so that a note about entry 12 stays true
+            "CREATE TABLE entry(id INTEGER PRIMARY KEY AUTOINCREMENT, digest TEXT NOT NULL" + columns + ")",
+            "CREATE INDEX entry_digest ON entry(digest)", "CREATE INDEX entry_audio ON entry(audio)",
+            // apart from the rows that every search goes through
+            "CREATE TABLE document(entry INTEGER NOT NULL, name TEXT NOT NULL, text TEXT NOT NULL, "
+            "PRIMARY KEY(entry, name)) WITHOUT ROWID",
+            "CREATE TABLE figure(entry INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL, value, "
+            "PRIMARY KEY(entry, name)) WITHOUT ROWID",
+            "CREATE INDEX figure_name ON figure(name)"};
+}
+
+void create_tables(Database& database) {
+    database.execute("PRAGMA application_id = " + std::to_string(library_identity.application_id));
+    database.execute("PRAGMA user_version = " + std::to_string(library_schema));
+    for (const std::string& statement : table_statements())
+        database.execute(statement);
+}
+
+std::vector<std::int64_t> entry_ids(Database& database) {
+    std::vector<std::int64_t> ids;
+    Statement rows = database.prepare("SELECT id FROM entry ORDER BY id");
+    while (rows.step())
+        ids.push_back(rows.integer(0));
+    return ids;
+}
+
+KeptEntry read_entry(Database& database, std::int64_t id) {
+    KeptEntry kept;
+    Statement row = database.prepare("SELECT " + columns() + ", e.digest FROM entry e WHERE e.id = ?");
+    row.bind(1, id);
+    if (!row.step()) return kept;
+    kept.entry = entry_in(row);
+    const auto last = std::count_if(fields().begin(), fields().end(), [](const Field& f) { return !is_document(f); });
+    kept.digest = row.text(static_cast<int>(last) + 1);
+    Statement documents = database.prepare("SELECT name, text FROM document WHERE entry = ?");
+    documents.bind(1, id);
+    while (documents.step())
+        if (const Field* field = find_field(documents.text(0)); field != nullptr && is_document(*field))
+            words_in(kept.entry, *field) = documents.text(1);
+    Statement figures = database.prepare("SELECT name, unit, value FROM figure WHERE entry = ? ORDER BY name");
+    figures.bind(1, id);
+    while (figures.step())
+        kept.entry.figures.push_back({figures.text(0), figures.text(1), figures.number(2)});
+    return kept;
+}
+
+bool is_sound(const KeptEntry& kept) {
+    return kept.entry.id != 0 && digest(kept.entry) == kept.digest;
 }
 
 std::int64_t write_entry(Database& database, const Entry& entry) {

@@ -20,36 +20,6 @@ using storage::Transaction;
 
 namespace {
 
-// "STRL", in the file's header where other programs look for the kind of a database
-constexpr std::int64_t application_id = 0x5354524C;
-
-storage::DatabaseOptions database_options(const fs::path& file, const LibraryOptions& options) {
-    storage::DatabaseOptions database;
-    database.words = {
-        "library", "Choose another --library.", "Wait until that ends, and run the same command again.",
-        "Restore it from a copy or an export; \"sqlite3 " + file.string() + " .recover\" saves what can be read.",
-        "run the same command again: nothing was changed."};
-    database.ownership = storage::Ownership::shared;
-    database.missing = options.access == Access::fill ? storage::Missing::create : storage::Missing::refuse;
-    database.wait = options.wait;
-    std::error_code error;
-    if (options.access == Access::read && !fs::exists(file, error))
-        throw Error(ErrorKind::io,
-                    {"there is no library " + file.string(), error ? error.message() : "",
-                     "Add a first recording with `stridor library add FILE`, or name another --library."});
-    return database;
-}
-
-// the audio stands beside the file itself, not beside a link to it
-fs::path audio_folder_of(const fs::path& file) {
-    std::error_code error;
-    fs::path real = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
-    if (real.extension() == ".audio")
-        throw Error(ErrorKind::input, {file.string() + " cannot be a library", "its audio needs a folder of that name",
-                                       "Call it library.sqlite."});
-    return real.replace_extension(".audio");
-}
-
 AudioName audio_of(const Entry& entry) {
     return {entry.audio, entry.format};
 }
@@ -67,39 +37,9 @@ fs::path default_library() {
 }
 
 Library::Library(const fs::path& file, const LibraryOptions& options)
-    : database_(file, database_options(file, options)),
+    : database_(open_database(file, options)),
       audio_folder_(audio_folder_of(file)) {
-    const auto is_empty = [&] {
-        return database_.integer("PRAGMA application_id") == 0 &&
-               database_.integer("SELECT count(*) FROM sqlite_schema") == 0;
-    };
-    if (is_empty()) {
-        Transaction transaction(database_);
-        // another process may have made it in between
-        if (is_empty()) {
-            database_.execute("PRAGMA application_id = " + std::to_string(application_id));
-            database_.execute("PRAGMA user_version = " + std::to_string(library_schema));
-            create_tables(database_);
-        }
-        transaction.commit();
-    }
-    verify();
     if (!database_.is_read_only() && has_leftovers(audio_folder_)) clear();
-}
-
-void Library::verify() {
-    const Transaction transaction(database_, Transaction::Purpose::read);
-    const std::string name = file().string();
-    if (database_.integer("PRAGMA application_id") != application_id)
-        throw Error(ErrorKind::input, {name + " is no noise library", "it is another program's SQLite database",
-                                       "Choose another --library."});
-    const std::int64_t schema = database_.integer("PRAGMA user_version");
-    if (schema != library_schema)
-        throw Error(ErrorKind::input,
-                    {"the library " + name + " has schema " + std::to_string(schema),
-                     "this program reads and writes schema " + std::to_string(library_schema),
-                     schema > library_schema ? "Use the newer program that wrote it." : "Choose another --library."});
-    database_.expect_whole();
 }
 
 void Library::clear() {
@@ -114,6 +54,25 @@ void Library::clear() {
 
 fs::path Library::audio_file(const Entry& entry) const {
     return audio_folder_ / path_of(audio_of(entry));
+}
+
+fs::path Library::sound_file(const Entry& entry) const {
+    fs::path file = audio_file(entry);
+    if (!is_whole(file, audio_of(entry)))
+        throw Error(ErrorKind::io, {"the audio of entry " + std::to_string(entry.id) + " is damaged",
+                                    file.string() + " has not the bytes of its name",
+                                    "Add the recording again, or run `stridor library check --repair ARCHIVE`."});
+    return file;
+}
+
+void Library::mend(Intake& intake, std::span<Staged> staged) {
+    std::set<AudioName> names;
+    for (const Staged& each : staged)
+        names.insert(each.name);
+    Transaction transaction(database_);
+    intake.place(staged, names);
+    transaction.commit();
+    intake.settle();
 }
 
 std::int64_t Library::size() {

@@ -2,11 +2,11 @@
 
 #include "stridor/noise_library/audio_folder.hpp"
 #include "stridor/noise_library/entry.hpp"
+#include "stridor/noise_library/library_file.hpp"
 #include "stridor/noise_library/query.hpp"
 #include "stridor/noise_library/selection.hpp"
 #include "stridor/storage/database.hpp"
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -18,19 +18,8 @@
 
 namespace stridor::noise_library {
 
-/// Layout of a library. Raise it when a table, a column or the meaning of one changes.
-inline constexpr int library_schema = 1;
-
 /// Where a library stands when none is named: stridor/library.sqlite in $XDG_DATA_HOME, or in ~/.local/share.
 std::filesystem::path default_library();
-
-/// Is the library to be read, or filled, too? Only then is one made where there is none.
-enum class Access { read, fill };
-
-struct LibraryOptions {
-    Access access = Access::read;
-    std::chrono::milliseconds wait{10000};  // for another process that writes
-};
 
 /// What keeps entries apart that are one: the same audio, or the same in every word.
 enum class Twins { refuse_same_audio, skip_equal, accept };
@@ -41,7 +30,8 @@ enum class Twins { refuse_same_audio, skip_equal, accept };
 /// value). Several processes may use a library
 /// at once; each change is whole or not there, on disk when its function returns, whatever ends the process. Every
 /// failure throws `Error`: input for a file that is no library of this program, an unknown id, a name or value that means
-/// nothing; io for the rest.
+/// nothing; io for the rest. What is read is what was written, or an `Error` (io) says that the library is damaged: each page
+/// has a checksum, each entry a digest, and audio is called by its hash.
 class Library {
 public:
     explicit Library(const std::filesystem::path& file, const LibraryOptions& options = {});
@@ -51,6 +41,12 @@ public:
 
     /// Where the audio of an entry lies.
     std::filesystem::path audio_file(const Entry& entry) const;
+
+    /// The same once its bytes were looked at: those that were added, or an `Error` (io) says that they are not.
+    std::filesystem::path sound_file(const Entry& entry) const;
+
+    /// Puts staged audio in the place of what is damaged or missing; its names stay.
+    void mend(Intake& intake, std::span<Staged> staged);
 
     /// The entries a query asks for.
     std::vector<Entry> find(const Query& query);
@@ -92,7 +88,6 @@ public:
     std::vector<std::string> words(std::string_view field);
 
 private:
-    void verify();
     void clear();
     std::vector<Entry> read(const Query& query);
     std::vector<Entry> read(std::span<const std::int64_t> ids);

@@ -1,7 +1,9 @@
 #include "stridor/parameters/check.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/resolution.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace stridor::parameters {
@@ -10,12 +12,40 @@ namespace {
 
 using base::shortest;
 
+// of a phase: less than this rest is not told from nothing
+constexpr double most_cut = 1.0 - 1e-9;
+// of beta_2 in a stretch that is judged
+constexpr double least_steps = 10.0;
+
 void check_contact(const Case& c, std::vector<Finding>& found) {
     if (c.contact.kinetic_friction <= c.contact.static_friction) return;
     found.push_back(
         {"contact.kinetic_friction",
          {"mu_d = " + shortest(c.contact.kinetic_friction) + " exceeds mu_s = " + shortest(c.contact.static_friction),
           "kinetic friction may not be larger than static", "Swap them?"}});
+}
+
+// V is linear between samples: it is zero from one to the next if it is so at both
+void find_standstill(const Case& c, std::vector<Finding>& found) {
+    long reversals = 0;
+    bool moves = false;
+    double last = 0.0;
+    for (std::size_t k = 0; k < c.drive.times.size(); ++k) {
+        const double velocity = c.drive.velocities[k];
+        moves = moves || (velocity != 0.0 && (k == 0 || c.drive.times[k - 1] < c.run.duration));
+        if (velocity == 0.0) continue;
+        if (last != 0.0 && (velocity > 0.0) != (last > 0.0)) ++reversals;
+        last = velocity;
+    }
+    if (!moves)
+        found.push_back({"drive.file",
+                         {"the sampled drive stands still for the whole run", "a contact at rest has nothing to judge",
+                          "Check its column velocity."}});
+    if (static_cast<double>(reversals) > most_reversals)
+        found.push_back({"drive.file",
+                         {"the sampled drive reverses " + std::to_string(reversals) + " times",
+                          "each reversal is kept in memory, " + shortest(most_reversals) + " at most",
+                          "Is its velocity noise? Smooth it, or shorten run.duration."}});
 }
 
 void check_samples(const Case& c, std::vector<Finding>& found) {
@@ -34,6 +64,11 @@ void check_samples(const Case& c, std::vector<Finding>& found) {
                   shortest(times[k]) + " s follows " + shortest(times[k - 1]) + " s", "Sort the CSV file by time."}});
             return;
         }
+    if (static_cast<double>(times.size()) > most_samples)
+        found.push_back({"drive.file",
+                         {"the sampled drive has " + std::to_string(times.size()) + " samples",
+                          "all of them are kept in memory, " + shortest(most_samples) + " at most",
+                          "Resample it: V is linear in between."}});
     if (times.front() > 0.0)
         found.push_back(
             {"drive.file",
@@ -42,6 +77,7 @@ void check_samples(const Case& c, std::vector<Finding>& found) {
         found.push_back({"run.duration",
                          {"run.duration = " + shortest(c.run.duration) + " s runs past the sampled drive",
                           "it ends at " + shortest(times.back()) + " s", "Shorten run.duration."}});
+    find_standstill(c, found);
 }
 
 void check_drive(const Case& c, std::vector<Finding>& found) {
@@ -87,10 +123,19 @@ void check_run(const Case& c, std::vector<Finding>& found) {
         found.push_back(
             {"run.step",
              {"run.duration / run.step asks for more than 1e12 steps", "that would take hours", "Use a larger step."}});
+    // of a phase the part between settling and reversal is judged
+    const double judged = c.drive.kind == DriveKind::sinusoidal
+                              ? 0.5 / c.drive.frequency * (1.0 - c.verdict.settling - c.verdict.reversal)
+                              : c.run.window;
+    if (c.run.step <= c.run.duration && judged < least_steps * c.run.step)
+        found.push_back({"run.step",
+                         {"run.step = " + shortest(c.run.step) + " s leaves fewer than ten steps in a judged time of " +
+                              shortest(std::max(0.0, judged)) + " s",
+                          "its figures would come from next to nothing", "Use a smaller step."}});
 }
 
 void check_verdict(const Case& c, std::vector<Finding>& found) {
-    if (c.drive.kind == DriveKind::constant || c.verdict.settling + c.verdict.reversal < 1.0) return;
+    if (c.drive.kind == DriveKind::constant || c.verdict.settling + c.verdict.reversal <= most_cut) return;
     found.push_back({"verdict.settling",
                      {"verdict.settling + verdict.reversal = " + shortest(c.verdict.settling + c.verdict.reversal) +
                           " leaves nothing to judge",
@@ -105,6 +150,7 @@ std::vector<Finding> findings(const Case& c) {
     check_drive(c, found);
     check_run(c, found);
     check_verdict(c, found);
+    find_unresolvable(c, found);
     return found;
 }
 

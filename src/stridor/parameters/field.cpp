@@ -19,6 +19,7 @@ constexpr Range any{};
 constexpr Range positive{0.0, infinity, Range::Low::open};
 constexpr Range not_negative{0.0, infinity, Range::Low::closed};
 constexpr Range share{0.0, 1.0, Range::Low::closed};
+constexpr Range before_the_end{0.0, 0.99, Range::Low::closed};
 
 constexpr UsualRange between(double from, double to) {
     return {from, to, Scale::linear};
@@ -147,6 +148,8 @@ const std::array table{
     Field{"run", "beta_2", "beta_2", "0.5: central difference, second order; above it numerical damping, first order",
           quantity<&Case::run, &Run::beta_2>("1", Range{0.5, 1.0}), has_steps},
 
+    Field{"verdict", "start", "", "share of the run that is not judged, at its start, while the start dies out",
+          quantity<&Case::verdict, &Thresholds::start>("1", before_the_end), is_constant},
     Field{"verdict", "settling", "",
           "share of each going or coming phase cut at its start, while the reversal rings down",
           quantity<&Case::verdict, &Thresholds::settling>("1", share), has_phases},
@@ -156,6 +159,8 @@ const std::array table{
           quantity<&Case::verdict, &Thresholds::quiet_slip>("1", share), always},
     Field{"verdict", "creak_stick", "", "stick share from which a noisy motion is creak",
           quantity<&Case::verdict, &Thresholds::creak_stick>("1", share), always},
+    Field{"verdict", "least_releases", "", "fewest ends of sticks that make a creak; fewer are undecided",
+          quantity<&Case::verdict, &Thresholds::least_releases>("1", Range{2.0, 1000.0}), always},
     Field{"verdict", "squeal_regularity", "", "regularity from which a noisy motion is squeal, below it squeak",
           quantity<&Case::verdict, &Thresholds::squeal_regularity>("1", share), always},
     Field{"verdict", "squeal_beats", "", "most unequal beats per period of a squeal; 1: all beats alike",

@@ -45,6 +45,8 @@ constexpr std::array table{
                    &Thresholds::squeal_movement},
     SoundThreshold{"least_impulses", "1", "fewest impulses of a creak; fewer are undecided", not_negative,
                    &Thresholds::least_impulses},
+    SoundThreshold{"creak_pause", "s", "longest rest between two impulses of one creak", not_negative,
+                   &Thresholds::creak_pause},
     SoundThreshold{"least_duration", "s", "shortest noise that can be judged; shorter is undecided", not_negative,
                    &Thresholds::least_duration},
     SoundThreshold{"majority", "1", "share of the energy that the category of a whole recording must have", share,

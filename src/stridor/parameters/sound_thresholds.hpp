@@ -24,6 +24,7 @@ struct SoundThresholds {
     double squeal_regularity = 0.8;     // [1] likeness of neighbouring cycles from which a tone is `squeal`
     double squeal_movement = 0.12;      // [1] most movement of the strongest frequency in a `squeal`
     double least_impulses = 3.0;        // [1] fewest impulses of a creak; fewer are a knock
+    double creak_pause = 1.5;           // [s] longest rest between two impulses of one creak
     double least_duration = 0.05;       // [s] shortest noise that can be judged
     double majority = 0.5;              // [1] share of the energy that the category of a whole recording must have
 };

@@ -1,9 +1,11 @@
 #include "stridor/record/recorder.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace stridor::record {
@@ -20,6 +22,13 @@ void append(Instants& instants, double time) {
     instants.times.push_back(time);
 }
 
+void add(std::vector<Vibration>& sum, std::span<const Vibration> more) {
+    for (std::size_t dof = 0; dof < more.size(); ++dof) {
+        sum[dof].square_time += more[dof].square_time;
+        sum[dof].peak_square = std::max(sum[dof].peak_square, more[dof].peak_square);
+    }
+}
+
 }  // namespace
 
 Recorder::Recorder(Schedule schedule, Request request, int dofs)
@@ -30,6 +39,7 @@ Recorder::Recorder(Schedule schedule, Request request, int dofs)
         Tally tally;
         tally.phase = phase;
         tally.vibration.resize(size);
+        tally.closing_vibration.resize(size);
         record_.phases.push_back(std::move(tally));
     }
     record_.trace.displacement.resize(size);
@@ -52,11 +62,12 @@ void Recorder::count(double to) {
         const double length = std::max(0.0, end - std::max(span.from, counted_to_));
         Tally* tally = span.use == Use::unused ? nullptr : tally_of(span.phase);
         if (tally != nullptr) tally->time[state] += length;
-        if (tally != nullptr && span.use == Use::judged) tally->judged_time[state] += length;
+        if (tally != nullptr && is_judged(span.use)) tally->judged_time[state] += length;
         counted_to_ = std::max(counted_to_, end);
         if (end < span.to) break;
-        // the next judged span of this phase is another stretch of time: no interval reaches across
-        if (tally != nullptr && span.use == Use::judged)
+        // the next judged span of this phase is another stretch of time, unless it closes this one: no interval reaches across
+        const bool goes_on = span_ + 1 < schedule_.spans.size() && schedule_.spans[span_ + 1].use == Use::closing;
+        if (tally != nullptr && is_judged(span.use) && !goes_on)
             for (Instants& instants : tally->changes)
                 if (!instants.times.empty()) append(instants, parting);
         ++span_;
@@ -66,10 +77,19 @@ void Recorder::count(double to) {
 void Recorder::note_change(model::ContactState from, model::ContactState to, double time) {
     if (span_ >= schedule_.spans.size()) return;
     const Span& span = schedule_.spans[span_];
-    if (span.use != Use::judged || time < span.from) return;
-    Instants& instants = tally_of(span.phase)->changes[change_kind(from, to)];
+    if (span.use == Use::unused || time < span.from) return;
+    Tally& tally = *tally_of(span.phase);
+    if (from == model::ContactState::stick) ++tally.releases;
+    if (!is_judged(span.use)) return;
+    Instants& instants = tally.changes[change_kind(from, to)];
     append(instants, time);
     ++instants.count;
+}
+
+void Recorder::keep_current(double to) {
+    current_.to = to;
+    if (request_.history == KeepHistory::yes && record_.history.size() <= most_history)
+        record_.history.push_back(current_);
 }
 
 void Recorder::enter(const ContactInterval& interval) {
@@ -77,21 +97,20 @@ void Recorder::enter(const ContactInterval& interval) {
     if (has_state_) {
         count(interval.from);
         note_change(current_.state, interval.state, interval.from);
-        current_.to = interval.from;
-        if (request_.history == KeepHistory::yes) record_.history.push_back(current_);
+        keep_current(interval.from);
     }
     current_ = interval;
     has_state_ = true;
 }
 
 void Recorder::vibrate(std::size_t span, double duration, std::span<const Vibration> vibration) {
-    if (span >= schedule_.spans.size() || schedule_.spans[span].use != Use::judged) return;
+    if (span >= schedule_.spans.size() || !is_judged(schedule_.spans[span].use)) return;
     Tally& tally = *tally_of(schedule_.spans[span].phase);
     tally.vibration_time += duration;
-    for (std::size_t dof = 0; dof < vibration.size(); ++dof) {
-        tally.vibration[dof].square_time += vibration[dof].square_time;
-        tally.vibration[dof].peak_square = std::max(tally.vibration[dof].peak_square, vibration[dof].peak_square);
-    }
+    add(tally.vibration, vibration);
+    if (schedule_.spans[span].use != Use::closing) return;
+    tally.closing_time += duration;
+    add(tally.closing_vibration, vibration);
 }
 
 Trace& Recorder::trace() {
@@ -111,14 +130,18 @@ void Recorder::hand_over() {
     trace.state.clear();
 }
 
-Record Recorder::finish(double time) {
+Record Recorder::finish(double time, const Outlook& outlook) {
     if (request_.trace.taker && !record_.trace.time.empty()) hand_over();
     if (has_state_) {
         count(time);
-        current_.to = time;
-        if (request_.history == KeepHistory::yes) record_.history.push_back(current_);
+        keep_current(time);
     }
     has_state_ = false;
+    for (Tally& tally : record_.phases)
+        tally.ending = {current_.state, current_.from, outlook};
+    if (record_.history.size() > most_history)
+        throw Error(ErrorKind::input, {"the run has more than " + std::to_string(most_history) + " contact states",
+                                       "a history is kept in memory", "Shorten run.duration."});
     return std::move(record_);
 }
 

@@ -18,6 +18,9 @@ struct Request {
     TraceRequest trace;
 };
 
+/// Most contact states that a history holds: 160 MB.
+inline constexpr std::size_t most_history = 4'000'000;
+
 /// All that is kept of a run.
 struct Record {
     std::vector<Tally> phases;  // in the schedule's order
@@ -45,10 +48,12 @@ public:
     /// Where the next sample goes; to be asked for each of them.
     Trace& trace();
 
-    /// Ends the record at `time` and hands it over.
-    Record finish(double time);
+    /// Ends the record at `time` and hands it over, with what the engine knows of the time after it. Throws `Error` (input) if
+    /// a history was asked for and did not fit.
+    Record finish(double time, const Outlook& outlook = {});
 
 private:
+    void keep_current(double to);
     void count(double to);
     void note_change(model::ContactState from, model::ContactState to, double time);
     Tally* tally_of(Phase phase);

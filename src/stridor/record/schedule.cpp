@@ -22,6 +22,7 @@ std::vector<HalfPeriod> sinusoidal_phases(const Case& c) {
     std::vector<HalfPeriod> halves;
     const double half_period = 0.5 / c.drive.frequency;
     const auto count = static_cast<long>(std::ceil(c.run.duration / half_period)) + 2;
+    halves.reserve(static_cast<std::size_t>(count));
     for (long k = 0; k < count; ++k) {
         const auto number = static_cast<double>(k);
         halves.push_back(
@@ -70,19 +71,32 @@ void add_phase(std::vector<Span>& spans, const Case& c, const HalfPeriod& half) 
     add_span(spans, {std::max(slowing, from), to, half.phase, Use::counted});
 }
 
+// the last share of the judged time: long enough for an effective value, late enough to be the end
+constexpr double closing_share = 0.2;
+
+void add_constant_drive(std::vector<Span>& spans, const Case& c) {
+    const double end = c.run.duration;
+    const double window_from = end - c.run.window;
+    const double judged_from = std::max(window_from, c.verdict.start * end);
+    const double closing_from = end - closing_share * (end - judged_from);
+    add_span(spans, {0.0, window_from, Phase::all, Use::unused});
+    add_span(spans, {window_from, judged_from, Phase::all, Use::counted});
+    add_span(spans, {judged_from, closing_from, Phase::all, Use::judged});
+    add_span(spans, {closing_from, end, Phase::all, Use::closing});
+}
+
 }  // namespace
 
 Schedule schedule(const Case& c) {
     Schedule plan;
     if (c.drive.kind == DriveKind::constant) {
-        const double from = c.run.duration - c.run.window;
-        add_span(plan.spans, {0.0, from, Phase::all, Use::unused});
-        add_span(plan.spans, {from, c.run.duration, Phase::all, Use::judged});
+        add_constant_drive(plan.spans, c);
         plan.phases = {Phase::all};
         return plan;
     }
     const std::vector<HalfPeriod> halves =
         c.drive.kind == DriveKind::sinusoidal ? sinusoidal_phases(c) : sampled_phases(c);
+    plan.spans.reserve(4 * halves.size());  // growing would take twice the memory
     for (const HalfPeriod& half : halves)
         add_phase(plan.spans, c, half);
     for (const Phase phase : {Phase::going, Phase::coming}) {

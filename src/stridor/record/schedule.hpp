@@ -16,9 +16,14 @@ inline constexpr std::array<std::string_view, 3> phase_names{"all", "going", "co
 /// What a stretch of time is good for.
 enum class Use {
     unused,   // before the window: counted nowhere
-    counted,  // in the window, but near a reversal: counts for the whole phase's rates only
+    counted,  // in the window, but near a reversal or the run's start: counts for the whole phase's rates only
     judged,   // the steady part the verdict is made from
+    closing,  // judged, too: its last part under a constant drive, where a motion that dies away has died away most
 };
+
+constexpr bool is_judged(Use use) {
+    return use >= Use::judged;
+}
 
 /// A stretch of time with one use.
 struct Span {
@@ -30,8 +35,9 @@ struct Span {
 
 /// Time cut into spans, from 0 to the end of the run, without gaps, in order.
 ///
-/// Constant drive: the window is judged as a whole. Otherwise each complete going or coming phase loses the share
-/// `settling` at its start and `reversal` at its end; phases cut short by the window are counted but not judged.
+/// Constant drive: the window is judged, but for what of it lies in the share `start` of the run. Otherwise each complete
+/// going or coming phase loses the share `settling` at its start and `reversal` at its end; phases cut short by the window
+/// are counted but not judged.
 struct Schedule {
     std::vector<Span> spans;
     std::vector<Phase> phases;  // those that occur, going before coming

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <string_view>
 #include <vector>
 
 namespace stridor::record {
@@ -27,7 +29,32 @@ struct Instants {
 /// Vibration of one degree of freedom over the judged time.
 struct Vibration {
     double square_time = 0.0;  // [m^2/s] integral of v^2
-    double peak_square = 0.0;  // [m^2/s^2] largest v^2
+    double peak_square = 0.0;  // [m^2/s^2] largest |v|^2 of the body it belongs to: the rubbing one has the first two
+};
+
+/// What is known of a contact beyond the end of its run, if the drive goes on as it did.
+enum class Future {
+    unknown,
+    slides,    // proven: it slides for ever
+    sticks,    // proven: it sticks for ever
+    releases,  // it sticks, and proven: not for ever
+    repeats,   // it repeats itself: a limit cycle
+};
+
+inline constexpr std::array<std::string_view, 5> future_names{"unknown", "slides", "sticks", "releases", "repeats"};
+
+/// What an engine knows of the time after its run.
+struct Outlook {
+    Future future = Future::unknown;
+    double from = std::numeric_limits<double>::quiet_NaN();     // [s] Future::slides: since when; else unknown
+    double release = std::numeric_limits<double>::quiet_NaN();  // [s] Future::releases: about when; else unknown
+};
+
+/// How a run ends, and how it would go on.
+struct Ending {
+    model::ContactState state = model::ContactState::separation;  // the last one
+    double since = 0.0;                                           // [s] when the contact entered it
+    Outlook outlook;
 };
 
 /// What one phase of a run leaves behind: of bounded size (1.2 MB at most), whatever the simulated time.
@@ -38,6 +65,10 @@ struct Tally {
     std::array<Instants, change_kinds> changes;               // judged part, by kind
     std::vector<Vibration> vibration;                         // judged part, shape [dof]
     double vibration_time = 0.0;                              // [s] time the vibration was integrated over
+    std::vector<Vibration> closing_vibration;                 // closing part, shape [dof]; zero without one
+    double closing_time = 0.0;                                // [s] length of the closing part
+    long releases = 0;                                        // [1] sticks that ended, whole phase
+    Ending ending;                                            // of the run: the same for all its phases
 };
 
 }  // namespace stridor::record

@@ -1,6 +1,6 @@
 // Frames of about 85 ms, Hann, half overlapped, give spectra P_j(f) and their mean P(f). The floor φ is what a broadband
 // background adds: the lowest median over equal bands. What stands out of it is kept by the gain
-//     G(f) = max(0, 1 - e φ / P(f)),  0 below 40 Hz,
+//     G(f) = max(0, 1 - e φ / P(f)),  0 below 20 Hz,
 // with e so that one bin of noise in ten thousand passes,
 // once in the spectrum, for everything about tones, and once in time, frame by frame, for everything about shape.
 // The autocorrelation is that of the windowed frames over that of the window (Boersma 1993).
@@ -25,7 +25,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double frame_time = 0.085;       // [s] long enough for lines 25 Hz apart, short enough for 100 ms phases
-constexpr double lowest_frequency = 40.0;  // [Hz] below lies the drive, not its noise
+constexpr double lowest_frequency = 20.0;  // [Hz] below it nobody hears anything, and the drive lies there
 constexpr double longest_cycle = 0.025;    // [s]
 constexpr std::size_t floor_bands = 24;
 constexpr double cliff = 100.0;  // [1] drop from band to band where a recording's bandwidth ends

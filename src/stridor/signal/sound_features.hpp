@@ -16,7 +16,7 @@ struct SoundFeatures {
     double from = 0.0;      // [s] where the stretch begins
     double duration = 0.0;  // [s]
 
-    double mean_square = 0.0;  // [unit²] above 40 Hz, the floor taken away
+    double mean_square = 0.0;  // [unit²] above 20 Hz, the floor taken away
     double peak = 0.0;         // [unit] largest magnitude, likewise
     double clearness = 0.0;    // [dB] power of the sound over that of the floor; infinite without a floor
 

@@ -1,9 +1,13 @@
 #include "stridor/storage/database.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/storage/new_file.hpp"
+#include "stridor/storage/page_checksum.hpp"
 
 #include <sqlite3.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <system_error>
@@ -11,6 +15,9 @@
 namespace stridor::storage {
 
 namespace {
+
+constexpr int longest_value = 1 << 28;            // [bytes] of a text; SQLite's own limit is four times as much
+constexpr std::int64_t lock_place = 0x4000'0000;  // [bytes] of the page that SQLite locks and never writes
 
 // The system's number for the last failure; zero if there was none. A failed commit leaves it only with the file.
 int system_number(sqlite3* handle) {
@@ -22,6 +29,7 @@ int system_number(sqlite3* handle) {
 // SQLite's words say that something failed; the system's say why.
 std::string reason(sqlite3* handle, int code) {
     const int primary = code & 0xff;
+    if (code == SQLITE_IOERR_DATA) return "a page does not have its checksum";
     if (primary == SQLITE_FULL) return "disk full";
     const bool is_systems = primary == SQLITE_IOERR || primary == SQLITE_CANTOPEN;
     const int number = is_systems && handle != nullptr ? system_number(handle) : 0;
@@ -37,27 +45,51 @@ void Database::Close::operator()(sqlite3* handle) const {
 Database::Database(const std::filesystem::path& file, const DatabaseOptions& options)
     : file_(file),
       words_(options.words),
-      ownership_(options.ownership) {
+      ownership_(options.ownership),
+      files_(options.identity.application_id == 0 ? nullptr
+                                                  : std::make_unique<CheckedFiles>(options.identity, options.damage)) {
     // an absolute path is never one of SQLite's special names (":memory:")
     std::error_code error;
     const std::filesystem::path absolute = std::filesystem::absolute(file, error);
     sqlite3* handle = nullptr;
     const int flags = SQLITE_OPEN_READWRITE | (options.missing == Missing::create ? SQLITE_OPEN_CREATE : 0);
-    const int code = error ? SQLITE_CANTOPEN : sqlite3_open_v2(absolute.c_str(), &handle, flags, nullptr);
+    const int code =
+        error ? SQLITE_CANTOPEN : sqlite3_open_v2(absolute.c_str(), &handle, flags, files_ ? files_->name() : nullptr);
     handle_.reset(handle);
     if (code != SQLITE_OK) fail(code);
     sqlite3_extended_result_codes(handle, 1);
     sqlite3_busy_timeout(handle, static_cast<int>(options.wait.count()));
-    // none of these touches the file, which may not be ours
-    if (ownership_ == Ownership::alone) execute("PRAGMA locking_mode = EXCLUSIVE");
+    defend();
+    // this does not touch the file, which may not be ours, but looks whether the schema can be read
+    if (options.damage == Damage::salvage) return;
     execute(ownership_ == Ownership::alone ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = EXTRA");
+}
+
+// a file may come from anywhere, and SQLite does what its schema says
+void Database::defend() {
+    sqlite3* handle = handle_.get();
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+    sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, longest_value);
+    sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 0);
+    sqlite3_limit(handle, SQLITE_LIMIT_TRIGGER_DEPTH, 0);
+    execute("PRAGMA cell_size_check = ON");
+    execute("PRAGMA mmap_size = 0");
+    if (!files_) return;
+    // a page that is freed is written, too: every page within the file has a checksum
+    execute("PRAGMA secure_delete = ON");
+    execute("PRAGMA page_size = " + std::to_string(page_size));
+    int reserved = static_cast<int>(checksum_size);
+    sqlite3_file_control(handle, "main", SQLITE_FCNTL_RESERVE_BYTES, &reserved);
 }
 
 void Database::fail(int code) const {
     const std::string name = file_.string();
     const std::string the_kind = "the " + words_.kind + " " + name;
     const std::string why = reason(handle_.get(), code);
-    switch (code & 0xff) {
+    switch (code == SQLITE_IOERR_DATA ? SQLITE_CORRUPT : code & 0xff) {
         case SQLITE_NOTADB:
             throw Error(ErrorKind::input,
                         {name + " is no " + words_.kind, "it is not an SQLite database", words_.not_ours});
@@ -88,6 +120,80 @@ void Database::expect_whole() {
     if (std::filesystem::file_size(file_, unknown) < static_cast<std::uintmax_t>(size))
         throw Error(ErrorKind::io, {"the " + words_.kind + " " + file_.string() + " is damaged", "its end is missing",
                                     words_.damaged});
+}
+
+void Database::expect_schema(std::span<const std::string> statements) {
+    Statement rows = prepare("SELECT sql FROM sqlite_schema WHERE sql IS NOT NULL AND name NOT LIKE 'sqlite_%'");
+    std::vector<std::string> found;
+    while (rows.step())
+        found.push_back(rows.text(0));
+    std::vector<std::string> expected(statements.begin(), statements.end());
+    std::sort(found.begin(), found.end());
+    std::sort(expected.begin(), expected.end());
+    if (found != expected)
+        throw Error(ErrorKind::io, {"the " + words_.kind + " " + file_.string() + " is damaged",
+                                    "its tables are not those that this program makes", words_.damaged});
+}
+
+bool Database::is_new() {
+    const bool is_empty = integer("PRAGMA application_id") == 0 && integer("SELECT count(*) FROM sqlite_schema") == 0;
+    // another program's empty database has no room for checksums
+    return is_empty && (!files_ || files_->are_checked());
+}
+
+bool Database::has_moved() const {
+    int moved = 0;
+    sqlite3_file_control(handle_.get(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+    return moved != 0;
+}
+
+bool Database::is_checked() const {
+    return files_ && files_->are_checked();
+}
+
+std::vector<std::string> Database::damages() {
+    std::vector<std::string> found;
+    sqlite3_file* file = nullptr;
+    sqlite3_int64 size = 0;
+    sqlite3_file_control(handle_.get(), "main", SQLITE_FCNTL_FILE_POINTER, &file);
+    file->pMethods->xFileSize(file, &size);
+    const auto pages = (size + static_cast<std::int64_t>(page_size) - 1) / static_cast<std::int64_t>(page_size);
+    std::array<std::uint8_t, page_size> page{};
+    for (std::int64_t number = 1; number <= pages; ++number) {
+        const std::int64_t offset = (number - 1) * static_cast<std::int64_t>(page_size);
+        if (offset == lock_place) continue;
+        const int code = file->pMethods->xRead(file, page.data(), static_cast<int>(page_size), offset);
+        if (!is_checked()) break;
+        if (code != SQLITE_OK || !has_checksum(page, static_cast<std::uint32_t>(number)))
+            found.push_back("page " + std::to_string(number) + " of " + std::to_string(pages) +
+                            " does not have its checksum");
+    }
+    if (!found.empty()) return found;
+    expect_whole();
+    Statement findings = prepare("PRAGMA integrity_check");
+    while (findings.step())
+        if (std::string finding = findings.text(0); finding != "ok") found.push_back(std::move(finding));
+    return found;
+}
+
+void Database::copy_bytes(const std::filesystem::path& copy) {
+    // through SQLite's own file: closing another one of ours would give back its locks
+    sqlite3_file* file = nullptr;
+    sqlite3_int64 size = 0;
+    sqlite3_file_control(handle_.get(), "main", SQLITE_FCNTL_FILE_POINTER, &file);
+    file->pMethods->xFileSize(file, &size);
+    std::error_code ignored;
+    std::filesystem::remove(copy, ignored);
+    NewFile written(copy, copy.string());
+    std::array<char, page_size> page{};
+    for (sqlite3_int64 place = 0; place < size; place += static_cast<sqlite3_int64>(page_size)) {
+        const auto count = std::min(size - place, static_cast<sqlite3_int64>(page_size));
+        const int code = file->pMethods->xRead(file, page.data(), static_cast<int>(count), place);
+        if (code != SQLITE_OK) fail(code);
+        written.write({page.data(), static_cast<std::size_t>(count)});
+    }
+    written.finish();
+    written.keep(copy);
 }
 
 std::int64_t Database::last_row() const {
@@ -173,6 +279,9 @@ std::string Statement::text(int column) const {
 Transaction::Transaction(Database& database, Purpose purpose) : database_(database) {
     const bool is_alone = database.ownership() == Ownership::alone;
     database_.execute(is_alone ? "BEGIN EXCLUSIVE" : purpose == Purpose::write ? "BEGIN IMMEDIATE" : "BEGIN");
+    // only now that the whole lock is ours: a connection in this mode keeps each part of a lock it ever got, and two that
+    // begin at once would each keep the part that the other one lacks
+    if (is_alone) database_.execute("PRAGMA locking_mode = EXCLUSIVE");
 }
 
 Transaction::~Transaction() {

@@ -1,11 +1,15 @@
 #pragma once
 
+#include "stridor/storage/checked_files.hpp"
+
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -26,7 +30,8 @@ struct Words {
 /// Whose the file is while it is open.
 ///
 /// `alone`: the lock is taken by the first `Transaction` and kept until the database is closed, so that a second process
-/// is refused at once and can never change the file between two transactions. `shared`: the lock lasts as long as a
+/// is refused and can never change the file between two transactions; of several that begin at once one gets it, if they
+/// wait longer than a lock takes to be got. `shared`: the lock lasts as long as a
 /// transaction, and others wait for it.
 enum class Ownership { alone, shared };
 
@@ -35,6 +40,8 @@ enum class Missing { create, refuse };
 
 struct DatabaseOptions {
     Words words{};
+    Identity identity{};
+    Damage damage = Damage::refuse;
     Ownership ownership = Ownership::alone;
     Missing missing = Missing::create;
     std::chrono::milliseconds wait{0};  // for a lock that another process holds
@@ -45,6 +52,9 @@ struct DatabaseOptions {
 /// A process that dies at any moment leaves the last committed transaction: its rollback journal is undone by the next
 /// one that opens the file. Every failure throws `Error`: input for a file of another kind, io with the reason for the
 /// rest. A file that may not be written is opened for reading.
+///
+/// One with an identity has checksums (`CheckedFiles`): what was read is what was written, or an `Error` (io). Triggers and
+/// views never run, whatever the file holds.
 class Database {
 public:
     /// Opens the file, or makes an empty one; nothing is read yet.
@@ -58,6 +68,25 @@ public:
 
     /// Throws `Error` (io) if the file is shorter than it says: SQLite would read the missing end as zeros.
     void expect_whole();
+
+    /// Throws `Error` (io) if the file holds other tables, indices, triggers or views than those that these statements make.
+    void expect_schema(std::span<const std::string> statements);
+
+    /// Is nothing in it yet, not even what it is?
+    bool is_new();
+
+    /// Has another file taken its name since it was opened?
+    bool has_moved() const;
+
+    /// Are its pages checked? Known once something was read.
+    bool is_checked() const;
+
+    /// The numbers of all pages that are not what was written, and SQLite's own findings on how they hang together, in words;
+    /// empty for a sound file. Needs a transaction.
+    std::vector<std::string> damages();
+
+    /// Writes the bytes of the file, as they stand, into another one.
+    void copy_bytes(const std::filesystem::path& copy);
 
     /// The key of the row that was inserted last.
     std::int64_t last_row() const;
@@ -77,10 +106,12 @@ private:
     };
 
     [[noreturn]] void fail(int code) const;
+    void defend();
 
     std::filesystem::path file_;
     Words words_;
     Ownership ownership_;
+    std::unique_ptr<CheckedFiles> files_;  // nothing for any database
     std::unique_ptr<sqlite3, Close> handle_;
 };
 

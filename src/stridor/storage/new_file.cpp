@@ -15,10 +15,17 @@ NewFile::NewFile(std::filesystem::path temporary, std::string shown)
     if (!descriptor_.is_open()) throw system_failure("write", shown_, errno);
 }
 
+NewFile::NewFile(Temporary begun, std::string shown)
+    : temporary_(std::move(begun.name)),
+      shown_(std::move(shown)),
+      descriptor_(std::move(begun.file)),
+      lock_(std::move(begun.lock)) {}
+
 NewFile::NewFile(NewFile&& other) noexcept
     : temporary_(std::exchange(other.temporary_, {})),
       shown_(std::move(other.shown_)),
       descriptor_(std::move(other.descriptor_)),
+      lock_(std::move(other.lock_)),
       size_(other.size_) {}
 
 NewFile::~NewFile() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/storage/system_io.hpp"
+#include "stridor/storage/temporary.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -17,11 +18,16 @@ class NewFile {
 public:
     /// Begins a file under a temporary name that does not exist yet; `shown` is what errors call it.
     NewFile(std::filesystem::path temporary, std::string shown);
+    /// Goes on with one that is locked.
+    NewFile(Temporary begun, std::string shown);
     ~NewFile();
     NewFile(NewFile&& other) noexcept;
     NewFile& operator=(NewFile&&) = delete;
 
     void write(std::string_view bytes);
+
+    int number() const { return descriptor_.number(); }
+    const std::filesystem::path& temporary() const { return temporary_; }
 
     /// Brings everything to the disk and closes the file; nothing may be written afterwards.
     void finish();
@@ -35,6 +41,7 @@ private:
     std::filesystem::path temporary_;  // empty once it is renamed
     std::string shown_;
     Descriptor descriptor_;
+    Descriptor lock_{-1};
     std::uint64_t size_ = 0;
 };
 

@@ -44,7 +44,8 @@ Descriptor::~Descriptor() {
 }
 
 void Descriptor::close(const std::string& shown) {
-    if (::close(std::exchange(number_, -1)) != 0) throw system_failure("write", shown, errno);
+    // an interrupted call has closed it all the same
+    if (::close(std::exchange(number_, -1)) != 0 && errno != EINTR) throw system_failure("write", shown, errno);
 }
 
 Error system_failure(const std::string& doing, const std::string& shown, int code, std::string suggestion) {
@@ -61,7 +62,12 @@ void write_all(int descriptor, std::string_view bytes, const std::string& shown)
 }
 
 void flush(int descriptor, const std::string& shown) {
-    if (::fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP) throw system_failure("write", shown, errno);
+    while (::fsync(descriptor) != 0) {
+        if (errno == EINTR) continue;
+        // asked once more, the system may say that all is well: it has forgotten what it could not write
+        if (errno != EINVAL && errno != ENOTSUP) throw system_failure("write", shown, errno);
+        return;
+    }
 }
 
 void flush_folder(const std::filesystem::path& folder, const std::string& shown) {

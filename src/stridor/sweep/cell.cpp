@@ -21,6 +21,7 @@ constexpr std::array figures{
     CellFigure{"repetition", "1", "repetition of the pattern, perhaps after several unequal beats", &Cell::repetition},
     CellFigure{"variation", "1", "coefficient of variation of the intervals between beats", &Cell::variation},
     CellFigure{"intervals", "1", "number of intervals between beats", &Cell::intervals},
+    CellFigure{"releases", "1", "number of sticks that ended in the judged time", &Cell::releases},
     CellFigure{"lag", "1", "beats per period of the pattern", &Cell::lag},
     CellFigure{"period", "s", "period of the pattern", &Cell::period},
     CellFigure{"frequency", "Hz", "dominant frequency of the alternation", &Cell::frequency},
@@ -65,7 +66,7 @@ std::shared_ptr<ComputedCells> in_memory(std::vector<IndexedCell> cells) {
 }
 
 CellVerdict verdict_of(const Cell& cell) {
-    return {cell.status, cell.category, cell.agreement, static_cast<std::uint8_t>(shown_start(cell))};
+    return {cell.status, cell.category, cell.quiet, cell.agreement, static_cast<std::uint8_t>(shown_start(cell))};
 }
 
 SweepResult complete(Study study, std::vector<Cell> cells) {

@@ -49,6 +49,7 @@ struct Cell {
 
     Status status = Status::failed;
     classification::Category category = classification::Category::undecided;  // meaningless unless done
+    classification::Quiet quiet = classification::Quiet::no;                  // why, if the category is none
     std::string message;               // why it is not done, or done and undecided; empty otherwise
     std::vector<StartVerdict> starts;  // by study.starts; empty if it has none, or the cell was inferred
     Agreement agreement = Agreement::agree;
@@ -63,6 +64,7 @@ struct Cell {
     double repetition = unknown;         // [1]
     double variation = unknown;          // [1]
     double intervals = unknown;          // [1]
+    double releases = unknown;           // [1] sticks that ended
     double lag = unknown;                // [1]
     double period = unknown;             // [s]
     double frequency = unknown;          // [Hz]
@@ -114,6 +116,7 @@ std::shared_ptr<ComputedCells> in_memory(std::vector<IndexedCell> cells);
 struct CellVerdict {
     Status status = Status::failed;
     classification::Category category = classification::Category::undecided;  // meaningless unless done
+    classification::Quiet quiet = classification::Quiet::no;                  // why, if the category is none
     Agreement agreement = Agreement::agree;
     std::uint8_t shown_start = 0;  // the start of which it is, into study.starts; 0 if there are none
 };

@@ -33,10 +33,10 @@ void judge_phase(DesignVerdict& verdict, const integration::Motion& motion, reco
     const auto found =
         std::find_if(tallies.begin(), tallies.end(), [&](const record::Tally& tally) { return tally.phase == phase; });
     const bool is_there = found != tallies.end();
-    const analysis::Evidence evidence = is_there ? analysis::evidence(*found) : analysis::Evidence{};
-    const Category category = is_there ? classification::classify(evidence, c.verdict).category : Category::undecided;
-    verdict.phases.push_back({Status::done, category});
-    verdict.stick.push_back(is_there ? evidence.judged_rates.stick : 0.0);
+    const classification::Verdict judged =
+        is_there ? classification::classify(analysis::evidence(*found), c.verdict) : classification::Verdict{};
+    verdict.phases.push_back({Status::done, judged.category});
+    verdict.quiet.push_back(judged.quiet);
 }
 
 DesignVerdict judged(const DesignSpace& space, const Case& c, const Attempt& run) {
@@ -47,7 +47,7 @@ DesignVerdict judged(const DesignSpace& space, const Case& c, const Attempt& run
         return verdict;
     }
     verdict.phases.assign(space.phases.size(), {run.status, Category::undecided});
-    verdict.stick.assign(space.phases.size(), 0.0);
+    verdict.quiet.assign(space.phases.size(), classification::Quiet::no);
     return verdict;
 }
 
@@ -139,7 +139,8 @@ bool is_quiet(const DesignVerdict& verdict) {
 
 bool slips_quietly(const DesignVerdict& verdict) {
     return is_quiet(verdict) &&
-           std::all_of(verdict.stick.begin(), verdict.stick.end(), [](double stick) { return stick < 1.0; });
+           std::all_of(verdict.quiet.begin(), verdict.quiet.end(),
+                       [](classification::Quiet quiet) { return quiet == classification::Quiet::slides; });
 }
 
 bool is_noisy(const DesignVerdict& verdict) {

@@ -16,8 +16,8 @@ namespace stridor::sweep {
 /// How a design behaves: the verdict of each phase, by DesignSpace::phases.
 struct DesignVerdict {
     std::vector<StartVerdict> phases;
-    std::vector<double> stick{};  // [1] judged stick share of each phase; 0 without a result
-    std::string message{};        // why it has no result; empty otherwise
+    std::vector<classification::Quiet> quiet{};  // why each phase is quiet, if it is
+    std::string message{};                       // why it has no result; empty otherwise
 };
 
 /// Do both behave alike in every phase?
@@ -26,7 +26,7 @@ bool are_alike(const DesignVerdict& a, const DesignVerdict& b);
 /// Is every phase `none`? What could not be computed or decided is not.
 bool is_quiet(const DesignVerdict& verdict);
 
-/// Is every phase `none`, and none of them because it sticks throughout? The contact still rubs, and does so quietly.
+/// Is every phase `none`, and none of them because it sticks? The contact still rubs, and does so quietly.
 bool slips_quietly(const DesignVerdict& verdict);
 
 /// Does any phase squeal, squeak or creak?

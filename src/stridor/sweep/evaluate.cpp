@@ -37,6 +37,11 @@ Attempt ended(Motion motion, const Case& c) {
             return {Status::diverged, "a number left double precision before " + time, {}};
         case Reason::chattering:
             return {Status::failed, "events pile up at " + time, {}};
+        case Reason::unbalanced:
+            return {Status::failed,
+                    "the energy balance is off by " + base::shortest(motion.energy.relative_residual()) +
+                        " of the turnover: double precision cannot follow this motion",
+                    {}};
         case Reason::completed:
         case Reason::settled:
         case Reason::cancelled:
@@ -53,6 +58,7 @@ record::Tally tally_of(const Motion& motion, Direction direction) {
     record::Tally nothing;
     nothing.phase = wanted;
     nothing.vibration.resize(model::rubbing_system_dofs);
+    nothing.closing_vibration.resize(model::rubbing_system_dofs);
     return nothing;
 }
 
@@ -67,6 +73,7 @@ void set_figures(Cell& cell, const analysis::Evidence& evidence) {
     cell.repetition = evidence.alternation.repetition;
     cell.variation = evidence.alternation.variation;
     cell.intervals = static_cast<double>(evidence.alternation.intervals);
+    cell.releases = static_cast<double>(evidence.releases);
     cell.lag = evidence.alternation.lag;
     cell.period = evidence.alternation.period;
     cell.frequency = evidence.alternation.frequency;
@@ -104,6 +111,7 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     const analysis::Evidence evidence = analysis::evidence(tally_of(attempt.motion, direction));
     const classification::Verdict verdict = classification::classify(evidence, c.verdict);
     cell.category = verdict.category;
+    cell.quiet = verdict.quiet;
     if (verdict.category == classification::Category::undecided) cell.message = verdict.reasons.back();
     set_figures(cell, evidence);
     const analysis::SlidingStability stability = analysis::sliding_stability(model::rubbing_system(c), direction);

@@ -162,6 +162,7 @@ private:
 
 int mark_of(const Study& study, const Cell& cell) {
     if (study.refine == 0) return 0;
+    using classification::category_names;
     constexpr int statuses = status_names.size();
     constexpr int agreements = agreement_names.size();
     constexpr int stabilities = 3;  // of steady sliding: stable, divergence, flutter
@@ -170,6 +171,7 @@ int mark_of(const Study& study, const Cell& cell) {
     if (cell.status == Status::done) {
         if (cell.growth_rate > 0.0) stability = cell.mode_frequency > 0.0 ? 2 : 1;
         shown = statuses + static_cast<int>(cell.category);
+        if (cell.quiet == classification::Quiet::sticks) shown = statuses + static_cast<int>(category_names.size());
     }
     return (shown * agreements + static_cast<int>(cell.agreement)) * stabilities + stability;
 }

@@ -120,7 +120,10 @@ private:
 
 std::vector<Stretch> heard_stretches(const Case& c, Direction direction) {
     if (!parameters::findings(c).empty()) return {};
-    return signal::stretches_of(record::schedule(c), phase_of(c, direction), record::Use::counted);
+    // of a constant drive what is judged: the start is no part of the verdict
+    const record::Phase phase = phase_of(c, direction);
+    const record::Use least = phase == record::Phase::all ? record::Use::judged : record::Use::counted;
+    return signal::stretches_of(record::schedule(c), phase, least);
 }
 
 void check_audible(const Case& c, const AuralisationSettings& settings) {

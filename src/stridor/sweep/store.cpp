@@ -6,6 +6,8 @@
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -17,20 +19,28 @@ using storage::Transaction;
 
 namespace {
 
-// "STRD", in the file's header where other programs look for the kind of a database
-constexpr std::int64_t application_id = 0x53545244;
-
-constexpr int fixed_columns = 5;  // id, status, category, message, starts
+constexpr int fixed_columns = 6;  // id, status, category, quiet_because, message, starts
 
 const char* const other_out = "Choose another --out, or remove the file to start anew.";
+const char* const compute_anew = "Remove the file: the same command computes the same cells anew.";
+
+// for one who begins at the same moment to get the lock or to let go of it, which takes milliseconds
+constexpr std::chrono::milliseconds longest_wait{250};
 
 storage::DatabaseOptions store_options() {
-    return {{"store", "Choose another --out, or remove the file.", "Wait until that ends, or choose another --out.",
-             other_out, "run the same command again: it goes on from what is saved."}};
+    storage::DatabaseOptions options;
+    options.words = {"store", "Choose another --out, or remove the file.",
+                     "Wait until that ends, or choose another --out.", compute_anew,
+                     "run the same command again: it goes on from what is saved."};
+    options.identity = store_identity;
+    options.wait = longest_wait;
+    return options;
 }
 
+constexpr const char* create_meta_table = "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID";
+
 std::string cell_columns() {
-    std::string columns = "id, status, category, message, starts";
+    std::string columns = "id, status, category, quiet_because, message, starts";
     for (const CellFigure& figure : cell_figures())
         columns += ", " + std::string(figure.name);
     return columns;
@@ -38,7 +48,9 @@ std::string cell_columns() {
 
 std::string create_cell_table() {
     std::string sql =
-        "CREATE TABLE cell(id INTEGER PRIMARY KEY, status TEXT NOT NULL, category TEXT, message TEXT NOT NULL, "
+        "CREATE TABLE cell(id INTEGER PRIMARY KEY, status TEXT NOT NULL, category TEXT, quiet_because TEXT, message "
+        "TEXT NOT "
+        "NULL, "
         "starts TEXT NOT NULL";
     // no REAL here: such a column turns whole numbers into integers on disk and loses the sign of -0
     for (const CellFigure& figure : cell_figures())
@@ -47,7 +59,7 @@ std::string create_cell_table() {
 }
 
 std::string insert_cell() {
-    std::string sql = "INSERT OR REPLACE INTO cell(" + cell_columns() + ") VALUES(?, ?, ?, ?, ?";
+    std::string sql = "INSERT OR REPLACE INTO cell(" + cell_columns() + ") VALUES(?, ?, ?, ?, ?, ?";
     for (std::size_t k = 0; k < cell_figures().size(); ++k)
         sql += ", ?";
     return sql + ")";
@@ -125,8 +137,12 @@ void bind_cell(Statement& statement, const IndexedCell& indexed, const std::stri
         statement.bind(3, classification::name(cell.category));
     else
         statement.bind_null(3);
-    statement.bind(4, std::string_view(cell.message));
-    statement.bind(5, std::string_view(starts));
+    if (cell.quiet == classification::Quiet::no)
+        statement.bind_null(4);
+    else
+        statement.bind(4, classification::name(cell.quiet));
+    statement.bind(5, std::string_view(cell.message));
+    statement.bind(6, std::string_view(starts));
     int parameter = fixed_columns;
     for (const CellFigure& figure : cell_figures())
         statement.bind(++parameter, cell.*figure.member);
@@ -144,8 +160,12 @@ std::optional<IndexedCell> cell_in(const Statement& row, std::size_t cells) {
     cell.status = static_cast<Status>(*status);
     if (cell.status == Status::done && !category) return std::nullopt;
     if (category) cell.category = static_cast<classification::Category>(*category);
-    cell.message = row.text(3);
-    std::optional<std::vector<StartVerdict>> starts = starts_in(row.text(4));
+    if (const std::optional<std::size_t> quiet = place_in(classification::quiet_names, row.text(3)))
+        cell.quiet = static_cast<classification::Quiet>(*quiet);
+    const bool is_none = cell.status == Status::done && cell.category == classification::Category::none;
+    if (is_none != (cell.quiet != classification::Quiet::no)) return std::nullopt;
+    cell.message = row.text(4);
+    std::optional<std::vector<StartVerdict>> starts = starts_in(row.text(5));
     if (!starts) return std::nullopt;
     cell.agreement = agreement(*starts);
     cell.starts = std::move(*starts);
@@ -162,9 +182,7 @@ Store::Store(const std::filesystem::path& file, const Study& study)
       study_text_(canonical_text(study)),
       cells_(cell_count(study)) {
     Transaction transaction(database_);
-    const bool is_new =
-        database_.integer("PRAGMA application_id") == 0 && database_.integer("SELECT count(*) FROM sqlite_schema") == 0;
-    if (is_new)
+    if (database_.is_new())
         create();
     else
         verify();
@@ -172,9 +190,9 @@ Store::Store(const std::filesystem::path& file, const Study& study)
 }
 
 void Store::create() {
-    database_.execute("PRAGMA application_id = " + std::to_string(application_id));
+    database_.execute("PRAGMA application_id = " + std::to_string(store_identity.application_id));
     database_.execute("PRAGMA user_version = " + std::to_string(store_schema));
-    database_.execute("CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID");
+    database_.execute(create_meta_table);
     database_.execute(create_cell_table());
     const std::pair<std::string, std::string> entries[] = {{"study", study_text_},
                                                            {"results", std::to_string(results_version)},
@@ -196,7 +214,7 @@ std::string Store::meta(std::string_view key) {
 
 void Store::verify() {
     const std::string name = file().string();
-    if (database_.integer("PRAGMA application_id") != application_id)
+    if (database_.integer("PRAGMA application_id") != store_identity.application_id)
         throw Error(ErrorKind::input, {name + " is no store of a sweep", "it is another program's SQLite database",
                                        "Choose another --out, or remove the file."});
     const std::int64_t schema = database_.integer("PRAGMA user_version");
@@ -205,6 +223,7 @@ void Store::verify() {
                     {"the store " + name + " has schema " + std::to_string(schema),
                      "this program reads and writes schema " + std::to_string(store_schema), other_out});
     database_.expect_whole();
+    database_.expect_schema(std::array{std::string(create_meta_table), create_cell_table()});
     const std::string stored = meta("study");
     if (stored != study_text_)
         throw Error(ErrorKind::input,
@@ -255,12 +274,15 @@ void Store::visit(std::size_t first, std::size_t last, const std::function<void(
     Statement rows = database_.prepare("SELECT " + cell_columns() + " FROM cell WHERE id >= ? AND id < ? ORDER BY id");
     rows.bind(1, static_cast<std::int64_t>(first));
     rows.bind(2, static_cast<std::int64_t>(last));
+    std::size_t next = first;
     while (rows.step()) {
         std::optional<IndexedCell> cell = cell_in(rows, cells_);
-        if (!cell)
+        // who is shown the cells counts on their order
+        if (!cell || cell->index < next || cell->index >= last)
             throw Error(ErrorKind::io,
                         {"the store " + file().string() + " is damaged",
-                         "cell " + std::to_string(rows.integer(0)) + " is none of this study", other_out});
+                         "cell " + std::to_string(rows.integer(0)) + " is none of this study", compute_anew});
+        next = cell->index + 1;
         use(*cell);
     }
 }

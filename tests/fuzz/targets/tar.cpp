@@ -48,6 +48,16 @@ std::string as_archive(std::string_view manifest) {
     return bytes;
 }
 
+// reads it to its end, or says that its hash is not that of its lines
+void look_at_hash(const std::string& bytes) {
+    try {
+        io::TarReader tar(bytes, "input");
+        io::expect_whole_manifest(tar, "input");
+    } catch (const Error& error) {
+        require(error.kind() == ErrorKind::input || error.kind() == ErrorKind::io);
+    }
+}
+
 void read_manifest(io::TarReader& tar) {
     io::Manifest entries(tar, "input");
     while (const std::optional<io::Announced> each = entries.next()) {
@@ -55,7 +65,8 @@ void read_manifest(io::TarReader& tar) {
         const std::string member = io::archive_member({each->entry.audio, each->entry.format});
         require(member.starts_with("audio/") && member.find("..") == std::string::npos);
         // what was read can be written, and reads back as the same
-        const std::string written = as_archive(io::manifest_opening(1) + io::manifest_line(each->entry, each->bytes));
+        const std::string lines = io::manifest_opening(1) + io::manifest_line(each->entry, each->bytes);
+        const std::string written = as_archive(lines + io::manifest_closing(lines));
         io::TarReader again(written, "written");
         io::Manifest back(again, "written");
         const std::optional<io::Announced> entry = back.next();
@@ -65,6 +76,7 @@ void read_manifest(io::TarReader& tar) {
 }
 
 void read_archive(const std::string& bytes) {
+    look_at_hash(bytes);
     try {
         io::TarReader tar(bytes, "input");
         read_manifest(tar);

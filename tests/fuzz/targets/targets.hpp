@@ -15,6 +15,8 @@ void riff(std::string_view bytes);
 void tar(std::string_view bytes);
 void manifest(std::string_view bytes);
 void requests(std::string_view bytes);
+void store(std::string_view bytes);
+void library(std::string_view bytes);
 
 struct Target {
     std::string_view name;  // of its folder in the corpus
@@ -22,9 +24,10 @@ struct Target {
 };
 
 inline constexpr std::array targets{
-    Target{"signal_csv", signal_csv},   Target{"uff58", uff58},      Target{"sidecar", sidecar},
-    Target{"calibration", calibration}, Target{"riff", riff},        Target{"tar", tar},
-    Target{"manifest", manifest},       Target{"requests", requests}};
+    Target{"signal_csv", signal_csv},   Target{"uff58", uff58}, Target{"sidecar", sidecar},
+    Target{"calibration", calibration}, Target{"riff", riff},   Target{"tar", tar},
+    Target{"manifest", manifest},       Target{"store", store}, Target{"library", library},
+    Target{"requests", requests}};
 
 /// Stops the program where a promise is broken, in every build.
 void require(bool promise);

@@ -28,9 +28,19 @@ TEST(Levels, OfASinusoid) {
 TEST(Levels, OfTheJointJoinBothDirections) {
     record::Tally tally;
     tally.vibration = {sinusoid(3.0, 2.0), sinusoid(4.0, 2.0), {}};
+    tally.vibration[0].peak_square = tally.vibration[1].peak_square = 25.0;  // in phase
     tally.vibration_time = 2.0;
     EXPECT_DOUBLE_EQ(levels(tally).joint.rms, 5.0 / std::sqrt(2.0));
-    EXPECT_DOUBLE_EQ(levels(tally).joint.peak, 4.0);
+    EXPECT_DOUBLE_EQ(levels(tally).joint.peak, 5.0);
+}
+
+// a steady velocity squares to itself but for rounding, and a peak between sampled instants is not seen
+TEST(Levels, PeakIsAtLeastTheRootMeanSquare) {
+    record::Tally tally;
+    tally.vibration = {{3.0 * 0.01, std::nextafter(0.01, 0.0)}, {}, {2.0, 0.0}};
+    tally.vibration_time = 3.0;
+    EXPECT_GE(levels(tally).joint.peak, levels(tally).joint.rms);
+    EXPECT_EQ(levels(tally).plate.peak, levels(tally).plate.rms);
 }
 
 TEST(Levels, AtRestAreMinusInfinity) {

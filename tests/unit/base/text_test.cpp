@@ -62,6 +62,16 @@ RC_GTEST_PROP(Shortest, ReadsBackAsTheSameDouble, ()) {
     RC_ASSERT(std::strtod(shortest(wide).c_str(), nullptr) == wide);
 }
 
+TEST(Nesting, CountsBracketsOutsideOfQuotes) {
+    EXPECT_EQ(nesting(""), 0U);
+    EXPECT_EQ(nesting("7"), 0U);
+    EXPECT_EQ(nesting("[]"), 1U);
+    EXPECT_EQ(nesting(R"({"a": [1, {"b": []}], "c": [[2]]})"), 4U);
+    EXPECT_EQ(nesting(R"(["[[[", "\"[[", "\\", [1]])"), 2U);
+    EXPECT_EQ(nesting("]]][["), 2U);
+    EXPECT_EQ(nesting(std::string(100000, '[')), 100000U);
+}
+
 TEST(Trimmed, DropsBlanksAtBothEndsOnly) {
     EXPECT_EQ(trimmed("  4 mm\t\r\n"), "4 mm");
     EXPECT_EQ(trimmed("4"), "4");

@@ -22,6 +22,7 @@ Evidence evidence(double slip, double stick, double regularity, long intervals =
     figures.judged_time = 0.4;
     figures.judged_rates = {slip, stick, 1.0 - slip - stick};
     figures.alternation.intervals = intervals;
+    figures.releases = figures.all_releases = intervals + 1;
     figures.alternation.regularity = regularity;
     figures.alternation.repetition = regularity;
     figures.alternation.mismatch.fill(std::numeric_limits<double>::infinity());
@@ -46,9 +47,71 @@ TEST(ContactRules, SlipOnlyIsNone) {
     EXPECT_NE(category(evidence(0.979, 0.01, 1.0)), Category::none);
 }
 
+// stuck in all of the judged time, without a release anywhere
+Evidence stuck() {
+    Evidence figures = evidence(0.0, 1.0, 0.0, 0);
+    figures.rates = figures.judged_rates;
+    figures.releases = figures.all_releases = 0;
+    return figures;
+}
+
 TEST(ContactRules, StuckThroughoutIsNone) {
-    EXPECT_EQ(category(evidence(0.0, 1.0, 0.0, 0)), Category::none);
+    EXPECT_EQ(category(stuck()), Category::none);
     EXPECT_EQ(category(evidence(0.0, 0.999, 0.0)), Category::creak);
+}
+
+TEST(ContactRules, TellWhyItIsQuiet) {
+    EXPECT_EQ(classify(evidence(1.0, 0.0, 0.0, 0), {}).quiet, Quiet::slides);
+    EXPECT_EQ(classify(stuck(), {}).quiet, Quiet::sticks);
+    EXPECT_EQ(classify(evidence(0.1, 0.9, 1.0), {}).quiet, Quiet::no);
+    EXPECT_EQ(classify(evidence(0.5, 0.2, 1.0, 1), {}).quiet, Quiet::no);
+}
+
+// a contact that is known to slip after the run is never called quiet, however long the run
+TEST(ContactRules, StuckButNotForEverIsUndecided) {
+    Evidence figures = stuck();
+    figures.ending.outlook = {record::Future::releases, 0.0, 12.5};
+    const Verdict verdict = classify(figures, {});
+    EXPECT_EQ(verdict.category, Category::undecided);
+    EXPECT_NE(verdict.reasons.back().find("slips at about 12.5 s"), std::string::npos) << verdict.reasons.back();
+}
+
+// slips that come back in every stroke, but outside the judged part, are no silence
+TEST(ContactRules, StuckThroughoutTheJudgedPartAloneIsCreak) {
+    Evidence figures = stuck();
+    figures.rates = {0.1, 0.9, 0.0};
+    figures.all_releases = 3;
+    EXPECT_EQ(category(figures), Category::creak);
+    figures.all_releases = 2;
+    EXPECT_EQ(category(figures), Category::none);
+}
+
+// the lip of a seal slips once for 28 us and then sticks for ever
+TEST(ContactRules, OneSlipBeforeAnEternalStickIsNone) {
+    Evidence figures = evidence(0.001, 0.999, std::numeric_limits<double>::quiet_NaN(), 0);
+    figures.ending = {model::ContactState::stick, 28e-6, {record::Future::sticks}};
+    const Verdict verdict = classify(figures, {});
+    EXPECT_EQ(verdict.category, Category::none);
+    EXPECT_EQ(verdict.quiet, Quiet::sticks);
+}
+
+TEST(ContactRules, WhatSlidesForEverIsNoneWhateverCameBefore) {
+    Evidence figures = evidence(0.4, 0.3, 1.0);
+    figures.ending.outlook = {record::Future::slides, 0.75};
+    EXPECT_EQ(category(figures), Category::none);
+    EXPECT_EQ(classify(figures, {}).quiet, Quiet::slides);
+}
+
+TEST(ContactRules, CreakNeedsRepetition) {
+    Evidence figures = evidence(0.1, 0.9, std::numeric_limits<double>::quiet_NaN(), 0);
+    for (const long releases : {0L, 1L, 2L, 3L, 4L}) {
+        figures.releases = releases;
+        EXPECT_EQ(category(figures), releases < 3 ? Category::undecided : Category::creak) << releases;
+    }
+    figures.releases = 1;
+    EXPECT_EQ(category(figures, {.least_releases = 1.0}), Category::creak);
+    figures.ending.outlook.future = record::Future::repeats;  // a proven cycle is repetition enough
+    EXPECT_EQ(category(figures), Category::creak);
 }
 
 TEST(ContactRules, StickPredominanceIsCreak) {
@@ -69,7 +132,7 @@ TEST(ContactRules, IrregularAlternationIsSqueak) {
 // a creak may be perfectly regular
 TEST(ContactRules, StickPredominanceComesBeforeRegularity) {
     EXPECT_EQ(category(evidence(0.1, 0.9, 1.0)), Category::creak);
-    EXPECT_EQ(category(evidence(0.1, 0.9, std::numeric_limits<double>::quiet_NaN(), 1)), Category::creak);
+    EXPECT_EQ(category(evidence(0.1, 0.9, std::numeric_limits<double>::quiet_NaN(), 2)), Category::creak);
 }
 
 TEST(ContactRules, ThinEvidenceIsUndecided) {
@@ -109,7 +172,7 @@ TEST(ContactRules, UnequalBeatsAreSquealOnlyAsFarAsAllowed) {
 
 TEST(Margins, AreFigureLessThreshold) {
     const Verdict verdict = classify(evidence(0.4, 0.3, 0.9), {});
-    ASSERT_EQ(verdict.margins.size(), 4U);
+    ASSERT_EQ(verdict.margins.size(), 5U);
     EXPECT_DOUBLE_EQ(margin(verdict, "quiet_slip").distance, 0.4 - 0.98);
     EXPECT_DOUBLE_EQ(margin(verdict, "creak_stick").distance, 0.3 - 0.7);
     EXPECT_DOUBLE_EQ(margin(verdict, "least_intervals").distance, 20.0 - 6.0);
@@ -124,11 +187,13 @@ RC_GTEST_PROP(Margins, SignsGiveTheCategory, ()) {
     const Evidence figures = evidence(slip, stick, *support::number_between(0.0, 1.0), *support::whole_between(0, 12));
     RC_PRE(stick < 1.0);
     const Verdict verdict = classify(figures, {});
-    const Category expected = margin(verdict, "quiet_slip").distance >= 0.0          ? Category::none
-                              : margin(verdict, "creak_stick").distance >= 0.0       ? Category::creak
-                              : margin(verdict, "least_intervals").distance < 0.0    ? Category::undecided
-                              : margin(verdict, "squeal_regularity").distance >= 0.0 ? Category::squeal
-                                                                                     : Category::squeak;
+    const Category expected =
+        margin(verdict, "quiet_slip").distance >= 0.0 ? Category::none
+        : margin(verdict, "creak_stick").distance >= 0.0
+            ? (margin(verdict, "least_releases").distance >= 0.0 ? Category::creak : Category::undecided)
+        : margin(verdict, "least_intervals").distance < 0.0    ? Category::undecided
+        : margin(verdict, "squeal_regularity").distance >= 0.0 ? Category::squeal
+                                                               : Category::squeak;
     RC_ASSERT(verdict.category == expected);
     RC_ASSERT(!verdict.reasons.empty());
 }

@@ -117,6 +117,56 @@ TEST(RecordingRules, ThinEvidenceIsUndecided) {
               Category::none);
 }
 
+// a knock: one impulse, heard as creak by its kurtosis
+SoundStretch knock_at(double from) {
+    SoundStretch knock = stretch(with(&SoundFeatures::kurtosis, 100.0), from);
+    knock.features.duration = 0.1;
+    knock.impulses = {0.05};
+    return knock;
+}
+
+SoundStretch rest(double from, double duration) {
+    SoundStretch rest = stretch(with(&SoundFeatures::mean_square, 0.0), from);
+    rest.features.duration = duration;
+    rest.impulses.clear();
+    return rest;
+}
+
+TEST(RecordingRules, KnocksThatComeAgainAfterRestsAreACreak) {
+    const std::vector<SoundStretch> thrice{knock_at(0.0), rest(0.1, 0.4), knock_at(0.5), rest(0.6, 0.4), knock_at(1.0)};
+    const RecordingVerdict creak = classify_recording(thrice, {});
+    EXPECT_EQ(creak.category, Category::creak);
+    ASSERT_EQ(creak.segments.size(), 5u);
+    EXPECT_EQ(creak.segments[1].verdict.category, Category::none);
+    EXPECT_DOUBLE_EQ(creak.segments[2].impulse_interval, 0.5);
+    EXPECT_DOUBLE_EQ(creak.segments[2].impulse_regularity, 1.0);
+    EXPECT_EQ(creak.segments[2].impulses, std::vector{0.55});
+    const RecordingVerdict twice = classify_recording(std::span(thrice).first(3), {});
+    EXPECT_EQ(twice.category, Category::undecided);
+}
+
+TEST(RecordingRules, KnocksFarApartOrWithANoiseBetweenThemStayKnocks) {
+    const std::vector<SoundStretch> far{knock_at(0.0), rest(0.1, 1.5), knock_at(1.6), rest(1.7, 1.5), knock_at(3.2)};
+    EXPECT_EQ(classify_recording(far, {}).category, Category::undecided);
+    SoundThresholds patient;
+    patient.creak_pause = 1.7;
+    EXPECT_EQ(classify_recording(far, patient).category, Category::creak);
+    const std::vector<SoundStretch> between{knock_at(0.0), stretch(squeal(), 0.1), knock_at(0.6)};
+    SoundThresholds two;
+    two.least_impulses = 2.0;
+    const RecordingVerdict verdict = classify_recording(between, two);
+    EXPECT_EQ(verdict.segments.front().verdict.category, Category::undecided);
+    EXPECT_EQ(verdict.segments.back().verdict.category, Category::undecided);
+}
+
+TEST(RecordingRules, ShortKnocksAreAsLongAsTheirTrain) {
+    std::vector<SoundStretch> brief{knock_at(0.0), rest(0.1, 0.3), knock_at(0.4), rest(0.5, 0.3), knock_at(0.8)};
+    for (SoundStretch& one : brief)
+        if (one.features.mean_square > 0.0) one.features.duration = 0.03;
+    EXPECT_EQ(classify_recording(brief, {}).category, Category::creak);
+    EXPECT_EQ(classify_recording(std::span(brief).first(1), {}).category, Category::undecided);
+}
+
 // a second of it
 signal::Signal white_noise(double rate, std::uint64_t seed) {
     signal::Signal knock{rate, "Pa", std::vector<double>(static_cast<std::size_t>(rate))};

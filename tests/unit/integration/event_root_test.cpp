@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace stridor::integration {
@@ -119,6 +120,21 @@ TEST(FirstCrossing, ForgetsTheRoundingInDividedCoefficients) {
 TEST(FirstCrossing, NeverCrossesWhatIsZeroThroughout) {
     EXPECT_EQ(crossing({0.0}), no_crossing);
     EXPECT_EQ(crossing({0.0}, 3), no_crossing);
+}
+
+// damping of 1e308 made coefficients that are no numbers, and 2^27 intervals of which none could be decided
+TEST(FirstCrossing, GivesUpOnWhatIsNoNumber) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (const double odd : {nan, infinity, -infinity}) {
+        Lanes series[term_blocks]{};
+        series[0] = {{1.0, odd}};
+        for (int at = 0; at < lanes; ++at) {
+            Lanes bernstein{{1.0, 0.5, 0.1, -0.1, 0.1, -0.1, 0.1, 0.5}};
+            bernstein.at[at] = odd;
+            EXPECT_EQ(first_crossing(series, 0, bernstein, kernel(InstructionSet::baseline, 3)), no_number) << at;
+        }
+    }
 }
 
 // against 4096 samples: nothing negative lies before the crossing, and the crossing is a zero

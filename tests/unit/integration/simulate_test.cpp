@@ -43,7 +43,7 @@ TEST(Simulate, RecordsOnePhaseOfAConstantDrive) {
     const Motion motion = simulate(c);
     ASSERT_EQ(motion.record.phases.size(), 1U);
     EXPECT_EQ(motion.record.phases[0].phase, record::Phase::all);
-    EXPECT_NEAR(motion.record.phases[0].vibration_time, 1.0, 1e-12);
+    EXPECT_NEAR(motion.record.phases[0].vibration_time, 0.5, 1e-12);
 }
 
 TEST(Simulate, DoesNotRunBeyondTheStepLimit) {

@@ -5,8 +5,13 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
+#include <csignal>
 #include <fstream>
+#include <thread>
 
 namespace stridor::io {
 namespace {
@@ -100,6 +105,83 @@ TEST(AtomicFile, GivesNoNameWhereTheRoomIsMissing) {
     }
     EXPECT_EQ(scratch.files(), 0);
     EXPECT_TRUE(error_of([] { PiecewiseFile("/dev/null").temporary_name(0); }));
+}
+
+// a process that writes half of a file and dies; it may wait until a byte comes
+pid_t writer_that_dies(const std::string& path, int go = -1) {
+    const pid_t id = fork();
+    if (id != 0) return id;
+    PiecewiseFile file(path);
+    file.write(std::string(200000, 'h'));
+    char byte = 0;
+    if (go >= 0 && read(go, &byte, 1) == 1) {
+        file.commit();
+        _exit(0);
+    }
+    raise(SIGKILL);
+    _exit(1);
+}
+
+TEST(AtomicFile, RemovesWhatTheDeadLeft) {
+    const ScratchFolder scratch;
+    for (int k = 0; k < 3; ++k)
+        waitpid(writer_that_dies((scratch / "f").string()), nullptr, 0);
+    EXPECT_EQ(scratch.files(), 1) << "each cleared up after the one before";
+    write_file((scratch / "f").string(), "whole");
+    EXPECT_EQ(scratch.files(), 1);
+    EXPECT_EQ(read_file((scratch / "f").string()), "whole");
+}
+
+TEST(AtomicFile, SparesTheLiving) {
+    const ScratchFolder scratch;
+    std::array<int, 2> go{};
+    ASSERT_EQ(pipe(go.data()), 0);
+    const pid_t other = writer_that_dies((scratch / "theirs").string(), go[0]);
+    // theirs is there and locked once its bytes are
+    while (scratch.files() == 0 ||
+           std::filesystem::file_size(*std::filesystem::directory_iterator(scratch.path())) == 0)
+        std::this_thread::yield();
+    PiecewiseFile ours((scratch / "ours").string());
+    ours.write("ours");
+    write_file((scratch / "f").string(), "whole");
+    EXPECT_EQ(scratch.files(), 3);
+    ours.commit();
+    ASSERT_EQ(write(go[1], "g", 1), 1);
+    int status = -1;
+    waitpid(other, &status, 0);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(read_file((scratch / "ours").string()), "ours");
+    EXPECT_EQ(read_file((scratch / "theirs").string()).size(), 200000U);
+    EXPECT_EQ(scratch.files(), 3);
+    for (const int end : go)
+        close(end);
+}
+
+TEST(AtomicFile, SparesWhatOnlyHasItsName) {
+    const ScratchFolder scratch;
+    std::string name;
+    {
+        PiecewiseFile file((scratch / "f").string());
+        name = std::filesystem::path(file.temporary_name(1)).filename().string();
+    }
+    const std::string begins = name.substr(0, name.rfind('-', name.rfind('-') - 1) + 1);  // ".stridor-HOST-"
+    const std::string mine = (scratch / "precious").string();
+    write_file(mine, "precious");
+    std::filesystem::create_symlink(mine, scratch / (begins + "7-0.tmp"));
+    std::filesystem::create_hard_link(mine, scratch / (begins + "7-1.tmp"));
+    std::filesystem::create_directory(scratch / (begins + "7-2.tmp"));
+    ASSERT_EQ(mkfifo((scratch / (begins + "7-3.tmp")).c_str(), 0600), 0);
+    for (const char* other : {".stridor-00000000-7-0.tmp", ".stridor-7-0.tmp", ".stridor-.tmp"})
+        std::ofstream(scratch / other) << "x";
+    for (const char* other : {"7.tmp", "7-0.txt", "7-.tmp", "-7.tmp", "7-0-1.tmp", "seven-0.tmp"})
+        std::ofstream(scratch / (begins + other)) << "x";
+    const long files = scratch.files();
+    write_file((scratch / "f").string(), "whole");
+    EXPECT_EQ(scratch.files(), files + 1);
+    EXPECT_EQ(read_file(mine), "precious");
+    std::ofstream(scratch / (begins + "7-9.tmp")) << "what a dead one left";
+    write_file((scratch / "f").string(), "whole");
+    EXPECT_EQ(scratch.files(), files + 1);
 }
 
 TEST(AtomicFile, SaysThatTheDiskIsFull) {

@@ -83,7 +83,7 @@ TEST(ChartCsv, HasTheColumnsOfTheContract) {
     EXPECT_EQ(first,
               (std::vector<std::string>{"x", "y", "direction", "status", "category", "slip", "stick", "separation"}));
     EXPECT_EQ(table.names.back(), "reproduce");
-    EXPECT_EQ(table.names.size(), 5 + sweep::cell_figures().size() + 3);
+    EXPECT_EQ(table.names.size(), 5 + sweep::cell_figures().size() + 4);
     EXPECT_EQ(table.units[0], "N");
     EXPECT_EQ(table.units[1], "1");
     EXPECT_EQ(table.units[2], "-");

@@ -1,11 +1,13 @@
 #include "stridor/io/library_archive.hpp"
 
 #include "stridor/base/sha256.hpp"
+#include "stridor/io/archive_manifest.hpp"
 #include "stridor/io/csv_library.hpp"
 #include "stridor/io/json_library.hpp"
 #include "stridor/io/json_verdict.hpp"
 #include "stridor/io/tar.hpp"
 #include "stridor/noise_library/field.hpp"
+#include "support/bit_flips.hpp"
 #include "support/counter_random.hpp"
 #include "support/error_text.hpp"
 #include "unit/noise_library/library_folder.hpp"
@@ -141,6 +143,57 @@ TEST_F(Archive, CarriesEntriesFromLibraryToLibraryWhole) {
     EXPECT_EQ(bytes_of(folder_ / "again.tar"), bytes_of(archive_));
 }
 
+TEST_F(Archive, RefusesEveryFlippedBitAndKeepsNothingOfIt) {
+    {
+        Library library = open("source.sqlite");
+        Entry entry;
+        entry.system = "brake";
+        entry.preload = 20.0;
+        add_bytes(library, sound_, sound, entry);
+        export_library(library, library.find(everything()), archive_);
+    }
+    const std::string bytes = bytes_of(archive_);
+    const std::size_t manifest_end = 512 + static_cast<std::size_t>(std::stoul(bytes.substr(124, 11), nullptr, 8));
+    Library library = open();
+    const std::size_t step = support::flip_step(29, 113);
+    for (std::size_t bit = 0; bit < 8 * bytes.size(); bit += step) {
+        std::string damaged = bytes;
+        damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
+        write_bytes(archive_, damaged);
+        const bool is_in_manifest = bit / 8 >= 512 && bit / 8 < manifest_end;
+        try {
+            import_library(library, archive_);
+            // what stands between and behind the files means nothing
+            ASSERT_FALSE(is_in_manifest) << bit;
+            const std::vector<Entry> entries = library.find(everything());
+            ASSERT_EQ(entries.size(), 1U) << bit;
+            ASSERT_EQ(entries[0].system + entries[0].audio, "brake" + sound_hash) << bit;
+            library.remove(std::vector<std::int64_t>{entries[0].id});
+        } catch (const Error& error) {
+            ASSERT_EQ(error.kind(), is_in_manifest ? ErrorKind::io : ErrorKind::input) << bit << ": " << error.what();
+        }
+        ASSERT_EQ(library.size(), 0) << bit;
+        ASSERT_TRUE(files_of(library).empty()) << bit;
+    }
+}
+
+TEST_F(Archive, EndsItsManifestWithItsHash) {
+    const std::string lines = "{\"schema\":\"stridor.library-archive/2\"}\n" + line();
+    const std::string closing = manifest_closing(lines);
+    EXPECT_EQ(closing, "{\"sha256\":\"" + base::sha256_text(lines) + "\"}\n");
+    const auto kind_of = [&](const std::string& manifest) {
+        write_bytes(archive_, tar_of({{"manifest.jsonl", manifest}, {sound_name, sound}}));
+        Library library = open();
+        return thrown_by([&] { import_library(library, archive_); }).kind;
+    };
+    EXPECT_EQ(kind_of(lines), ErrorKind::io) << "without its hash";
+    EXPECT_EQ(kind_of(lines + closing + line()), ErrorKind::io) << "with lines behind it";
+    EXPECT_EQ(kind_of(opening + line() + closing), ErrorKind::io) << "with that of another";
+    write_bytes(archive_, tar_of({{"manifest.jsonl", lines + closing}, {sound_name, sound}}));
+    Library library = open();
+    EXPECT_EQ(import_library(library, archive_).added.size(), 1U);
+}
+
 TEST_F(Archive, LeavesOutWhatWasOnlyJudgedAgain) {
     Library library = open();
     const auto judge = [&](std::int64_t id, const char* category, double level) {
@@ -236,7 +289,7 @@ TEST_F(Archive, RefusesSizesAndBytesThatAreNotTrue) {
 TEST_F(Archive, RefusesManifestsThatMeanNothing) {
     expect_manifest_refused("", "empty");
     expect_manifest_refused("{}\n", "schema is none");
-    expect_manifest_refused("{\"schema\":\"stridor.library-archive/2\"}\n", "this program reads");
+    expect_manifest_refused("{\"schema\":\"stridor.library-archive/3\"}\n", "this program reads");
     expect_manifest_refused(opening + "[]\n", "no JSON object");
     expect_manifest_refused(opening + "{\"audio\n", "no JSON object");
     expect_manifest_refused(opening + std::string(100000, '[') + "\n", "no entry");

@@ -210,6 +210,30 @@ TEST(ChartNetcdf, HasTheSameBytesForTheSameChart) {
     EXPECT_EQ(read_file((scratch / "a.nc").string()), read_file((scratch / "b.nc").string()));
 }
 
+// a chart too large for the memory is written by a process of its own: whoever reads it sees no difference
+TEST(ChartNetcdf, IsTheSameWrittenApart) {
+    const ScratchFolder scratch;
+    for (const sweep::SweepResult& chart : {small_chart(), refined_chart(), chart_of_starts()}) {
+        const std::string in_memory = (scratch / "memory.nc").string();
+        const std::string apart = (scratch / "apart.nc").string();
+        write_chart_netcdf(in_memory, chart);
+        write_chart_netcdf(apart, chart, 0);
+        const Opened first(in_memory);
+        const Opened second(apart);
+        const std::size_t size = chart.cells.size();
+        for (const sweep::CellFigure& figure : sweep::cell_figures())
+            expect_same(second.doubles(std::string(figure.name), size), first.doubles(std::string(figure.name), size));
+        for (const char* name : {"category", "status", "source"})
+            EXPECT_EQ(second.bytes(name, size), first.bytes(name, size));
+        if (!chart.study.starts.empty()) {
+            EXPECT_EQ(second.bytes("start_verdict", 2 * size), first.bytes("start_verdict", 2 * size));
+        }
+        for (const char* name : {"study", "study_hash", "case", "schema"})
+            EXPECT_EQ(second.global(name), first.global(name));
+        EXPECT_EQ(scratch.files(), 2);
+    }
+}
+
 TEST(ChartNetcdf, SaysWhyItCannotBeWritten) {
     const ScratchFolder scratch;
     const auto error = error_of([&] { write_chart_netcdf((scratch / "no/chart.nc").string(), small_chart()); });

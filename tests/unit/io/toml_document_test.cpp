@@ -79,7 +79,13 @@ TEST(TomlDocument, RefusesTextThatWouldOverflowTheStack) {
         return keys + "a = 1\n";
     };
     expect_error(refusal(nested(100000)), "this is no case file", "case.toml");
-    EXPECT_EQ(parse(nested(4000)).entries.back().key, "a.a.a.a") << "the deepest that is parsed at all";
+    expect_error(refusal(nested(65)), "in each other more than 64 deep", "case.toml");
+    EXPECT_EQ(parse(nested(64)).entries.back().key, "a.a.a.a") << "the deepest that is parsed at all";
+    const auto bracketed = [](std::size_t depth) {
+        return "a = " + std::string(depth, '[') + std::string(depth, ']') + "\n";
+    };
+    expect_error(refusal(bracketed(65)), "in each other more than 64 deep", "case.toml");
+    EXPECT_EQ(parse(bracketed(64)).entries.size(), 1U);
     expect_error(refusal("# " + std::string(70000, 'x') + "\n"), "this is no case file", "case.toml");
 }
 

@@ -51,10 +51,12 @@ TEST_F(LibraryFile, RefusesOtherFilesAndLeavesThemAlone) {
 
 TEST_F(LibraryFile, RefusesANewerSchema) {
     open();
-    storage::Database(file_, {}).execute("PRAGMA user_version = 2");
+    storage::DatabaseOptions options;
+    options.identity = library_identity;
+    storage::Database(file_, options).execute("PRAGMA user_version = 3");
     const Thrown thrown = thrown_by([&] { open(Access::read); });
     EXPECT_EQ(thrown.kind, ErrorKind::input);
-    EXPECT_TRUE(thrown.says("has schema 2") && thrown.says("newer program")) << thrown.message;
+    EXPECT_TRUE(thrown.says("has schema 3") && thrown.says("newer program")) << thrown.message;
 }
 
 TEST_F(LibraryFile, EndsInAnErrorWhereItsFileIsDamaged) {

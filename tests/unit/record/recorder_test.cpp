@@ -130,6 +130,56 @@ TEST(Changes, OfDifferentStretchesAreParted) {
     EXPECT_EQ(record.phases[1].changes[change_kind(slip, stick)].count, 1);
 }
 
+// the closing span goes on where the judged one ends: an interval may reach across
+TEST(Changes, OfTheClosingPartFollowThoseBefore) {
+    const Schedule plan{{{0.0, 2.0, Phase::all, Use::judged}, {2.0, 4.0, Phase::all, Use::closing}}, {Phase::all}};
+    Recorder recorder(plan, {}, 3);
+    for (int k = 0; k < 4; ++k) {
+        recorder.enter(entry(slip, k));
+        recorder.enter(entry(stick, k + 0.5));
+    }
+    const Tally tally = recorder.finish(3.75).phases[0];
+    EXPECT_EQ(tally.changes[change_kind(slip, stick)].times, (std::vector{0.5, 1.5, 2.5, 3.5}));
+    EXPECT_EQ(tally.releases, 3);
+}
+
+TEST(Recorder, CountsReleasesInAllOfTheWindow) {
+    Recorder recorder(two_phases(), {}, 3);
+    recorder.enter(entry(stick, 0.0));
+    recorder.enter(entry(slip, 0.5));  // before the judged part
+    recorder.enter(entry(stick, 0.75));
+    recorder.enter(entry(separation, 2.0));
+    recorder.enter(entry(slip, 2.5));  // ends no stick
+    const Record record = recorder.finish(12.0);
+    EXPECT_EQ(record.phases[0].releases, 2);
+    EXPECT_EQ(record.phases[1].releases, 0);
+}
+
+TEST(Recorder, TellsHowTheRunEnded) {
+    Recorder recorder(two_phases(), {}, 3);
+    recorder.enter(entry(slip, 0.0));
+    recorder.enter(entry(stick, 7.0));
+    for (const Tally& tally : recorder.finish(12.0, {Future::releases, 0.0, 20.0}).phases) {
+        EXPECT_EQ(tally.ending.state, stick);
+        EXPECT_EQ(tally.ending.since, 7.0);
+        EXPECT_EQ(tally.ending.outlook.future, Future::releases);
+        EXPECT_EQ(tally.ending.outlook.release, 20.0);
+    }
+}
+
+TEST(VibrationTally, KeepsTheClosingPartApart) {
+    const Schedule plan{{{0.0, 2.0, Phase::all, Use::judged}, {2.0, 3.0, Phase::all, Use::closing}}, {Phase::all}};
+    Recorder recorder(plan, {}, 1);
+    recorder.vibrate(0, 2.0, std::vector<Vibration>{{4.0, 9.0}});
+    recorder.vibrate(1, 1.0, std::vector<Vibration>{{1.0, 2.0}});
+    const Tally tally = recorder.finish(3.0).phases[0];
+    EXPECT_EQ(tally.vibration_time, 3.0);
+    EXPECT_EQ(tally.vibration[0].square_time, 5.0);
+    EXPECT_EQ(tally.closing_time, 1.0);
+    EXPECT_EQ(tally.closing_vibration[0].square_time, 1.0);
+    EXPECT_EQ(tally.closing_vibration[0].peak_square, 2.0);
+}
+
 TEST(Changes, TakeBoundedMemoryAndKeepTheLatest) {
     constexpr int beats = 100000;
     Recorder recorder(one_phase(0.0, 2.0 * beats + 1.0), {}, 3);  // longer than the run: no parting at its end

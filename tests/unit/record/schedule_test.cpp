@@ -42,16 +42,29 @@ TEST(ConstantDrive, IsJudgedOverItsWindow) {
     c.run.duration = 2.0;
     c.run.window = 0.5;
     const Schedule plan = schedule(c);
-    ASSERT_EQ(plan.spans.size(), 2U);
+    ASSERT_EQ(plan.spans.size(), 3U);
     EXPECT_EQ(plan.spans[0].use, Use::unused);
     EXPECT_EQ(plan.spans[1].use, Use::judged);
     EXPECT_EQ(plan.spans[1].from, 1.5);
-    EXPECT_EQ(plan.spans[1].to, 2.0);
+    EXPECT_EQ(plan.spans[2].use, Use::closing);
+    EXPECT_EQ(plan.spans[2].from, 2.0 - 0.2 * 0.5);
+    EXPECT_EQ(plan.spans[2].to, 2.0);
     EXPECT_EQ(plan.phases, std::vector<Phase>{Phase::all});
 }
 
-TEST(ConstantDrive, WithoutATransientHasOneSpan) {
-    EXPECT_EQ(schedule(constant_case()).spans.size(), 1U);
+// the start is no part of a verdict, though it lies in the window
+TEST(ConstantDrive, IsJudgedOverTheSecondHalfAtMost) {
+    Case c = constant_case();
+    c.run.duration = c.run.window = 2.0;
+    const Schedule plan = schedule(c);
+    ASSERT_EQ(plan.spans.size(), 3U);
+    EXPECT_EQ(plan.spans[0].use, Use::counted);
+    EXPECT_EQ(plan.spans[1].from, 1.0);
+    EXPECT_EQ(time_of(plan, Use::unused), 0.0);
+    c.verdict.start = 0.0;
+    EXPECT_EQ(schedule(c).spans.front().use, Use::judged);
+    c.verdict.start = 0.9;
+    EXPECT_DOUBLE_EQ(time_of(schedule(c), Use::counted), 1.8);
 }
 
 // V = cos(2 pi f t): going until T/4, coming until 3T/4, going until 5T/4 ...

@@ -34,7 +34,7 @@ inline bool same_bits(double a, double b) {
 
 inline bool same_cell(const Cell& a, const Cell& b) {
     const bool same_words = a.status == b.status && a.message == b.message;
-    const bool same_category = a.status != Status::done || a.category == b.category;
+    const bool same_category = a.status != Status::done || (a.category == b.category && a.quiet == b.quiet);
     const bool same_starts = a.starts == b.starts && a.agreement == b.agreement;
     return same_words && same_category && same_starts &&
            std::all_of(cell_figures().begin(), cell_figures().end(),

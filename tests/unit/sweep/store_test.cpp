@@ -37,6 +37,8 @@ Cell any_cell() {
     cell.category = static_cast<classification::Category>(
         *whole_between(0, static_cast<int>(classification::category_names.size()) - 1));
     cell.message = *rc::gen::arbitrary<std::string>();
+    const bool is_none = cell.status == Status::done && cell.category == classification::Category::none;
+    if (is_none) cell.quiet = static_cast<classification::Quiet>(*whole_between(1, 2));
     for (const CellFigure& figure : cell_figures())
         cell.*figure.member = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
     return cell;
@@ -53,7 +55,9 @@ void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
 
 // somebody else's hand on the file
 void tamper(const std::filesystem::path& file, const std::string& sql) {
-    storage::Database(file, {}).execute(sql);
+    storage::DatabaseOptions options;
+    options.identity = store_identity;
+    storage::Database(file, options).execute(sql);
 }
 
 class StoreFile : public testing::Test {
@@ -198,7 +202,7 @@ TEST_F(StoreFile, RefusesAFileThatIsNoDatabaseAndLeavesItAlone) {
 }
 
 TEST_F(StoreFile, RefusesAnotherProgramsDatabaseAndLeavesItAlone) {
-    tamper(file_, "CREATE TABLE meta(key, value)");
+    storage::Database(file_, {}).execute("CREATE TABLE meta(key, value)");
     const std::string bytes = bytes_of(file_);
     const Thrown thrown = thrown_by_opening(study_);
     EXPECT_EQ(thrown.kind, ErrorKind::input);

@@ -1,0 +1,94 @@
+#include "library.hpp"
+#include "library_hearing.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/io/library_repair.hpp"
+#include "terminal.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace stridor::app {
+
+namespace {
+
+using noise_library::Findings;
+
+struct CheckOptions {
+    LibraryOption library;
+    bool repair = false;
+    std::vector<std::string> archives;
+};
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string ids_text(const std::vector<std::int64_t>& ids) {
+    return fmt::format("{} {}", ids.size() == 1 ? "entry" : "entries", fmt::join(ids, ", "));
+}
+
+// a line for each thing that is wrong
+std::vector<std::string> lines_of(const Findings& findings) {
+    std::vector<std::string> lines = findings.saved.damages;
+    for (const noise_library::LostEntry& lost : findings.saved.lost)
+        lines.push_back(fmt::format("entry {} is not what was written", lost.id));
+    for (const noise_library::DamagedSound& sound : findings.damaged_sounds)
+        lines.push_back(fmt::format("the audio {} of {} is {}", noise_library::path_of(sound.name).string(),
+                                    ids_text(sound.entries), sound.is_missing ? "missing" : "damaged"));
+    return lines;
+}
+
+// says what is there; throws what is not
+void tell(const Findings& findings, const std::filesystem::path& file) {
+    const std::vector<std::string> lines = lines_of(findings);
+    std::string text;
+    for (const std::string& line : lines)
+        text += line + "\n";
+    text += fmt::format("{}, {}: {}\n", counted(findings.saved.entries.size(), "entry", "entries"),
+                        counted(findings.sounds, "sound", "sounds"),
+                        lines.empty() ? "nothing is damaged" : "whole but for what is named above");
+    print(text);
+    if (!lines.empty())
+        throw Error(ErrorKind::io,
+                    {"the library " + file.string() + " is damaged", counted(lines.size(), "finding", "findings"),
+                     "`stridor library check --repair ARCHIVE` brings back what an export has."});
+}
+
+void repair(const CheckOptions& options, const std::filesystem::path& file) {
+    const std::vector<std::filesystem::path> archives(options.archives.begin(), options.archives.end());
+    const io::Repair done = io::repair_library(file, archives, probe_of({}, {}));
+    print(fmt::format("{} kept, {} brought back from archives, {} made anew from sounds, {} lost\n",
+                      counted(done.kept, "entry", "entries"), done.from_archives, done.from_sounds, done.lost.size()));
+    if (!done.lost.empty()) print("lost: " + ids_text(done.lost) + "\n");
+    if (done.mended_sounds > 0) print(counted(done.mended_sounds, "sound", "sounds") + " brought back\n");
+    if (!done.damaged_file.empty()) say("the damaged file is kept as " + done.damaged_file.string());
+    tell(done.findings, file);
+}
+
+void check_library(const CheckOptions& options) {
+    const std::filesystem::path file =
+        options.library.file.empty() ? noise_library::default_library() : std::filesystem::path(options.library.file);
+    if (options.repair) return repair(options, file);
+    tell(noise_library::check(file), file);
+}
+
+}  // namespace
+
+void add_library_check(CLI::App& library) {
+    auto options = std::make_shared<CheckOptions>();
+    CLI::App* command =
+        library.add_subcommand("check", "Look at every page, entry and sound of the library for damage.");
+    add_library_option(*command, options->library);
+    CLI::Option* repair = command->add_flag("--repair", options->repair,
+                                            "save what is whole, and bring back the rest from archives and sounds");
+    command->add_option("archives", options->archives, "files that `stridor library export` wrote, for --repair")
+        ->needs(repair);
+    command->footer(
+        "Exit code 5 if anything is damaged. The damaged file is kept beside the repaired one.\n"
+        "Examples:\n  stridor library check\n  stridor library check --repair brakes.tar");
+    command->callback([options] { check_library(*options); });
+}
+
+}  // namespace stridor::app

@@ -1,0 +1,118 @@
+#include "stridor/noise_library/library_file.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/noise_library/entry_rows.hpp"
+#include "stridor/noise_library/replacement.hpp"
+
+#include <optional>
+#include <system_error>
+#include <vector>
+
+namespace stridor::noise_library {
+
+namespace fs = std::filesystem;
+using storage::Database;
+using storage::Transaction;
+
+namespace {
+
+constexpr int unchecked_schema = 1;
+
+void make(Database& database) {
+    if (!database.is_new()) return;
+    Transaction transaction(database);
+    // another process may have made it in between
+    if (database.is_new()) create_tables(database);
+    transaction.commit();
+}
+
+// what a newer or another program's file is refused for
+void expect_ours(Database& database) {
+    const Transaction transaction(database, Transaction::Purpose::read);
+    const std::string name = database.file().string();
+    if (database.integer("PRAGMA application_id") != library_identity.application_id)
+        throw Error(ErrorKind::input, {name + " is no noise library", "it is another program's SQLite database",
+                                       "Choose another --library."});
+    const std::int64_t schema = database.integer("PRAGMA user_version");
+    if (schema != library_schema && schema != unchecked_schema)
+        throw Error(ErrorKind::input,
+                    {"the library " + name + " has schema " + std::to_string(schema),
+                     "this program reads and writes schema " + std::to_string(library_schema),
+                     schema > library_schema ? "Use the newer program that wrote it." : "Choose another --library."});
+    database.expect_whole();
+    database.expect_schema(table_statements());
+}
+
+[[noreturn]] void refuse_damaged(const Database& database, const std::string& why) {
+    throw Error(ErrorKind::io, {"the library " + database.file().string() + " is damaged", why,
+                                "`stridor library check --repair` saves what can be read."});
+}
+
+// each entry has had a digest of its own from the first layout on
+void rewrite(Database& old) {
+    Replacement replacement(old.file());
+    for (const std::int64_t id : entry_ids(old)) {
+        const KeptEntry kept = read_entry(old, id);
+        if (!is_sound(kept)) refuse_damaged(old, "entry " + std::to_string(id) + " is not what was written");
+        replacement.write(kept.entry);
+    }
+    replacement.reserve(old.integer("SELECT seq FROM sqlite_sequence WHERE name = 'entry'"));
+    replacement.keep();
+}
+
+// false where it cannot be written
+bool bring_up_to_date(Database& old) {
+    if (old.is_read_only()) return false;
+    {
+        const Transaction snapshot(old, Transaction::Purpose::read);
+        if (const std::vector<std::string> damages = old.damages(); !damages.empty())
+            refuse_damaged(old, damages.front());
+    }
+    const Transaction lock(old);
+    // another process may have done it in between
+    if (!old.has_moved()) rewrite(old);
+    return true;
+}
+
+}  // namespace
+
+fs::path audio_folder_of(const fs::path& file) {
+    std::error_code error;
+    fs::path real = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
+    if (real.extension() == ".audio")
+        throw Error(ErrorKind::input, {file.string() + " cannot be a library", "its audio needs a folder of that name",
+                                       "Call it library.sqlite."});
+    return real.replace_extension(".audio");
+}
+
+storage::DatabaseOptions database_options(const fs::path& file, const LibraryOptions& options) {
+    storage::DatabaseOptions database;
+    database.words = {"library", "Choose another --library.", "Wait until that ends, and run the same command again.",
+                      "`stridor library check --repair` saves what can be read; --repair ARCHIVE brings back the rest.",
+                      "run the same command again: nothing was changed."};
+    database.identity = library_identity;
+    database.ownership = storage::Ownership::shared;
+    database.missing = options.access == Access::fill ? storage::Missing::create : storage::Missing::refuse;
+    database.wait = options.wait;
+    std::error_code error;
+    if (options.access == Access::read && !fs::exists(file, error))
+        throw Error(ErrorKind::io,
+                    {"there is no library " + file.string(), error ? error.message() : "",
+                     "Add a first recording with `stridor library add FILE`, or name another --library."});
+    return database;
+}
+
+Database open_database(const fs::path& file, const LibraryOptions& options) {
+    {
+        Database database(file, database_options(file, options));
+        make(database);
+        expect_ours(database);
+        const bool is_old = database.integer("PRAGMA user_version") == unchecked_schema;
+        if (!is_old || !bring_up_to_date(database)) return database;
+    }
+    Database database(file, database_options(file, options));
+    expect_ours(database);
+    return database;
+}
+
+}  // namespace stridor::noise_library

@@ -1,0 +1,144 @@
+// What a double, 53 bits or eps = 1.1e-16, can hold of a case.
+//
+// Magnitudes. Rates are sqrt(k/m), energies F²/k, norms of the equations (k/m)²: products of at most four numbers of a case. They
+// stay within 2.2e-308..1.8e308 if each number stays within 1e-75..1e75.
+//
+// Time. An instant is known to eps T, T the duration; a step of the exact engine is 2/Omega, Omega the fastest rate. The instant is
+// known to eps T Omega/2 of a step: 6e-5 where Omega T = 1e12. That many steps also take hours.
+//
+// Ratios. Stiffnesses along and across the joint are added up into one matrix, masses into one total: the smaller summand is
+// known to eps times the ratio, 1e-4 where that is 1e12. A normal force is known to eps F, a friction force mu N to eps mu F.
+
+#include "stridor/parameters/resolution.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/parameters/field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace stridor::parameters {
+
+namespace {
+
+using base::shortest;
+
+constexpr double largest_number = 1e75;
+constexpr double smallest_number = 1e-75;
+constexpr double two_pi = 6.283185307179586476925;
+
+struct Named {
+    std::string_view key;
+    double value = 0.0;
+};
+
+Named largest_of(std::initializer_list<Named> all) {
+    return std::max(all, [](const Named& a, const Named& b) { return a.value < b.value; });
+}
+
+Named smallest_of(std::initializer_list<Named> all) {
+    return std::min(all, [](const Named& a, const Named& b) { return a.value < b.value; });
+}
+
+std::string setting(const Case& c, std::string_view key) {
+    return std::string(key) + " = " + value_text(c, *find_field(key));
+}
+
+void find_large_and_small(const Case& c, std::vector<Finding>& found) {
+    for (const Field& field : fields()) {
+        const auto* quantity = std::get_if<Quantity>(&field.kind);
+        if (quantity == nullptr || !field.belongs(c)) continue;
+        const double size = std::abs(quantity->get(c));
+        const bool has_dimension = quantity->unit != "1" && quantity->unit != "deg";
+        const bool is_small = has_dimension && size > 0.0 && size < smallest_number;
+        if (size <= largest_number && !is_small) continue;
+        found.push_back({key_of(field),
+                         {setting(c, key_of(field)) + " is " + (is_small ? "below 1e-75" : "above 1e75"),
+                          "products of such numbers leave double precision", "Check its unit."}});
+    }
+}
+
+// an upper bound of the fastest rate of the motion [1/s], and the field that makes it; friction adds mu_d times the forces across
+// the contact to those along it
+Named fastest_rate(const Case& c, double friction) {
+    const auto vibration = [&](double stiffness, double mass) {
+        return std::sqrt((1.0 + friction) * stiffness / mass);
+    };
+    const auto decay = [&](double damping, double mass) { return (1.0 + friction) * damping / mass; };
+    return largest_of({{"joint.axial_stiffness", vibration(c.joint.axial_stiffness, c.joint.mass)},
+                       {"joint.flexural_stiffness", vibration(c.joint.flexural_stiffness, c.joint.mass)},
+                       {"plate.stiffness", vibration(c.plate.stiffness, c.plate.mass)},
+                       {"joint.axial_damping", decay(c.joint.axial_damping, c.joint.mass)},
+                       {"joint.flexural_damping", decay(c.joint.flexural_damping, c.joint.mass)},
+                       {"plate.damping", decay(c.plate.damping, c.plate.mass)},
+                       {"drive.frequency", c.drive.kind == DriveKind::sinusoidal ? two_pi * c.drive.frequency : 0.0}});
+}
+
+void find_fast(const Case& c, std::vector<Finding>& found) {
+    if (c.run.engine != Engine::exact) return;  // beta_2 has its step
+    const double rate = fastest_rate(c, c.contact.kinetic_friction).value;
+    if (rate * c.run.duration <= most_apart) return;
+    const Named frictionless = fastest_rate(c, 0.0);
+    const bool is_long = rate <= most_apart;  // a second would do
+    const bool is_rough = frictionless.value * c.run.duration <= most_apart;
+    const std::string_view key = is_long ? "run.duration" : is_rough ? "contact.kinetic_friction" : frictionless.key;
+    found.push_back({std::string(key),
+                     {setting(c, key) + " makes a run of " + shortest(c.run.duration) + " s at rates of up to " +
+                          shortest(rate) + " 1/s",
+                      "beyond a product of 1e12 double precision cannot tell instants apart, and it would take hours",
+                      is_long ? "Shorten it." : "Check its unit, or shorten run.duration."}});
+}
+
+void find_ratio(const Case& c, const Named& large, const Named& small, std::vector<Finding>& found) {
+    if (large.value <= most_apart * small.value) return;
+    found.push_back({std::string(large.key),
+                     {setting(c, large.key) + " is more than 1e12 times " + setting(c, small.key),
+                      "double precision leaves less than four digits of the smaller one beside it",
+                      "A ratio of 1e6 is as good as rigid."}});
+}
+
+void find_reversals(const Case& c, std::vector<Finding>& found) {
+    const double reversals = 2.0 * c.drive.frequency * c.run.duration;
+    if (c.drive.kind != DriveKind::sinusoidal || reversals <= most_reversals) return;
+    found.push_back(
+        {"drive.frequency",
+         {setting(c, "drive.frequency") + " reverses " + shortest(std::ceil(reversals)) +
+              " times in run.duration = " + shortest(c.run.duration) + " s",
+          "each reversal is kept in memory, " + shortest(most_reversals) + " at most",
+          "Shorten run.duration to at most " + shortest(0.5 * most_reversals / c.drive.frequency) + " s."}});
+}
+
+void find_short_window(const Case& c, std::vector<Finding>& found) {
+    if (c.run.window * 1e9 >= c.run.duration) return;
+    found.push_back(
+        {"run.window",
+         {setting(c, "run.window") + " is less than 1e-9 of run.duration = " + shortest(c.run.duration) + " s",
+          "double precision cannot tell its ends apart well enough to judge it", "Lengthen it."}});
+}
+
+}  // namespace
+
+void find_unresolvable(const Case& c, std::vector<Finding>& found) {
+    const std::size_t before = found.size();
+    find_large_and_small(c, found);
+    if (found.size() > before) return;
+    find_fast(c, found);
+    const Named axial{"joint.axial_stiffness", c.joint.axial_stiffness};
+    const Named flexural{"joint.flexural_stiffness", c.joint.flexural_stiffness};
+    const Named plate{"plate.stiffness", c.plate.stiffness};
+    find_ratio(c, largest_of({axial, flexural, plate}), smallest_of({axial, flexural, plate}), found);
+    const Named joint_mass{"joint.mass", c.joint.mass};
+    const Named plate_mass{"plate.mass", c.plate.mass};
+    find_ratio(c, largest_of({joint_mass, plate_mass}), smallest_of({joint_mass, plate_mass}), found);
+    if (c.contact.static_friction > most_apart)
+        found.push_back({"contact.static_friction",
+                         {setting(c, "contact.static_friction") + " is above 1e12",
+                          "the friction force would be known to less than four digits", "Rubber on glass has 2."}});
+    find_reversals(c, found);
+    find_short_window(c, found);
+}
+
+}  // namespace stridor::parameters

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "stridor/storage/system_io.hpp"
+
+#include <filesystem>
+#include <string>
+
+/// Files that are not finished, and how to tell those of the dead from those of the living.
+///
+/// A temporary is called ".stridor-HOST-PROCESS-NUMBER.tmp" and is locked by whoever writes it, until it has its own name. The
+/// system takes the lock from a process that dies, however it dies. So a file of such a name, of this host and this user,
+/// that nobody has locked, was left behind and may go. Where a file system knows no locks nothing is ever removed.
+namespace stridor::storage {
+
+/// A new file under a temporary name. It is neither renamed nor removed by itself.
+struct Temporary {
+    std::filesystem::path name;
+    Descriptor file;  // open for writing
+    Descriptor lock;  // the same open file: keeps the lock while `file` is closed and renamed; to be closed after that
+};
+
+/// Begins a file in a folder, and removes what dead processes left there. Throws `Error` (io); `shown` is what it calls the
+/// file.
+Temporary begin_temporary(const std::filesystem::path& folder, const std::string& shown);
+
+/// Removes what dead processes left in a folder. What cannot be removed stays.
+void remove_leftovers(const std::filesystem::path& folder);
+
+}  // namespace stridor::storage

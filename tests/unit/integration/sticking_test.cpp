@@ -1,0 +1,155 @@
+#include "stridor/integration/sticking.hpp"
+
+#include "stridor/integration/simulate.hpp"
+#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/rubbing_system.hpp"
+#include "stridor/parameters/paper_cases.hpp"
+#include "support/property.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stridor::integration {
+namespace {
+
+using parameters::Case;
+using record::Future;
+
+// the lip of a door seal: soft, and self-locking while going
+Case lip() {
+    Case c;
+    c.joint = {0.004, 25e3, 1.5e3, 1.5, 0.4, 60.0};
+    c.plate = {0.35, 400e3, 5.0};
+    c.contact.preload = 8.0;
+    c.contact.static_friction = 1.2;
+    c.contact.kinetic_friction = 0.9;
+    c.drive.kind = parameters::DriveKind::constant;
+    c.drive.velocity = 0.05;
+    return c;
+}
+
+// how a run ends; the outlook is the same for all its phases
+record::Ending ending(const Case& c) {
+    return simulate(c).record.phases.front().ending;
+}
+
+record::Outlook at_rest(const Case& c) {
+    const model::Structure<3> structure = model::rubbing_system(c);
+    const Eigen::Vector3d carried(c.drive.velocity, 0.0, 0.0);
+    return outlook_of_stick(structure, c.drive, {Eigen::Vector3d::Zero(), carried, c.drive.velocity, 0.0, 0.0});
+}
+
+// N grows with x by k2y Kxy/(Kyy + k2y), T by Kxx - Kxy²/(Kyy + k2y): their ratio is the friction that locks
+double locking_friction(const Case& c) {
+    const model::Structure<3> s = model::rubbing_system(c);
+    const double Kxx = s.stiffness(0, 0), Kxy = s.stiffness(0, 1), both = s.stiffness(1, 1) + c.plate.stiffness;
+    return (Kxx - Kxy * Kxy / both) / (c.plate.stiffness * Kxy / both);
+}
+
+TEST(Stick, OfALockingLipIsForEver) {
+    EXPECT_EQ(at_rest(lip()).future, Future::sticks);
+    const record::Ending end = ending(lip());
+    EXPECT_EQ(end.state, model::ContactState::stick);
+    EXPECT_EQ(end.outlook.future, Future::sticks);
+    EXPECT_NEAR(end.since, 28e-6, 1e-6);
+}
+
+TEST(Stick, LocksFromTheClosedFormOn) {
+    Case c = lip();
+    const double locking = locking_friction(c);
+    EXPECT_NEAR(locking, 0.734, 5e-4);
+    c.contact.static_friction = locking * (1.0 + 1e-6);
+    EXPECT_EQ(at_rest(c).future, Future::sticks);
+    c.contact.static_friction = locking * (1.0 - 1e-6);
+    EXPECT_EQ(at_rest(c).future, Future::releases);
+    c.contact.static_friction = 1.2;
+    c.drive.velocity = -0.05;  // coming the normal force falls
+    EXPECT_EQ(at_rest(c).future, Future::releases);
+}
+
+// alpha = 0 decouples x and y: T = k x reaches mu_s F after mu_s F/(k V)
+TEST(Release, OfAMassOnABeltComesWhenTheSpringPullsItLoose) {
+    Case c = lip();
+    c.joint.incidence_angle = 0.0;
+    const record::Outlook outlook = at_rest(c);
+    EXPECT_EQ(outlook.future, Future::releases);
+    const double exact = c.contact.static_friction * c.contact.preload / (c.joint.axial_stiffness * c.drive.velocity);
+    EXPECT_NEAR(outlook.release, exact, 0.01 * exact);  // the dashpot's share: c V/(mu_s F) = 0.8 %
+}
+
+// a slow belt: the run ends before the first slip, and longer runs show that it comes
+TEST(Release, ComesWhereItWasForetold) {
+    Case c = lip();
+    c.drive.velocity = -1e-3;
+    c.run.duration = c.run.window = 0.05;
+    c.run.initial = parameters::Initial::stuck;
+    const record::Ending early = ending(c);
+    ASSERT_EQ(early.state, model::ContactState::stick);
+    ASSERT_EQ(early.outlook.future, Future::releases);
+    ASSERT_GT(early.outlook.release, 0.05);
+    c.run.duration = c.run.window = 1.01 * early.outlook.release;
+    const Motion later = simulate(c, {record::KeepHistory::yes, {}});
+    ASSERT_GT(later.record.history.size(), 1U);
+    EXPECT_NEAR(later.record.history[0].to, early.outlook.release, 1e-3 * early.outlook.release);
+}
+
+// under a sinusoidal drive the bound is the swing of the forces; a hundred periods hold what the proof says
+RC_GTEST_PROP(Stick, ThatIsProvenHolds, ()) {
+    Case c = lip();
+    c.joint.incidence_angle = *support::number_between(0.0, 180.0);
+    c.contact.preload = *support::number_between(1.0, 20.0);
+    c.contact.static_friction = *support::number_between(0.2, 1.5);
+    c.contact.kinetic_friction = 0.9 * c.contact.static_friction;
+    c.drive.kind =
+        *support::whole_between(0, 1) == 0 ? parameters::DriveKind::sinusoidal : parameters::DriveKind::constant;
+    c.drive.amplitude = *support::number_between(1e-4, 2e-3);
+    c.drive.frequency = *support::number_between(2.0, 40.0);
+    c.drive.velocity = *support::number_between(-0.1, 0.1);
+    c.run.early_ending = parameters::EarlyEnding::never;
+    c.run.duration = 0.5;
+    c.run.window = 0.5;
+    const record::Ending first = ending(c);
+    RC_PRE(first.outlook.future == Future::sticks);
+    c.run.duration = 2.0;
+    const record::Ending later = ending(c);
+    RC_ASSERT(later.state == model::ContactState::stick);
+    RC_ASSERT(later.since == first.since);
+}
+
+TEST(Stick, OfASampledDriveIsUnknown) {
+    Case c = lip();
+    c.drive.kind = parameters::DriveKind::sampled;
+    EXPECT_EQ(at_rest(c).future, Future::unknown);
+}
+
+// a free vibration that could break the stick leaves it open
+TEST(Stick, WithMuchVibrationLeftIsUnknown) {
+    Case c = lip();
+    const model::Structure<3> structure = model::rubbing_system(c);
+    const Eigen::Vector3d shaken(0.05, -0.5, -0.5);
+    EXPECT_EQ(outlook_of_stick(structure, c.drive, {Eigen::Vector3d::Zero(), shaken, 0.05, 0.0, 0.0}).future,
+              Future::unknown);
+}
+
+// no free motion at all: the mass on a belt
+TEST(Stick, WithoutFreeMotionsIsDecidedByTheDrive) {
+    const model::Structure<2> belt = model::mass_on_belt({});
+    parameters::Drive drive;
+    drive.kind = parameters::DriveKind::constant;
+    drive.velocity = 0.1;
+    const record::Outlook outlook =
+        outlook_of_stick(belt, drive, {Eigen::Vector2d::Zero(), Eigen::Vector2d(0.1, 0.0), 0.1, 0.0, 0.0});
+    EXPECT_EQ(outlook.future, Future::releases);
+}
+
+// both engines say the same of the same end
+TEST(Stick, IsForEverByBothEngines) {
+    Case c = lip();
+    c.run.engine = parameters::Engine::beta_2;
+    c.run.duration = c.run.window = 0.1;
+    EXPECT_EQ(ending(c).outlook.future, Future::sticks);
+}
+
+}  // namespace
+}  // namespace stridor::integration

@@ -1,0 +1,113 @@
+// What is quiet is called so, with its reason; what is not is never called quiet.
+
+#include "stridor/analysis/evidence.hpp"
+#include "stridor/classification/contact_rules.hpp"
+#include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/paper_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stridor {
+namespace {
+
+using classification::Category;
+using classification::Quiet;
+using classification::Verdict;
+using parameters::Case;
+
+// the lip of a door seal, which locks while going
+Case lip() {
+    Case c;
+    c.joint = {0.004, 25e3, 1.5e3, 1.5, 0.4, 60.0};
+    c.plate = {0.35, 400e3, 5.0};
+    c.contact.preload = 8.0;
+    c.contact.static_friction = 1.2;
+    c.contact.kinetic_friction = 0.9;
+    c.drive.kind = parameters::DriveKind::constant;
+    c.drive.velocity = 0.05;
+    return c;
+}
+
+std::vector<Verdict> verdicts(const Case& c) {
+    return classification::classify_phases(integration::simulate(c).record.phases, c.verdict);
+}
+
+Verdict verdict(const Case& c) {
+    return verdicts(c).front();
+}
+
+TEST(QuietLip, SticksHoweverItStartsAndHoweverLongItIsLookedAt) {
+    for (const parameters::Initial start : {parameters::Initial::rest, parameters::Initial::stuck})
+        for (const double window : {1.0, 0.999, 0.5, 0.1})
+            for (const parameters::Engine engine : {parameters::Engine::exact, parameters::Engine::beta_2}) {
+                Case c = lip();
+                c.run.initial = start;
+                c.run.window = window;
+                c.run.engine = engine;
+                c.run.step = 1e-5;
+                const Verdict result = verdict(c);
+                EXPECT_EQ(result.category, Category::none) << window;
+                EXPECT_EQ(result.quiet, Quiet::sticks) << window;
+            }
+}
+
+TEST(QuietLip, IsQuietAtAnyThreshold) {
+    Case c = lip();
+    c.verdict.start = 0.0;
+    EXPECT_EQ(verdict(c).category, Category::none);
+}
+
+// 12 Hz: it slips in the first stroke and never again
+TEST(QuietLip, UnderASinusoidalDriveDoesNotCreakForItsFirstStroke) {
+    Case c = lip();
+    c.drive.kind = parameters::DriveKind::sinusoidal;
+    c.drive.amplitude = 0.5e-3;
+    c.drive.frequency = 12.0;
+    for (const double preload : {0.5, 1.0, 2.0, 5.0}) {
+        c.contact.preload = preload;
+        for (const Verdict& result : verdicts(c)) {
+            EXPECT_EQ(result.category, Category::none) << preload;
+            EXPECT_EQ(result.quiet, Quiet::sticks) << preload;
+        }
+    }
+}
+
+TEST(NoisyLip, SquealsComingWhereItDoesNotLock) {
+    Case c = lip();
+    c.drive.velocity = -0.05;
+    EXPECT_EQ(verdict(c).category, Category::squeal);
+}
+
+// a creak of 1.1 s looked at for half a second is stuck throughout: that is no silence
+TEST(SlowCreak, IsUndecidedWhileTheRunIsTooShortAndCreakOnceItIsNot) {
+    Case c = lip();
+    c.joint.incidence_angle = 90.0;
+    c.contact.kinetic_friction = 0.4;
+    c.drive.velocity = 5e-3;
+    c.run.initial = parameters::Initial::stuck;
+    const Verdict early = verdict(c);
+    EXPECT_EQ(early.evidence.judged_rates.stick, 1.0);
+    EXPECT_EQ(early.category, Category::undecided);
+    c.run.duration = 20.0;
+    c.run.window = 15.0;
+    EXPECT_EQ(verdict(c).category, Category::creak);
+}
+
+TEST(QuietLevel, IsThatOfTheEndWhateverTheWindow) {
+    Case c = parameters::paper_case(parameters::PaperCase::quiet);
+    c.drive.kind = parameters::DriveKind::constant;
+    c.drive.velocity = -0.1;
+    const Verdict whole = verdict(c);
+    c.run.window = 0.5;
+    const Verdict half = verdict(c);
+    ASSERT_EQ(whole.category, Category::none);
+    ASSERT_EQ(whole.quiet, Quiet::slides);
+    EXPECT_EQ(whole.evidence.levels.plate.decibels, half.evidence.levels.plate.decibels);
+    EXPECT_EQ(whole.evidence.levels.joint.decibels, half.evidence.levels.joint.decibels);
+    EXPECT_LT(whole.evidence.judged_time, whole.evidence.window_time);
+}
+
+}  // namespace
+}  // namespace stridor
