@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/escapes.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/json_advice.hpp"
@@ -143,9 +144,10 @@ void advise(const AdviseCommand& command) {
     const sweep::Advice advice = advice_on(c, command);
     print(command.json ? io::advice_json(advice) + "\n" : advice_text(advice));
     if (command.json || !has_terminal() || !advice.recommended) return;
-    say(styled("next: stridor simulate " + command.input.file + " " +
-                   sweep::settings_of(advice.space, advice.changes[*advice.recommended]),
-               Style::dim, 2));
+    std::string next = "next: stridor simulate " + base::shell_word(command.input.file);
+    for (const std::string& text : command.input.overrides)
+        next += " --set " + base::shell_word(text);
+    say(styled(next + " " + sweep::settings_of(advice.space, advice.changes[*advice.recommended]), Style::dim, 2));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/explorer/api.hpp"
 #include "stridor/explorer/gate.hpp"
+#include "stridor/explorer/redirect.hpp"
 #include "stridor/explorer/server.hpp"
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_document.hpp"
@@ -14,9 +15,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <thread>
+#include <utility>
 
 namespace stridor::app {
 
@@ -54,8 +58,13 @@ explorer::World world_of(const ExploreOptions& options) {
         world.library.clear();
     if (options.file.empty()) return world;
     const io::TomlSource source = io::load_toml(options.file, options.overrides);
-    static_cast<void>(io::read_case(source));  // likewise
-    world.presets.insert(world.presets.begin(), {"file", source.text, source.name, options.overrides});
+    explorer::Preset preset{"file", source.text, source.name, options.overrides};
+    const io::SamplesReader keep = [&](const std::string& path) {
+        preset.samples_file = path;
+        return preset.samples = io::read_sampled_file(path);
+    };
+    static_cast<void>(io::read_case(io::parse_toml(source), keep));  // likewise
+    world.presets.insert(world.presets.begin(), std::move(preset));
     return world;
 }
 
@@ -68,46 +77,77 @@ std::vector<std::string> hosts_of(const ExploreOptions& options) {
     return hosts;
 }
 
-// opens the link, if there is a screen to open it on; what the opener says is of no interest
-void open_browser(const std::string& link) {
-    const bool has_screen = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-    if (!has_screen) return;
+bool has_screen() {
+    return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+}
+
+// opens a file that leads to the link; what the opener says is of no interest
+void open_browser(const std::string& file) {
     const ::pid_t child = ::fork();
     if (child == 0) {
+        constexpr unsigned first = 3;
+        ::close_range(first, ~0U, 0);  // a browser must not keep the port
         ::setsid();
         if (std::freopen("/dev/null", "w", stdout) == nullptr || std::freopen("/dev/null", "w", stderr) == nullptr)
             ::_exit(127);
-        ::execlp("xdg-open", "xdg-open", link.c_str(), static_cast<char*>(nullptr));
+        ::execlp("xdg-open", "xdg-open", file.c_str(), static_cast<char*>(nullptr));
         ::_exit(127);
     }
     if (child > 0) std::thread([child] { ::waitpid(child, nullptr, 0); }).detach();
 }
 
+// tells the links, one after the other, and opens the first
+class Links {
+public:
+    Links(const ExploreOptions& options, std::uint16_t port) : options_(options) {
+        const std::string& host = options.address.host;
+        const std::string name = host.find(':') == std::string::npos ? host : "[" + host + "]";
+        base_ = has_port() ? fmt::format("http://{}:{}", name, port) : "http://localhost";
+    }
+
+    void tell(const std::string& token) {
+        const std::string link = base_ + "/open?token=" + token;
+        redirect_.reset();  // it led to the one that was used
+        print(link + "\n");
+        if (std::exchange(is_told_, true)) return;
+        if (!has_port()) say("listening at " + options_.address.unix_socket.string());
+        say("Open the link above; it opens once, and a new one follows. Ctrl-C ends.");
+        if (!has_port() || options_.no_browser || !has_screen()) return;
+        try {
+            open_browser(redirect_.emplace(link).file().string());
+        } catch (const Error& error) {
+            say_error(error);  // the link above works without
+        }
+    }
+
+private:
+    bool has_port() const { return options_.address.unix_socket.empty(); }
+
+    const ExploreOptions& options_;
+    std::string base_;
+    std::optional<explorer::Redirect> redirect_;
+    bool is_told_ = false;
+};
+
 void explore(const ExploreOptions& options) {
     check(options);
     const explorer::World world = world_of(options);
-    explorer::Server server(options.address);
-    const std::string host =
-        options.address.host.find(':') == std::string::npos ? options.address.host : "[" + options.address.host + "]";
-    const bool has_port = options.address.unix_socket.empty();
-    const std::string base = has_port ? fmt::format("http://{}:{}", host, server.port()) : "http://localhost";
-    bool is_first = true;
-    explorer::Gate gate(hosts_of(options), std::to_string(server.port()), [&](const std::string& token) {
-        const std::string link = base + "/open?token=" + token;
-        print(link + "\n");
-        if (!is_first) return;
-        is_first = false;
-        if (!has_port) say("listening at " + options.address.unix_socket.string());
-        say("Open the link above; it opens once, and a new one follows. Ctrl-C ends.");
-        if (has_port && !options.no_browser) open_browser(link);
-    });
+    std::optional<explorer::Server> server(std::in_place, options.address);
+    std::optional<Links> links(std::in_place, options, server->port());
+    explorer::Gate gate(hosts_of(options), std::to_string(server->port()),
+                        [&](const std::string& token) { links->tell(token); });
     const Interrupt interrupt;
-    server.serve(
-        [&](const explorer::Request& request, const std::stop_token& stop) {
-            std::optional<explorer::Response> stopped = gate.stop(request);
-            return stopped ? std::move(*stopped) : explorer::answer(world, request, stop);
-        },
-        interrupt.token());
+    const std::size_t stuck =
+        server->serve([&](const explorer::Request& request,
+                          const std::stop_token& stop) { return explorer::answer(world, request, stop); },
+                      interrupt.token(), [&](const explorer::Request& request) { return gate.stop(request); });
+    if (stuck == 0) return;
+    // their threads still use what is here: all that is left behind is taken away, and they end with the program
+    links.reset();
+    server.reset();
+    say(fmt::format("{} did not stop and {} ended with the program",
+                    stuck == 1 ? "1 run" : fmt::format("{} runs", stuck), stuck == 1 ? "is" : "are"));
+    std::_Exit(0);
 }
 
 }  // namespace

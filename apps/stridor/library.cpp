@@ -93,7 +93,7 @@ void list(const ListOptions& options) {
     query.limit = limit_of(options);
     if (options.json) return print_json(library, query);
     const std::vector<Entry> entries = library.find(query);
-    if (options.csv) return print(io::library_csv(entries));
+    if (options.csv) return print_data(io::library_csv(entries));
     if (entries.empty()) return say("no entry meets the conditions");
     print(entry_table(entries, parted_at_commas(options.columns), library.figures()));
     if (query.limit == 0 || entries.size() < query.limit) return;
@@ -129,7 +129,7 @@ void show(const ShowOptions& options) {
     std::string text;
     for (const Entry& entry : entries)
         text += (text.empty() || options.audio || !options.field.empty() ? "" : "\n") + shown(options, library, entry);
-    print(text);
+    options.audio || !options.field.empty() ? print_data(text) : print(text);
 }
 
 struct EditOptions {

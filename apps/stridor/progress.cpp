@@ -86,7 +86,7 @@ void ShareDisplay::show(double share, const std::string& detail) {
         if (percent == said_ && has_line_) return;
         said_ = percent;
         const auto width = static_cast<std::size_t>(terminal_columns() > 1 ? terminal_columns() - 1 : 1);
-        std::fprintf(stderr, "\r\033[K%s", line.substr(0, width).c_str());
+        std::fprintf(stderr, "\r\033[K%s", shown(line).substr(0, width).c_str());
         std::fflush(stderr);
         has_line_ = true;
         return;

@@ -179,7 +179,7 @@ void friction(const FrictionOptions& options) {
     for (const std::string& note : trace.notes)
         say("stridor: note: " + note);
     if (!options.into.empty()) {
-        print(changed_case(options, test, trace));
+        print_data(changed_case(options, test, trace));
         say(fmt::format("static {}, kinetic {}", coefficient_text(trace.all.static_friction),
                         coefficient_text(trace.all.kinetic_friction)));
         return;

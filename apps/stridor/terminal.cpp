@@ -1,5 +1,6 @@
 #include "terminal.hpp"
 
+#include "stridor/base/escapes.hpp"
 #include "stridor/io/atomic_file.hpp"
 
 #include <fcntl.h>
@@ -8,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -16,8 +18,13 @@
 
 namespace stridor::app {
 
-void print(std::string_view text) {
-    const bool is_written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+namespace {
+
+constexpr std::array<std::string_view, 4> styles{"\033[0m", "\033[1m", "\033[2m", "\033[31;1m"};
+
+void put(std::string_view bytes) {
+    const bool is_written =
+        std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() && std::fflush(stdout) == 0;
     if (is_written) return;
     const int reason = errno;
     if (reason == EPIPE) {
@@ -29,20 +36,58 @@ void print(std::string_view text) {
                 {"cannot write to standard output", std::strerror(reason), "Free some space or write elsewhere."});
 }
 
+}  // namespace
+
+std::string shown(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const auto style =
+            std::find_if(styles.begin(), styles.end(), [&](std::string_view each) { return text.starts_with(each); });
+        const bool is_style = style != styles.end();
+        const std::size_t next = is_style ? style->size() : std::max<std::size_t>(1, text.find('\033', 1));
+        const std::string_view piece = text.substr(0, next);
+        result += is_style ? std::string(piece) : base::visible(piece);
+        text.remove_prefix(piece.size());
+    }
+    return result;
+}
+
+void print(std::string_view text) {
+    put(shown(text));
+}
+
+void print_data(std::string_view bytes) {
+    put(isatty(STDOUT_FILENO) == 1 ? base::visible(bytes) : std::string(bytes));
+}
+
 void say(std::string_view text) {
-    std::fwrite(text.data(), 1, text.size(), stderr);
-    std::fputc('\n', stderr);
+    const std::string line = shown(text) + "\n";
+    std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
 namespace {
+
+// columns of the terminal that the line takes before the place, each character one; control characters are shown longer
+std::size_t width_before(const base::Place& place) {
+    std::string_view line = place.source_line;
+    std::size_t characters = 0;
+    std::size_t width = 0;
+    for (const auto before = static_cast<std::size_t>(place.column - 1); characters < before; ++characters) {
+        const std::size_t length = std::max<std::size_t>(1, base::utf8_length(line));
+        const std::string_view character = line.substr(0, length);
+        width += base::is_utf8(character) && !base::has_control(character) ? 1 : base::visible(character).size();
+        if (line.empty()) ++width;
+        line.remove_prefix(character.size());
+    }
+    return width;
+}
 
 // the line as the user wrote it, with its number and a caret where both are known (an override has neither)
 void say_source_line(const base::Place& place) {
     if (place.line <= 0) return say("    " + place.source_line);
     say(fmt::format("{:5} | {}", place.line, place.source_line));
     if (place.column <= 0) return;
-    const auto before = static_cast<std::size_t>(place.column - 1);
-    say(fmt::format("{:5} | {}^", "", std::string(before, ' ')));
+    say(fmt::format("{:5} | {}^", "", std::string(width_before(place), ' ')));
 }
 
 }  // namespace
@@ -83,7 +128,7 @@ std::string styled(std::string_view text, Style style, int file_descriptor) {
 
 void write_output(const std::string& path, std::string_view text) {
     if (path.empty() || path == "-")
-        print(text);
+        print_data(text);
     else
         io::write_file(path, text);
 }

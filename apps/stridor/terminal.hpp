@@ -12,12 +12,21 @@ namespace stridor::app {
 /// its number, and messages would go into that file.
 void open_standard_streams();
 
-/// Writes data to stdout; throws `Error` (io) where it cannot be written (a full disk behind a redirection), and ends the process
+/// Writes text to stdout; throws `Error` (io) where it cannot be written (a full disk behind a redirection), and ends the process
 /// by SIGPIPE where nobody reads any more.
+///
+/// What came from files and names stands in it, too, and must not steer the terminal: control characters are shown, as
+/// `base::visible` does. JSON stays what it is, for none stand in it as they are.
 void print(std::string_view text);
 
-/// Writes a message to stderr, with a line end.
+/// The same for what others read byte by byte: a table, a case file, a path. Control characters are shown where a terminal is.
+void print_data(std::string_view bytes);
+
+/// Writes a message to stderr, with a line end; control characters are shown.
 void say(std::string_view text);
+
+/// Text without control characters but those of `styled`, with line ends.
+std::string shown(std::string_view text);
 
 /// "file:line:col: error: what (why)", the line with a caret, and "help: ...".
 void say_error(const Error& error);

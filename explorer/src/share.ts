@@ -24,7 +24,7 @@ export class Share {
       "div",
       { class: "sheet" },
       entry("Copy link", "copy-link", "The whole state of the page as an address", () => this.copy_(location.origin + "/" + store_.link(), "link")),
-      entry("Copy as command", "copy-command", "The command that simulates this design", () => this.copy_(command(store_.state.design), "command")),
+      entry("Copy as command", "copy-command", "The command that simulates this design", () => this.copy_(this.command_(), "command")),
       entry("Copy as TOML", "copy-toml", "The design as a case file", async () => this.copy_(await api.toml(store_.state.design, null), "case file")),
       entry("Copy chart as TOML", "copy-chart-toml", "The chart as a file for stridor chart", async () => this.copy_(await api.toml(store_.state.design, this.axes_()), "chart file")),
       entry("Chart as PNG", "save-png", "The chart as a picture, light, twice the size of the screen", () => this.png_()),
@@ -77,7 +77,14 @@ export class Share {
   }
 
   private header_(): string[] {
-    return [`# program: stridor ${this.start_.version}`, `# reproduce: ${command(this.store_.state.design)}`];
+    return [`# program: stridor ${this.start_.version}`, `# reproduce: ${comment(this.command_())}`];
+  }
+
+  /** A link may say anything; only what the program knows goes into a command. */
+  private command_(): string {
+    const { design } = this.store_.state;
+    if (!this.start_.presets.some((one) => one.name === design.preset)) throw Error("no preset " + design.preset);
+    return command(design);
   }
 }
 
@@ -96,6 +103,11 @@ function paintPicture(chart: Chart): HTMLCanvasElement | null {
     if (plotBox(surface, look).width > 0) chart.paintOn(surface, direction, look);
   });
   return canvas;
+}
+
+/** Text in a comment of a table: spreadsheets part it at commas, too, and must take no piece for a formula. */
+export function comment(text: string): string {
+  return text.replace(/[,;][ "]*(?=[=+@-])/g, "$&'");
 }
 
 /** The cells of a chart, direction slowest and x fastest, as `stridor chart` writes them. */

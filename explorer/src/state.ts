@@ -162,11 +162,17 @@ export function fromFragment(fragment: string, defaults: State): State {
   };
 }
 
-/** `stridor init ... | stridor simulate - ...`: the design as a command, ready for a POSIX shell. */
+/** A word as a shell takes it for one; what pasting would type by itself is refused. */
+function word(text: string): string {
+  if (/[^ -~]/.test(text)) throw Error("control character");
+  return /^[\w.+-][\w.=+-]*$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
+}
+
+/** `stridor init ... | stridor simulate - ...`: the design as a command, ready for a shell. */
 export function command(design: Design, file = "CASE.toml"): string {
   const options = overrides(design)
-    .map((text) => ` --set ${/^[\w.=+-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`}`)
+    .map((text) => ` --set ${word(text)}`)
     .join("");
-  if (design.preset === "file") return `stridor simulate ${file}${options}`;
-  return `stridor init ${design.preset} | stridor simulate -${options}`;
+  if (design.preset === "file") return `stridor simulate ${word(file)}${options}`;
+  return `stridor init ${word(design.preset)} | stridor simulate -${options}`;
 }

@@ -33,13 +33,13 @@ void redirect(const std::filesystem::path& file, int flags, int descriptor) {
     for (const auto& [name, value] : launch.environment)
         setenv(name.c_str(), value.c_str(), 1);
     std::vector<char*> words;
-    std::string program = launch.program.empty() ? STRIDOR_PROGRAM : launch.program;
-    words.push_back(program.data());
+    std::string path = launch.program.empty() ? program() : launch.program;
+    words.push_back(path.data());
     std::vector<std::string> arguments = launch.arguments;
     for (std::string& argument : arguments)
         words.push_back(argument.data());
     words.push_back(nullptr);
-    execv(program.c_str(), words.data());
+    execv(path.c_str(), words.data());
     _exit(127);
 }
 
@@ -85,6 +85,10 @@ Finished run(const Launch& launch) {
 
 Finished run(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const std::string& input) {
     return run(Launch{arguments, folder, input, std::nullopt, {}});
+}
+
+std::string program() {
+    return STRIDOR_PROGRAM;
 }
 
 std::string read_text(const std::filesystem::path& file) {

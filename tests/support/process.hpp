@@ -54,6 +54,9 @@ Finished run(const std::vector<std::string>& arguments, const std::filesystem::p
              const std::string& input = {});
 Finished run(const Launch& launch);
 
+/// The program's path.
+std::string program();
+
 std::string read_text(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);
 

@@ -1,10 +1,13 @@
 // The running program under attack: refused, memory bounded, still answering. What each layer does by itself is tested in
 // tests/unit/explorer.
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
-import { readFile } from "node:fs/promises";
+import { spawn, spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { chmod, mkdtemp, readFile, rm, stat, writeFile } from "node:fs/promises";
 import { request } from "node:http";
 import { connect } from "node:net";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { program, startExplorer } from "./session.mjs";
 
@@ -28,9 +31,9 @@ before(async () => {
 
 after(async () => assert.equal(await explorer?.stop(), 0));
 
-function ask({ path = "/", method = "GET", headers = {}, body = null, cookie: session = cookie }) {
+function ask({ path = "/", method = "GET", headers = {}, body = null, cookie: session = cookie, at = port }) {
   return new Promise((resolve, reject) => {
-    const sent = request({ host: "127.0.0.1", port, path, method, agent: false,
+    const sent = request({ host: "127.0.0.1", port: at, path, method, agent: false,
       headers: { Host: host, ...(session ? { Cookie: session } : {}), ...headers } }, (response) => {
       const parts = [];
       response.on("data", (part) => parts.push(part));
@@ -142,6 +145,116 @@ test("two hundred connections that say nothing do not keep others out for ever",
   sockets.forEach((socket) => socket.destroy());
   await new Promise((resolve) => setTimeout(resolve, 200));
   await isStillAnswering();
+});
+
+test("a hundred connections that stay, silent or refused, keep the owner neither out nor waiting", async () => {
+  const sockets = Array.from({ length: 100 }, (_, k) => {
+    const socket = connect(port, "127.0.0.1").on("error", () => {});
+    if (k % 2) socket.write(`GET / HTTP/1.1\r\nHost: ${host}\r\n${k % 4 === 1 ? "\r\n" : ""}`);
+    return socket;
+  });
+  try {
+    await Promise.all(sockets.map((socket) => new Promise((resolve) => socket.once("connect", resolve))));
+    const began = Date.now();
+    await isStillAnswering();
+    assert.equal((await post("/api/simulate", { preset: "squeal" })).status, 200);
+    assert.ok(Date.now() - began < 5000, "the owner waits");
+  } finally {
+    sockets.forEach((socket) => socket.destroy());
+  }
+});
+
+test("cookies that others set for this host lock nobody out", async () => {
+  const name = cookie.split("=")[0];
+  const many = Array.from({ length: 179 }, (_, k) => `c${k}=${"x".repeat(4080)}`).join("; ");
+  for (const cookies of [`${name}=${"0".repeat(64)}; ${cookie}`, `${name}=; ${name}=x; stridor-1=y; ${cookie}; ${name}=z`, `${many}; ${cookie}`])
+    assert.equal((await ask({ cookie: cookies })).status, 200, cookies.slice(0, 200));
+  assert.equal((await ask({ cookie: many })).status, 401);
+});
+
+test("no request opens a file, whatever bytes stand around its key", async () => {
+  const folder = await mkdtemp(join(tmpdir(), "stridor-attack-"));
+  const pipe = join(folder, "pipe.csv");
+  const canary = join(folder, "canary.csv");
+  await writeFile(canary, "canary-in-the-mine\n1,2\n");
+  assert.equal(spawnSync("mkfifo", [pipe]).status, 0);
+  try {
+    for (const file of [canary, pipe, "/dev/zero", "/etc/hostname"])
+      for (const byte of ["\n", "\r", "\t", "\0", "\x0b", "\x7f", " ", '"'])
+        for (const key of [`${byte}drive.file`, `drive${byte}.file`, `drive.file${byte}`]) {
+          const answer = await Promise.race([
+            post("/api/simulate", { preset: "squeal", set: ["drive.kind=sampled", `${key}=${file}`] }),
+            new Promise((resolve) => setTimeout(() => resolve({ status: "none", body: "" }), 5000).unref()),
+          ]);
+          assert.equal(answer.status, 400, JSON.stringify([key, file]));
+          assert.doesNotMatch(answer.body, /canary-in/, JSON.stringify([key, file]));
+          assert.ok(!answer.body.includes(readFileSync("/etc/hostname", "utf8").trim()), JSON.stringify([key, file]));
+        }
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+  await isStillAnswering();
+});
+
+test("runs that do not stop when their clients leave keep neither the page nor Ctrl-C waiting", async () => {
+  const own = await startExplorer();
+  const there = { port: Number(new URL(own.origin).port) };
+  there.host = `127.0.0.1:${there.port}`;
+  const opened = await ask({ path: `/open${new URL(own.link()).search}`, cookie: "", headers: { Host: there.host }, at: there.port });
+  const session = opened.headers["set-cookie"][0].split(";")[0];
+  for (const set of [["plate.damping=1e308"], ["plate.stiffness=1e308"], ["drive.frequency=1e9", "run.duration=60", "run.window=60"]])
+    for (let k = 0; k < 2; ++k) {
+      const body = JSON.stringify({ preset: "squeal", set });
+      const socket = connect(there.port, "127.0.0.1").on("error", () => {});
+      socket.write(`POST /api/simulate HTTP/1.1\r\nHost: ${there.host}\r\nOrigin: http://${there.host}\r\nCookie: ${session}\r\n` +
+        `Content-Type: application/json\r\nContent-Length: ${body.length}\r\n\r\n${body}`);
+      await new Promise((resolve) => setTimeout(resolve, 200));
+      socket.destroy();
+    }
+  const began = Date.now();
+  const page = await Promise.race([
+    ask({ cookie: session, headers: { Host: there.host }, at: there.port }),
+    new Promise((resolve) => setTimeout(() => resolve({ status: "none" }), 15000).unref()),
+  ]);
+  const waited = Date.now() - began;
+  const leaving = Date.now();
+  const code = await Promise.race([own.stop(), new Promise((resolve) => setTimeout(() => resolve("none"), 15000).unref())]);
+  if (code === "none") process.kill(own.pid, "SIGKILL");
+  assert.equal(page.status, 200);
+  assert.ok(waited < 8000, `${waited} ms`);
+  assert.equal(code, 0);
+  assert.ok(Date.now() - leaving < 8000);
+});
+
+test("the list of processes shows no secret while the browser is opened", async () => {
+  const folder = await mkdtemp(join(tmpdir(), "stridor-attack-"));
+  const seen = join(folder, "seen");
+  await writeFile(join(folder, "xdg-open"), `#!/bin/sh\nls /proc/self/fd > "${seen}.fds"\necho "$@" > "${seen}.part"\nmv "${seen}.part" "${seen}"\n`);
+  await chmod(join(folder, "xdg-open"), 0o755);
+  const own = spawn(program, ["explore"], { env: { ...process.env, DISPLAY: ":99", PATH: `${folder}:${process.env.PATH}` }, stdio: ["ignore", "pipe", "ignore"] });
+  try {
+    const link = String(await new Promise((resolve) => own.stdout.once("data", resolve))).trim();
+    let opened = null;
+    for (let k = 0; k < 200 && opened === null; ++k) {
+      opened = await readFile(seen, "utf8").catch(() => null);
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+    opened = opened.trim();
+    const token = new URL(link).searchParams.get("token");
+    assert.ok(!opened.includes(token) && !opened.includes("http"), opened);
+    assert.equal((await stat(opened)).mode & 0o777, 0o600);
+    assert.equal((await stat(dirname(opened))).mode & 0o777, 0o700);
+    assert.ok((await readFile(opened, "utf8")).includes(`url=${link}"`));
+    const fds = (await readFile(`${seen}.fds`, "utf8")).trim().split("\n").map(Number);
+    assert.ok(fds.every((fd) => fd <= 3), `the browser keeps ${fds}`); // 3: of ls itself
+    const answer = await ask({ path: `/open?token=${token}`, cookie: "", headers: { Host: new URL(link).host }, at: Number(new URL(link).port) });
+    assert.equal(answer.status, 303);
+    await assert.rejects(stat(dirname(opened)), "the file is gone once it was used");
+  } finally {
+    own.kill("SIGTERM");
+    await new Promise((resolve) => own.once("exit", resolve));
+    await rm(folder, { recursive: true });
+  }
 });
 
 test("malformed JSON of every kind is an error in words", async () => {

@@ -197,6 +197,16 @@ test("what is shown can be taken along: as a link, a command, files and a pictur
   await page.locator("#share summary").click();
 });
 
+test("a link whose preset is none of the program's makes no command", async () => {
+  const other = await page.context().newPage();
+  await other.goto(`${explorer.origin}/#preset=${encodeURIComponent("squeal; touch /tmp/owned")}`);
+  await other.locator("#share summary").click();
+  await other.locator("#copy-command").click();
+  await other.waitForFunction(() => document.querySelector("#share-note").textContent.includes("no preset"));
+  assert.equal(await other.locator("#share-note").getAttribute("data-copied"), null);
+  await other.close();
+});
+
 test("the report opens from a file, without Stridor and without a script", async () => {
   await choose("squeal");
   await page.locator("#share summary").click();
@@ -216,6 +226,21 @@ test("the report opens from a file, without Stridor and without a script", async
   assert.match(await other.locator("body").innerText(), /squeal/);
   assert.deepEqual(requests.filter((url) => !url.startsWith("file://") && !url.startsWith("data:")), []);
   await other.close();
+});
+
+test("a file that leads to the link opens the page", async () => {
+  const own = await startExplorer();
+  const file = join(folder, "open.html");
+  await writeFile(file, `<!doctype html><meta http-equiv="refresh" content="0; url=${own.link()}">`);
+  const other = await openPage(own);
+  try {
+    await other.page.goto(`file://${file}`);
+    await other.page.waitForSelector('#verdict[aria-busy="false"]', { timeout: 20000 });
+    assert.equal(other.page.url().split("#")[0], `${own.origin}/`);
+  } finally {
+    await other.close();
+    await own.stop();
+  }
 });
 
 test("nothing went wrong on the way, and nothing left the page's own origin", () => {

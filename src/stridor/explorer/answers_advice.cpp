@@ -1,4 +1,5 @@
 #include "stridor/base/error.hpp"
+#include "stridor/base/escapes.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/explorer/answers.hpp"
 #include "stridor/io/json_advice.hpp"
@@ -51,11 +52,14 @@ sweep::AdviceOptions options_in(const World& world, const Json& body, const std:
 }
 
 // what prints the same verdict
-std::string command_of(const Json& body) {
-    std::string text = "stridor init " + text_in(body, "preset") + " | stridor simulate -";
-    if (text_in(body, "preset") == "file") text = "stridor simulate FILE";
+std::string command_of(const World& world, const Json& body) {
+    const Preset& preset = preset_named(world, text_in(body, "preset"));
+    std::string text = "stridor init " + base::shell_word(preset.name) + " | stridor simulate -";
+    if (!preset.file.empty()) text = "stridor simulate FILE";
+    for (const std::string& item : preset.overrides)
+        text += " --set " + base::shell_word(item);
     for (const std::string& item : overrides_in(body))
-        text += " --set '" + item + "'";
+        text += " --set " + base::shell_word(item);
     return text;
 }
 
@@ -78,7 +82,7 @@ Response report(const World& world, const Json& body, const std::stop_token& sto
     constexpr double samples = 5e4;  // of the figure's trace
     report::DesignResults results;
     results.design = case_in(world, body);
-    results.command = command_of(body);
+    results.command = command_of(world, body);
     record::Request request{record::KeepHistory::yes, {}};
     request.trace.to = results.design.run.duration;
     request.trace.interval = results.design.run.duration / samples;

@@ -1,5 +1,6 @@
 #include "stridor/base/error.hpp"
 #include "stridor/explorer/answers.hpp"
+#include "stridor/io/bytes.hpp"
 #include "stridor/io/json_library.hpp"
 #include "stridor/io/open_signal.hpp"
 #include "stridor/noise_library/library.hpp"
@@ -7,7 +8,6 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string_view>
 
@@ -55,11 +55,10 @@ Response audio(const World& world, std::int64_t id) {
         if (entry.format == format) {
             Response response;
             response.content_type = type;
-            response.stream = [path = library.sound_file(entry)](const Send& send, const std::stop_token& stop) {
-                std::ifstream file(path, std::ios::binary);
-                std::string bytes(piece, '\0');
-                while (!stop.stop_requested() && file.read(bytes.data(), piece).gcount() > 0)
-                    send(bytes.substr(0, static_cast<std::size_t>(file.gcount())));
+            response.stream = [bytes = io::open_plain_bytes(library.sound_file(entry).string())](
+                                  const Send& send, const std::stop_token& stop) {
+                for (std::uint64_t at = 0; at < bytes->size() && !stop.stop_requested(); at += piece)
+                    send(io::text_at(*bytes, at, piece));
             };
             return response;
         }
@@ -69,8 +68,8 @@ Response audio(const World& world, std::int64_t id) {
 
 Response entry_analysis(const World& world, std::int64_t id) {
     Library library = open(world);
-    const auto file = io::open_signal(library.sound_file(entry_of(library, id)).string());
-    return analysis_of(*file);
+    const std::string path = library.sound_file(entry_of(library, id)).string();
+    return analysis_of(*io::open_signal(path));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_document.hpp"
+#include "stridor/parameters/field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +29,15 @@ const Json* member(const Json& object, const std::string& name, bool may_be_miss
 }
 
 // a request's overrides come after those that the program was started with
-io::TomlSource source_in(const World& world, const Json& body) {
-    io::TomlSource source = source_of(preset_named(world, text_in(body, "preset")));
+io::TomlDocument document_in(const Preset& preset, const Json& body) {
+    io::TomlSource source = source_of(preset);
     for (std::string& item : overrides_in(body))
         source.overrides.push_back(std::move(item));
-    return source;
+    return io::parse_toml(source);
+}
+
+const Preset& preset_in(const World& world, const Json& body) {
+    return preset_named(world, text_in(body, "preset"));
 }
 
 void limit_run(const parameters::Case& c) {
@@ -111,26 +116,26 @@ std::vector<std::string> overrides_in(const Json& body) {
     for (const Json& item : *set) {
         if (!item.is_string()) refuse("\"set\" must be a list of texts like \"contact.preload=20\"", "");
         const std::string text = item.get<std::string>();
-        std::string key = text.substr(0, text.find('='));
-        std::erase_if(key, [](char c) { return c == ' ' || c == '\t' || c == '"' || c == '\''; });
-        // whoever reaches the page must not make the program open files
-        if (key == "drive.file" || key == "drive")
-            refuse("drive.file cannot be set here", "the explorer opens no files on request");
+        const parameters::Field* field = parameters::find_field(io::parse_override(text).key);
+        if (field != nullptr && parameters::names_file(*field))
+            refuse(parameters::key_of(*field) + " cannot be set here", "the explorer opens no files on request");
         overrides.push_back(text);
     }
     return overrides;
 }
 
 parameters::Case case_in(const World& world, const Json& body) {
-    parameters::Case c = io::read_case(source_in(world, body));
+    const Preset& preset = preset_in(world, body);
+    parameters::Case c = io::read_case(document_in(preset, body), samples_of(preset));
     limit_run(c);
     return c;
 }
 
 sweep::Study study_in(const World& world, const Json& body) {
     const Json& chart = object_in(body, "chart");
+    const Preset& preset = preset_in(world, body);
     sweep::Study study;
-    study.base = io::read_base_case(io::parse_toml(source_in(world, body)));
+    study.base = io::read_base_case(document_in(preset, body), samples_of(preset));
     limit_run(study.base);
     study.x = axis_in(chart, "x");
     study.y = axis_in(chart, "y");

@@ -77,7 +77,11 @@ std::optional<Response> Gate::stop(const Request& request) {
     if (is_get && request.path == "/open") return open(request);
     if (is_get && request.path == "/favicon.ico") return plain(404, "no icon");
 
-    if (!is_same_secret(parameter(request.cookie, cookie_, ';'), session_)) return plain(401, no_session);
+    // other servers of this host may have set cookies of the same name
+    const std::vector<std::string> sessions = parameters(request.cookie, cookie_, ';');
+    const bool has_session = std::any_of(sessions.begin(), sessions.end(),
+                                         [&](const std::string& session) { return is_same_secret(session, session_); });
+    if (!has_session) return plain(401, no_session);
     const bool is_foreign =
         !request.fetch_site.empty() && request.fetch_site != "same-origin" && request.fetch_site != "none";
     const bool has_other_origin = !request.origin.empty() && request.origin != "http://" + request.host;
@@ -100,6 +104,12 @@ Response Gate::open(const Request& request) {
     Response response = plain(303, "Welcome.");
     response.headers = {{"Location", "/"},
                         {"Set-Cookie", cookie_ + "=" + session_ + "; HttpOnly; SameSite=Strict; Path=/"}};
+    // a redirect belongs to whoever followed the link: behind a file's it would carry no cookie (SameSite)
+    if (request.fetch_site != "cross-site" && request.fetch_site != "same-site") return response;
+    response.status = 200;
+    response.content_type = "text/html; charset=utf-8";
+    response.headers.front() = {"Refresh", "0; url=/"};
+    response.body = "<!doctype html><title>Stridor</title><a href=\"/\">Welcome.</a>\n";
     return response;
 }
 

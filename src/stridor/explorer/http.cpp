@@ -10,15 +10,21 @@ Response plain(int status, std::string_view text) {
 }
 
 std::string parameter(std::string_view text, std::string_view name, char separator) {
+    const std::vector<std::string> values = parameters(text, name, separator);
+    return values.empty() ? std::string() : values.front();
+}
+
+std::vector<std::string> parameters(std::string_view text, std::string_view name, char separator) {
+    std::vector<std::string> values;
     while (!text.empty()) {
         std::string_view item = text.substr(0, text.find(separator));
         text.remove_prefix(item.size() < text.size() ? item.size() + 1 : text.size());
         while (item.starts_with(' '))
             item.remove_prefix(1);
         if (item.starts_with(name) && item.substr(name.size()).starts_with('='))
-            return std::string(item.substr(name.size() + 1));
+            values.emplace_back(item.substr(name.size() + 1));
     }
-    return {};
+    return values;
 }
 
 const std::vector<std::pair<std::string_view, std::string_view>>& security_headers() {

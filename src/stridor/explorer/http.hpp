@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -39,11 +40,18 @@ struct Response {
 /// request is over or the server ends.
 using Handler = std::function<Response(const Request&, const std::stop_token&)>;
 
+/// Decides which requests are answered at all: gives the refusal, or nothing for one that may go on. Called on the thread that
+/// carries bytes, so it is quick.
+using Admit = std::function<std::optional<Response>(const Request&)>;
+
 /// "No such page": an answer of one line.
 Response plain(int status, std::string_view text);
 
 /// The value of a query's or a cookie's parameter; empty if it is not there. `separator` is '&' or ';'.
 std::string parameter(std::string_view text, std::string_view name, char separator);
+
+/// The values of all parameters of a name, in their order.
+std::vector<std::string> parameters(std::string_view text, std::string_view name, char separator);
 
 /// The header fields that every response carries: nothing from outside, no framing, no guessing of types, no copies kept.
 const std::vector<std::pair<std::string_view, std::string_view>>& security_headers();

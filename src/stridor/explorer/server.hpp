@@ -21,19 +21,26 @@ struct Address {
 
 /// What one client may ask of the server.
 struct Limits {
-    std::size_t header = 16 * 1024;              // [B]
-    std::size_t body = 1024 * 1024;              // [B]
-    std::size_t connections = 64;                // [1] more are closed at once
-    std::size_t requests = 16;                   // [1] being answered at a time; more are told to come back
-    std::chrono::milliseconds idle{60000};       // between two requests
+    std::size_t header = 1024 * 1024;       // [B] browsers send the cookies of all who share the host: up to 720 kB
+    std::size_t header_lines = 200;         // [1] each takes memory of its own
+    std::size_t body = 1024 * 1024;         // [B]
+    std::size_t connections = 64;           // [1] for more, the longest silent ones are closed: see `serve`
+    std::size_t requests = 16;              // [1] being answered at a time; more are told to come back
+    std::size_t workers = 4;                // [1] of them being made at a time
+    std::size_t given_up = 8;               // [1] workers that did not stop when they were told to
+    std::chrono::milliseconds idle{60000};  // between two requests
     std::chrono::milliseconds receiving{15000};  // for one request to arrive in full
     std::chrono::milliseconds sending{30000};    // for one part of an answer to be taken
     std::chrono::milliseconds working{120000};   // for one answer to be made
+    std::chrono::milliseconds stopping{1500};    // for a worker to stop once its request is; then it is given up
 };
 
 /// An HTTP/1.1 server (Boost.Beast) for few clients: one thread carries bytes, a few make answers.
 ///
 /// What exceeds a limit is refused (413, 431, 503) or closed; memory stays bounded by the limits whatever clients send.
+///
+/// An answer is stopped when its client leaves, its time is over or the server ends. One that does not heed its token in time
+/// is given up: its place goes to another, its thread to nobody. Ending waits for such threads no longer than for the others.
 class Server {
 public:
     /// Listens at once. Throws `Error` (input) for an address that is none, (io) for one that cannot be had.
@@ -46,7 +53,13 @@ public:
     std::uint16_t port() const;
 
     /// Answers requests until stopped. Once.
-    void serve(const Handler& handler, const std::stop_token& stop);
+    ///
+    /// Connections over which `admit` has let a request through come first: where there are too many, the one of the others
+    /// that was there longest is closed, so that strangers who say nothing keep nobody out.
+    ///
+    /// Returns how many answers are still being made, by threads that did not stop: with any, whatever the handler refers
+    /// to must outlive them, or the program end at once.
+    std::size_t serve(const Handler& handler, const std::stop_token& stop, const Admit& admit = {});
 
 private:
     class Implementation;

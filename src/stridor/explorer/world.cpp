@@ -12,6 +12,15 @@ io::TomlSource source_of(const Preset& preset) {
     return {preset.toml, preset.file.empty() ? preset.name : preset.file, preset.overrides};
 }
 
+io::SamplesReader samples_of(const Preset& preset) {
+    return [&preset](const std::string& path) {
+        if (!preset.samples_file.empty() && path == preset.samples_file) return preset.samples;
+        throw Error(ErrorKind::input,
+                    {"the samples of this drive are not at hand", "the explorer opens no files on request",
+                     "Start it with the case: stridor explore CASE.toml."});
+    };
+}
+
 std::vector<Preset> paper_presets() {
     std::vector<Preset> presets;
     for (std::size_t k = 0; k < parameters::paper_case_names.size(); ++k)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_document.hpp"
 
 #include <filesystem>
@@ -15,6 +16,8 @@ struct Preset {
     std::string toml;                      // its text
     std::string file{};                    // the file it came from; empty: one of the paper's
     std::vector<std::string> overrides{};  // "section.key=value", over the file's values
+    std::string samples_file{};            // of its sampled drive, as it was read when the program started
+    io::SampledMotion samples{};           // what stood in it
 };
 
 /// What the explorer's answers are made from; it never changes.
@@ -26,6 +29,9 @@ struct World {
 
 /// A preset as the text that a case is read from.
 io::TomlSource source_of(const Preset& preset);
+
+/// Gives the samples that came with a preset and opens nothing: whoever reaches the page must not make the program open files.
+io::SamplesReader samples_of(const Preset& preset);
 
 /// The four cases of Table 1.
 std::vector<Preset> paper_presets();

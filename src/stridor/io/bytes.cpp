@@ -116,6 +116,21 @@ std::shared_ptr<const Bytes> open_bytes(const std::string& path) {
     }
 }
 
+std::shared_ptr<const Bytes> open_plain_bytes(const std::string& path) {
+    // opening a pipe would wait for who writes into it
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0) throw failure("read", path, errno);
+    struct stat status {};
+    const bool is_known = ::fstat(descriptor, &status) == 0;
+    if (is_known && S_ISREG(status.st_mode))
+        return std::make_shared<File>(descriptor, static_cast<std::uint64_t>(status.st_size), path);
+    ::close(descriptor);
+    throw Error(
+        ErrorKind::io,
+        {"cannot read \"" + path + "\"",
+         is_known && S_ISDIR(status.st_mode) ? "it is a folder" : "it is a pipe or a device, which may never end", ""});
+}
+
 std::shared_ptr<const Bytes> bytes_of(std::string content) {
     return std::make_shared<InMemory>(std::move(content));
 }

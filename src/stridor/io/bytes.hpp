@@ -32,6 +32,11 @@ public:
 /// Throws `Error` (io) with the name and the reason: missing, a folder, not readable.
 std::shared_ptr<const Bytes> open_bytes(const std::string& path);
 
+/// Opens what is a file and neither a pipe nor a device, however it is named: reading it ends.
+///
+/// Throws `Error` (io) as `open_bytes` does.
+std::shared_ptr<const Bytes> open_plain_bytes(const std::string& path);
+
 /// A text in memory.
 std::shared_ptr<const Bytes> bytes_of(std::string content);
 

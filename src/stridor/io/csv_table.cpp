@@ -1,5 +1,6 @@
 #include "stridor/io/csv_table.hpp"
 
+#include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ std::vector<Field> split(std::string_view line, char delimiter) {
     for (Field& field : fields) {
         const std::size_t blanks = field.text.find_first_not_of(' ');
         field.column += blanks == std::string::npos ? 0 : static_cast<int>(blanks);
-        field.text = std::string(base::trimmed(field.text));
+        field.text = base::from_spreadsheet_text(base::trimmed(field.text));
     }
     return fields;
 }

@@ -2,6 +2,7 @@
 
 // What all CSV texts share. Private to this folder.
 
+#include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
 
 #include <algorithm>
@@ -20,10 +21,11 @@ struct Column {
     std::string unit;
 };
 
-// RFC 4180; a leading # is quoted too, so that it is not taken for a comment
-inline std::string quoted(std::string_view text) {
+// RFC 4180; a leading # is quoted too, so that it is not taken for a comment, and no text is taken for a formula
+inline std::string quoted(std::string_view words) {
+    const std::string text = base::spreadsheet_text(words);
     const bool is_plain = text.find_first_of(",\"\r\n#") == std::string_view::npos;
-    if (is_plain) return std::string(text);
+    if (is_plain) return text;
     std::string result = "\"";
     for (const char c : text)
         result += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -69,7 +71,7 @@ inline std::string comment(std::string_view key, std::string_view value) {
     std::string line = "# " + std::string(key) + ": " + std::string(value);
     std::replace_if(
         line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    return line + "\n";
+    return base::spreadsheet_line(line) + "\n";
 }
 
 }  // namespace stridor::io::csv_text

@@ -3,11 +3,13 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/io/bytes.hpp"
 #include "stridor/io/csv_table.hpp"
 #include "stridor/io/line_reader.hpp"
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 namespace stridor::io {
@@ -173,6 +175,16 @@ SampledMotion read_sampled_csv(std::string_view text, const std::string& name) {
         motion.velocities.push_back(read(header.velocity));
     }
     return motion;
+}
+
+SampledMotion read_sampled_file(const std::string& path) {
+    constexpr std::uint64_t largest = 1U << 28U;  // [B]
+    const auto bytes = open_plain_bytes(path);
+    if (bytes->size() > largest)
+        throw Error(ErrorKind::input,
+                    {"\"" + path + "\" is too large for an imposed motion",
+                     "it has " + std::to_string(bytes->size()) + " bytes; at most 256 MiB are read", ""});
+    return read_sampled_csv(text_at(*bytes, 0, largest), path);
 }
 
 }  // namespace stridor::io

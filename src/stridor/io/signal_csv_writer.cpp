@@ -1,5 +1,6 @@
 #include "stridor/io/signal_csv_writer.hpp"
 
+#include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/io/atomic_file.hpp"
@@ -20,6 +21,7 @@ std::string quoted(std::string_view text) {
     std::string plain;
     for (const char c : text)
         plain += c == '\n' || c == '\r' || c == '"' ? ' ' : c;
+    plain = base::spreadsheet_text(plain);
     return plain.find_first_of(",;\t#") == std::string::npos ? plain : "\"" + plain + "\"";
 }
 

@@ -1,8 +1,6 @@
 #include "stridor/io/toml_case.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/io/atomic_file.hpp"
-#include "stridor/io/sampled_csv.hpp"
 #include "stridor/parameters/check.hpp"
 
 #include <algorithm>
@@ -167,21 +165,20 @@ void check_belonging(const Case& of_file, const Case& c, const TomlDocument& doc
     }
 }
 
-void read_samples(Case& c, const TomlDocument& document) {
+void read_samples(Case& c, const TomlDocument& document, const SamplesReader& samples) {
     if (c.drive.kind != parameters::DriveKind::sampled) return;
     const TomlEntry* entry = document.find("drive.file");
     const std::filesystem::path folder =
         entry->origin == TomlOrigin::file ? std::filesystem::path(document.name).parent_path() : "";
-    const std::string path = (folder / c.drive.file).string();
-    std::string text;
     try {
-        text = read_file(path);
+        SampledMotion motion = samples((folder / c.drive.file).string());
+        c.drive.times = std::move(motion.times);
+        c.drive.velocities = std::move(motion.velocities);
     } catch (const Error& error) {
+        // what is wrong in the table has a place of its own there
+        if (error.place()) throw;
         throw located(error, "drive.file", entry->value_place);
     }
-    SampledMotion motion = read_sampled_csv(text, path);
-    c.drive.times = std::move(motion.times);
-    c.drive.velocities = std::move(motion.velocities);
 }
 
 void check_consistent(const Case& c, const TomlDocument& document) {
@@ -203,7 +200,7 @@ bool is_required(const parameters::Field& field) {
            parameters::key_of(field) != "contact.impact";
 }
 
-parameters::Case read_base_case(const TomlDocument& document) {
+parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples) {
     check_known(document);
     Case of_file;
     assign_all(of_file, document, Pass::choices, Layer::file);
@@ -214,15 +211,18 @@ parameters::Case read_base_case(const TomlDocument& document) {
     assign_all(c, document, Pass::the_rest, Layer::everything);
     // a window nobody wrote is the default one or the whole run, whichever is shorter
     if (document.find("run.window") == nullptr) c.run.window = std::min(c.run.window, c.run.duration);
-    read_samples(c, document);
+    read_samples(c, document, samples);
+    return c;
+}
+
+parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples) {
+    Case c = read_base_case(document, samples);
+    check_consistent(c, document);
     return c;
 }
 
 parameters::Case read_case(const TomlSource& source) {
-    const TomlDocument document = parse_toml(source);
-    Case c = read_base_case(document);
-    check_consistent(c, document);
-    return c;
+    return read_case(parse_toml(source), read_sampled_file);
 }
 
 parameters::Case read_case(const std::string& path, std::vector<std::string> overrides) {

@@ -1,13 +1,19 @@
 #pragma once
 
+#include "stridor/io/sampled_csv.hpp"
 #include "stridor/io/toml_document.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/field.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace stridor::io {
+
+/// Gives the motion of a sampled drive by the path of its file: the only way by which reading a case reaches another file.
+/// Whoever reads for somebody who may name no files hands over one that opens none.
+using SamplesReader = std::function<SampledMotion(const std::string& path)>;
 
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
 ///
@@ -18,12 +24,15 @@ namespace stridor::io {
 /// Throws `Error` (input) with file, line, column and source line for anything else than a case that can be simulated.
 parameters::Case read_case(const TomlSource& source);
 
+/// The same of a document that is parsed already.
+parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples);
+
 /// The same from a file; "-" is standard input.
 parameters::Case read_case(const std::string& path, std::vector<std::string> overrides = {});
 
 /// The case a chart starts from, out of a document that is parsed already. Whether its values fit together is left to the
 /// chart, whose axes replace two of them.
-parameters::Case read_base_case(const TomlDocument& document);
+parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples);
 
 /// Must a file say this, whenever it belongs to the case?
 bool is_required(const parameters::Field& field);

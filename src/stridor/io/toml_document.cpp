@@ -1,5 +1,6 @@
 #include "stridor/io/toml_document.hpp"
 
+#include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/atomic_file.hpp"
 
@@ -134,40 +135,6 @@ void collect(const toml::table& table, const std::string& prefix, int depth, con
     }
 }
 
-// Well-formed UTF-8: no stray or missing bytes, no code point spelt longer than needed, no surrogates. The parser checks
-// files; overrides come straight from the command line.
-bool is_utf8(std::string_view text) {
-    while (!text.empty()) {
-        const auto lead = static_cast<unsigned char>(text.front());
-        const std::size_t length = lead < 0x80U ? 1 : lead < 0xC2U ? 0 : lead < 0xE0U ? 2 : lead < 0xF0U ? 3 : 4;
-        if (length == 0 || lead > 0xF4U || length > text.size()) return false;
-        for (std::size_t k = 1; k < length; ++k)
-            if ((static_cast<unsigned char>(text[k]) & 0xC0U) != 0x80U) return false;
-        const auto second = length > 1 ? static_cast<unsigned char>(text[1]) : 0U;
-        const bool is_out_of_range = (lead == 0xE0U && second < 0xA0U) || (lead == 0xEDU && second > 0x9FU) ||
-                                     (lead == 0xF0U && second < 0x90U) || (lead == 0xF4U && second > 0x8FU);
-        if (is_out_of_range) return false;
-        text.remove_prefix(length);
-    }
-    return true;
-}
-
-TomlEntry override_entry(const std::string& text) {
-    const base::Place place{"--set", 0, 0, text};
-    if (!is_utf8(text)) throw Error(ErrorKind::input, {"an override is not UTF-8 text", "", ""}, place);
-    const std::size_t equals = text.find('=');
-    const std::string key(base::trimmed(std::string_view(text).substr(0, equals)));
-    if (equals == std::string::npos || key.empty())
-        throw Error(ErrorKind::input,
-                    {"\"" + text + "\" sets nothing", "an override reads section.key=value",
-                     "Write for example contact.preload=20."},
-                    place);
-    std::string_view value = base::trimmed(std::string_view(text).substr(equals + 1));
-    // quotes that the shell left alone: --set 'drive.kind="constant"'
-    if (value.size() >= 2 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
-    return {key, std::string(value), TomlOrigin::override, place, place};
-}
-
 // The parser calls itself for each list or table in another, and tables go as deep as their dotted names. Counts both
 // roughly: brackets and points in comments and texts, too.
 bool is_deep(std::string_view text) {
@@ -232,8 +199,30 @@ TomlDocument parse_toml(const TomlSource& source) {
     std::stable_sort(document.entries.begin(), document.entries.end(),
                      [&](const TomlEntry& a, const TomlEntry& b) { return position(a) < position(b); });
     for (const std::string& text : source.overrides)
-        document.entries.push_back(override_entry(text));
+        document.entries.push_back(parse_override(text));
     return document;
+}
+
+TomlEntry parse_override(const std::string& text) {
+    const base::Place place{"--set", 0, 0, text};
+    // the parser checks files; overrides come straight from the command line or a request
+    if (!base::is_utf8(text)) throw Error(ErrorKind::input, {"an override is not UTF-8 text", "", ""}, place);
+    if (base::has_control(text))
+        throw Error(ErrorKind::input,
+                    {"\"" + base::visible(text) + "\" holds a control character", "an override is one line of text",
+                     "Write it without line ends and tabs."},
+                    place);
+    const std::size_t equals = text.find('=');
+    const std::string key(base::trimmed(std::string_view(text).substr(0, equals)));
+    if (equals == std::string::npos || key.empty())
+        throw Error(ErrorKind::input,
+                    {"\"" + text + "\" sets nothing", "an override reads section.key=value",
+                     "Write for example contact.preload=20."},
+                    place);
+    std::string_view value = base::trimmed(std::string_view(text).substr(equals + 1));
+    // quotes that the shell left alone: --set 'drive.kind="constant"'
+    if (value.size() >= 2 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
+    return {key, std::string(value), TomlOrigin::override, place, place};
 }
 
 std::string_view type_name(const TomlValue& value) {

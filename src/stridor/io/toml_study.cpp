@@ -188,7 +188,7 @@ sweep::Study read_study(const TomlSource& source) {
     sweep::Study study;
     check_chart_keys(document);
     check_chart_complete(document);
-    study.base = read_base_case(document);
+    study.base = read_base_case(document, read_sampled_file);
     study.x = read_axis(document, "chart.x");
     study.y = read_axis(document, "chart.y");
     read_names(document, "chart.directions", parameters::direction_names, study.directions);

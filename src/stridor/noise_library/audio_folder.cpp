@@ -193,6 +193,9 @@ void Intake::place(std::span<Staged> staged, const std::set<AudioName>& needed) 
 }
 
 bool is_whole(const fs::path& file, const AudioName& name) {
+    // a pipe or a device in a library from elsewhere would keep its reader for ever
+    std::error_code error;
+    if (fs::exists(file, error) && !fs::is_regular_file(file, error)) return false;
     base::Sha256 hash;
     FilePieces pieces(file);
     for (std::string_view piece = pieces(); !piece.empty(); piece = pieces())

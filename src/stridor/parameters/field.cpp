@@ -86,7 +86,7 @@ Choice choice(std::span<const std::string_view> names) {
 
 constexpr Text title{[](const Case& c) { return c.title; }, [](Case& c, std::string_view text) { c.title = text; }};
 constexpr Text drive_file{[](const Case& c) { return c.drive.file; },
-                          [](Case& c, std::string_view text) { c.drive.file = text; }};
+                          [](Case& c, std::string_view text) { c.drive.file = text; }, Text::Means::file};
 
 const std::array table{
     Field{"", "title", "", "what this case is, in a few words", title, always},
@@ -241,6 +241,11 @@ std::string_view unit_of(const Field& field) {
 std::string_view unit_of(std::string_view key) {
     const Field* field = find_field(key);
     return field == nullptr ? std::string_view("1") : unit_of(*field);
+}
+
+bool names_file(const Field& field) {
+    const auto* text = std::get_if<Text>(&field.kind);
+    return text != nullptr && text->means == Text::Means::file;
 }
 
 double get_quantity(const Case& c, const Field& field) {

@@ -58,6 +58,7 @@ struct Choice {
 struct Text {
     std::string (*get)(const Case&);
     void (*set)(Case&, std::string_view text);
+    enum class Means { words, file } means = Means::words;  // a file is opened: who is not trusted may not name one
 };
 
 /// One settable thing.
@@ -88,6 +89,9 @@ std::string nearest_key(std::string_view key);
 /// The unit of a quantity; "1" for a field without one, and for a key that is no field's.
 std::string_view unit_of(const Field& field);
 std::string_view unit_of(std::string_view key);
+
+/// Is its value the name of a file that is opened?
+bool names_file(const Field& field);
 
 double get_quantity(const Case& c, const Field& field);
 void set_quantity(Case& c, const Field& field, double value);

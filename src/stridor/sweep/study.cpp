@@ -3,6 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
@@ -177,16 +178,6 @@ void remove_line(std::string& text, std::string_view key) {
     text.erase(from, text.find('\n', from) - from + 1);
 }
 
-// as one word of a POSIX shell
-std::string shell_word(const std::string& text) {
-    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+,:@%=";
-    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-    std::string word = "'";
-    for (const char letter : text)
-        word += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-    return word + "'";
-}
-
 std::string setting(const Case& c, const std::string& key) {
     return " --set " + key + "=" + shortest(parameters::get_quantity(c, *parameters::find_field(key)));
 }
@@ -288,8 +279,10 @@ std::string canonical_text(const Study& study) {
 std::string reproduce_command(const Study& study, const CellPlace& place, const std::string& file) {
     const Case c = case_at(study, place);
     constexpr std::string_view velocity = "drive.velocity";
-    std::string command =
-        "stridor simulate " + shell_word(file) + setting(c, study.x.parameter) + setting(c, study.y.parameter);
+    // a name with a dash in front would be an option
+    const bool is_option = file.starts_with('-') && file != "-";
+    std::string command = "stridor simulate " + base::shell_word((is_option ? "./" : "") + file) +
+                          setting(c, study.x.parameter) + setting(c, study.y.parameter);
     const bool is_axis = study.x.parameter == velocity || study.y.parameter == velocity;
     if (is_constant(study) && !is_axis) command += setting(c, std::string(velocity));
     if (!study.starts.empty())

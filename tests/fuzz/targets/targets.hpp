@@ -15,6 +15,7 @@ void calibration(std::string_view bytes);
 void riff(std::string_view bytes);
 void tar(std::string_view bytes);
 void manifest(std::string_view bytes);
+void requests(std::string_view bytes);
 void store(std::string_view bytes);
 void library(std::string_view bytes);
 void case_file(std::string_view bytes);
@@ -25,10 +26,10 @@ struct Target {
 };
 
 inline constexpr std::array targets{
-    Target{"signal_csv", signal_csv},   Target{"uff58", uff58},   Target{"sidecar", sidecar},
-    Target{"calibration", calibration}, Target{"riff", riff},     Target{"tar", tar},
-    Target{"manifest", manifest},       Target{"store", store},   Target{"library", library},
-    Target{"case_file", case_file}};
+    Target{"signal_csv", signal_csv},   Target{"uff58", uff58},      Target{"sidecar", sidecar},
+    Target{"calibration", calibration}, Target{"riff", riff},        Target{"tar", tar},
+    Target{"manifest", manifest},       Target{"store", store},      Target{"library", library},
+    Target{"case_file", case_file},     Target{"requests", requests}};
 
 /// Stops the program where a promise is broken, in every build.
 inline void require(bool promise) {

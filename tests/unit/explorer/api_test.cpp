@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <rapidcheck/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <cstring>
@@ -209,6 +210,27 @@ TEST(Api, ShowsPlaysAndHearsTheLibrary) {
     EXPECT_EQ(heard["unit"], "Pa");
     EXPECT_EQ(heard["verdict"]["category"], "squeal");
     refusal(ask("/api/library/99/audio"), 400);
+    // a library from elsewhere may hold anything under that name
+    std::filesystem::path sound;
+    for (const auto& each : std::filesystem::recursive_directory_iterator(folder.path()))
+        if (each.path().extension() == ".wav" && each.path() != file) sound = each.path();
+    std::filesystem::remove(sound);
+    ASSERT_EQ(::mkfifo(sound.c_str(), 0600), 0);
+    EXPECT_NE(refusal(ask(entry + "/audio"), 500).find("damaged"), std::string::npos);
+    EXPECT_NE(refusal(ask(entry + "/analysis"), 500).find("damaged"), std::string::npos);
+}
+
+TEST(Api, PrintsACommandThatAShellTakesForOne) {
+    json body = design({"drive.kind=constant", "drive.velocity=0.1 m/s", "title=it's; touch /tmp/x"});
+    body["samples"] = 8;
+    const Response response = post("/api/report", body.dump());
+    ASSERT_EQ(response.status, 200) << response.body;
+    EXPECT_NE(response.body.find(
+                  "stridor init squeal | stridor simulate - --set drive.kind=constant --set 'drive.velocity=0.1 "
+                  "m/s' --set 'title=it'\\''s; touch /tmp/x'"),
+              std::string::npos);
+    body["preset"] = "squeal; touch /tmp/x";
+    EXPECT_NE(refusal(post("/api/report", body.dump()), 400).find("no preset"), std::string::npos);
 }
 
 TEST(Api, SaysWhatIsWrongWithARequest) {

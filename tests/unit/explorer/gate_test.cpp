@@ -1,8 +1,14 @@
 #include "stridor/explorer/gate.hpp"
 
+#include "stridor/explorer/redirect.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <sys/stat.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 namespace stridor::explorer {
@@ -116,6 +122,29 @@ TEST_F(GateTest, RefusesRequestsWithoutASession) {
         EXPECT_EQ(status(post(cookie)), 401) << cookie;
 }
 
+TEST_F(GateTest, FindsItsSessionAmongTheCookiesOfOthers) {
+    const std::string own = session();
+    std::string many;
+    for (int k = 0; k < 5000; ++k)
+        many += "stridor-8000=" + std::to_string(k) + "; ";
+    for (const std::string& cookies :
+         {"stridor-8000=; " + own, "stridor-8000=" + std::string(64, '0') + "; " + own, own + "; stridor-8000=x",
+          "stridor-80=x; stridor-80000=y; " + own, ";;=;  stridor-8000; " + own + ";", many + own})
+        EXPECT_EQ(status(post(cookies)), 0) << cookies.substr(0, 200);
+    EXPECT_EQ(status(post(many)), 401);
+}
+
+// a browser that came from a file withholds the cookie from what it is redirected to
+TEST_F(GateTest, OpensFromAFileByAPageThatGoesOn) {
+    Request request = open(tokens_.back());
+    request.fetch_site = "cross-site";
+    const std::optional<Response> response = gate_.stop(request);
+    ASSERT_TRUE(response);
+    EXPECT_EQ(response->status, 200);
+    EXPECT_EQ(response->headers.at(0), (std::pair<std::string, std::string>{"Refresh", "0; url=/"}));
+    EXPECT_NE(response->headers.at(1).second.find("; HttpOnly; SameSite=Strict"), std::string::npos);
+}
+
 TEST_F(GateTest, RefusesOtherMethodsAndTypes) {
     Request request = post(session());
     request.content_type = "text/plain";
@@ -126,6 +155,24 @@ TEST_F(GateTest, RefusesOtherMethodsAndTypes) {
         request.method = method;
         EXPECT_EQ(status(request), 405) << method;
     }
+}
+
+TEST(Redirect, IsForItsOwnerAloneAndGoesAgain) {
+    std::filesystem::path file;
+    {
+        const Redirect redirect("http://127.0.0.1:8000/open?token=\"<&>");
+        file = redirect.file();
+        struct stat status {};
+        ASSERT_EQ(::stat(file.c_str(), &status), 0);
+        EXPECT_EQ(status.st_mode & 0777U, 0600U);
+        ASSERT_EQ(::stat(file.parent_path().c_str(), &status), 0);
+        EXPECT_EQ(status.st_mode & 0777U, 0700U);
+        std::ifstream stream(file);
+        const std::string text(std::istreambuf_iterator<char>(stream), {});
+        EXPECT_NE(text.find("content=\"0; url=http://127.0.0.1:8000/open?token=&quot;&lt;&amp;>\""), std::string::npos);
+        EXPECT_EQ(file.string().find("token"), std::string::npos);
+    }
+    EXPECT_FALSE(std::filesystem::exists(file.parent_path()));
 }
 
 TEST(Secret, IsAnotherOneEachTime) {

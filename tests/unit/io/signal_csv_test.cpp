@@ -5,12 +5,15 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/atomic_file.hpp"
 #include "stridor/io/line_reader.hpp"
+#include "stridor/io/open_signal.hpp"
 #include "stridor/io/signal_csv_writer.hpp"
 #include "support/counter_random.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 
 namespace stridor::io {
 namespace {
@@ -119,6 +122,28 @@ TEST(SignalCsv, GivesBackEveryBitOfWhatItWrote) {
     EXPECT_EQ(back[0].samples, a.samples);
     EXPECT_EQ(back[1].unit, "FS");
     EXPECT_EQ(back[1].samples, b.samples);
+}
+
+TEST(SignalCsv, NamesOfChannelsAreNoFormulasAndComeBack) {
+    const ScratchFolder scratch;
+    const std::vector<std::string> names{"=1+1", "+cmd|' /C calc'!A0", "-2+3", "@SUM A1", "''=1", "'plain'", "door"};
+    std::string given = "time";
+    std::string row = "s";
+    for (const std::string& name : names) {
+        given += "," + name;
+        row += ",-0.1257";
+    }
+    write_file((scratch / "given.csv").string(), given + "\n0" + row.substr(1) + "\n0.5" + row.substr(1) + "\n");
+    const std::string path = (scratch / "a.csv").string();
+    write_signal_csv(path, *open_signal((scratch / "given.csv").string()));
+    std::ifstream stream(path);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    EXPECT_NE(text.find("\ntime,'=1+1,'+cmd|' /C calc'!A0,'-2+3,'@SUM A1,''=1,'plain',door\n"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("\n0,-0.1257,-0.1257,"), std::string::npos) << "numbers stay numbers";
+    const auto file = open_signal(path);
+    for (std::size_t k = 0; k < names.size(); ++k)
+        EXPECT_EQ(file->layout().channels[k].name, names[k] == "''=1" ? "'=1" : names[k]);
 }
 
 TEST(LineReader, TakesAnyLineEndsAcrossItsBlocks) {

@@ -2,6 +2,7 @@
 
 #include "io_support.hpp"
 #include "stridor/io/atomic_file.hpp"
+#include "support/canary.hpp"
 
 #include <gtest/gtest.h>
 
@@ -154,6 +155,75 @@ TEST(TomlCase, FindsTheSampledDriveBesideTheFile) {
     std::filesystem::remove((scratch / "in/drive.csv").string());
     expect_error(error_of([&] { read_case((scratch / "in/case.toml").string()); }), "drive.file: cannot read",
                  (scratch / "in/case.toml").string() + ":18:8");
+}
+
+// every spelling of drive.file that TOML knows
+std::vector<std::string> sampled_drives(const std::string& path) {
+    const std::string file = "\"" + path + "\"";
+    return {"[drive]\nkind = \"sampled\"\nfile = " + file, "[drive]\nkind = 'sampled'\n\"file\" = '" + path + "'",
+            "[drive]\n\"kind\" = \"sampled\"\n\"fi\\u006ce\" = " + file,
+            "[\"drive\"]\nkind = \"sampled\"\n'file'=\"\"\"" + path + "\"\"\"",
+            "[ drive ]\r\nkind = \"sampled\"\r\nfile\t=\t" + file + "\r\n"};
+}
+
+std::string without_drive() {
+    std::string text = minimal;
+    const std::size_t from = text.find("[drive]");
+    const std::size_t to = text.find("\n[", from + 1);
+    return text.erase(from, to == std::string::npos ? to : to - from);
+}
+
+// dotted keys and an inline table stand in front of the sections
+std::vector<std::string> cases_with_samples(const std::string& path) {
+    std::vector<std::string> texts;
+    for (const std::string& drive : sampled_drives(path))
+        texts.push_back(without_drive() + "\n" + drive + "\n");
+    for (const std::string head :
+         {"drive.kind = \"sampled\"\ndrive.file = \"@\"\n", "drive . kind = 'sampled'\ndrive\t.\"file\" = '@'\n",
+          "drive = { kind = \"sampled\", file = \"@\" }\n", "\"dri\\u0076e\" = { kind = \"sampled\", 'file' = '@' }\n"})
+        texts.push_back(replaced(head, "@", path) + without_drive());
+    return texts;
+}
+
+TEST(TomlCase, ReachesAFileThroughItsReaderAlone) {
+    support::Canary canary;
+    for (const std::string& path : {canary.file(), canary.pipe()})
+        for (const std::string& text : cases_with_samples(path)) {
+            std::string asked;
+            const SamplesReader reader = [&](const std::string& name) {
+                asked = name;
+                return SampledMotion{{0.0, 2.0}, {0.1, -0.1}};
+            };
+            EXPECT_NO_THROW(read_case(parse_toml({text, "case.toml", {}}), reader)) << text;
+            EXPECT_EQ(asked, path) << text;
+            EXPECT_FALSE(canary.was_opened()) << text;
+        }
+}
+
+TEST(TomlCase, OpensNothingWhateverByteStandsAroundAKey) {
+    support::Canary canary;
+    const SamplesReader none = [](const std::string&) -> SampledMotion { throw std::runtime_error("opened"); };
+    const std::string plain = cases_with_samples(canary.file()).front();
+    for (const std::string& key : {std::string("file"), std::string("kind"), std::string("[drive]")})
+        for (int byte = 0; byte < 0x80; byte = byte == 0x20 ? 0x7F : byte + 1)
+            for (std::size_t at = 0; at <= key.size(); ++at) {
+                std::string odd = key;
+                odd.insert(at, 1, static_cast<char>(byte));
+                try {
+                    read_case(parse_toml({replaced(plain, key, odd), "case.toml", {}}), none);
+                    ADD_FAILURE() << odd;
+                } catch (const std::exception&) {
+                }
+                EXPECT_FALSE(canary.was_opened()) << odd;
+            }
+}
+
+TEST(TomlCase, TakesNoPipeForASampledDrive) {
+    support::Canary canary;
+    for (const std::string& path : {canary.pipe(), std::string("/dev/zero"), std::string("/dev")}) {
+        const auto error = error_of([&] { read(cases_with_samples(path).front()); });
+        expect_error(error, "drive.file: cannot read", "case.toml:19:8");
+    }
 }
 
 TEST(TomlCase, NeedsTheFileOfASampledDrive) {

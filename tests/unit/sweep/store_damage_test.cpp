@@ -32,6 +32,7 @@ std::vector<IndexedCell> written_cells(const Study& study) {
         Cell cell;
         cell.status = index % 5 == 4 ? Status::failed : Status::done;
         cell.category = static_cast<classification::Category>(index % classification::category_names.size());
+        if (cell.category == classification::Category::none) cell.quiet = classification::Quiet::sticks;
         if (index % 5 == 4) cell.message = "no valid start exists " + std::to_string(index);
         double value = 1.0 / static_cast<double>(index + 3);
         for (const CellFigure& figure : cell_figures())

@@ -1,0 +1,149 @@
+#pragma once
+
+#include "stridor/explorer/server.hpp"
+
+// Boost takes long to compile: server.cpp alone includes this.
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace stridor::explorer {
+
+class Connection;
+
+/// An answer being made: stopped with the server, by its deadline or when its client goes away.
+struct Work {
+    Work(boost::asio::io_context& io, const std::stop_token& server)
+        : deadline(io),
+          look(io),
+          patience(io),
+          relay(server, [this] { source.request_stop(); }) {}
+
+    std::stop_token token() const { return source.get_token(); }
+
+    boost::asio::steady_timer deadline;  // when it is stopped
+    boost::asio::steady_timer look;      // when its client is looked after
+    boost::asio::steady_timer patience;  // when it is given up
+    enum class State { waiting, making, given_up, done } state = State::waiting;
+    std::stop_source source;
+    std::stop_callback<std::function<void()>> relay;
+};
+
+/// What all connections share. The threads that make answers own it, too: one that never ends keeps what it stands on.
+///
+/// Everything but the counts of connections and threads is touched by the thread that carries bytes alone.
+struct Shared : std::enable_shared_from_this<Shared> {
+    Shared(const Limits& given) : limits(given) {}
+
+    using Task = std::function<void()>;
+
+    /// Has an answer made as soon as there is a place for it.
+    void add(const std::shared_ptr<Work>& work, Task task) {
+        ++requests;
+        waiting.emplace_back(work, std::move(task));
+        fill();
+    }
+
+    /// An answer is made, or was never begun.
+    void finish(Work& work) {
+        for (boost::asio::steady_timer* timer : {&work.deadline, &work.look, &work.patience})
+            timer->cancel();
+        if (work.state == Work::State::given_up)
+            --given_up;
+        else
+            --requests;
+        if (work.state == Work::State::making) --making;
+        work.state = Work::State::done;
+        fill();
+    }
+
+    /// Tells an answer to stop; `unanswered` is called should it not heed that, or not be begun.
+    void stop_work(const std::shared_ptr<Work>& work, const Task& unanswered) {
+        const bool is_first = work->source.request_stop();
+        if (work->state == Work::State::waiting) {
+            std::erase_if(waiting, [&](const auto& each) { return each.first == work; });
+            finish(*work);
+            unanswered();
+        } else if (is_first && work->state == Work::State::making) {
+            await_end(work, unanswered);
+        }
+    }
+
+    /// Waits until all threads have ended, but not for ever; returns how many have not.
+    std::size_t join() {
+        std::unique_lock lock(mutex);
+        ended.wait_for(lock, limits.stopping, [this] { return threads == 0; });
+        return threads;
+    }
+
+    const Limits limits;
+    Handler handler{};
+    Admit admit{};
+    std::stop_source stop{};  // of the whole server
+    std::atomic<std::size_t> connections =
+        0;                               // that are open; the last to hold one may be a thread that made its answer
+    std::list<Connection*> strangers{};  // those of which no request was let through, the oldest first
+    std::size_t requests = 0;            // waiting or being made, not given up
+    std::size_t making = 0;              // of them
+    std::size_t given_up = 0;
+    boost::asio::io_context io{1};
+    boost::asio::steady_timer pause{io};
+    std::deque<std::pair<std::shared_ptr<Work>, Task>> waiting{};
+
+private:
+    void fill() {
+        while (making < limits.workers && !waiting.empty()) {
+            auto [work, task] = std::move(waiting.front());
+            waiting.pop_front();
+            work->state = Work::State::making;
+            ++making;
+            start(std::move(task));
+        }
+    }
+
+    void start(Task task) {
+        {
+            const std::lock_guard lock(mutex);
+            ++threads;
+        }
+        std::thread([self = shared_from_this(), task = std::move(task)]() mutable {
+            task();
+            task = nullptr;  // what it holds stands on `self`
+            const std::lock_guard lock(self->mutex);
+            --self->threads;
+            self->ended.notify_all();
+        }).detach();
+    }
+
+    void await_end(const std::shared_ptr<Work>& work, const Task& unanswered) {
+        work->patience.expires_after(limits.stopping);
+        work->patience.async_wait([this, work, unanswered](const boost::system::error_code& error) {
+            if (error || work->state != Work::State::making) return;
+            if (given_up >= limits.given_up) return await_end(work, unanswered);
+            work->state = Work::State::given_up;
+            ++given_up;
+            --making;
+            --requests;
+            unanswered();
+            fill();
+        });
+    }
+
+    std::mutex mutex{};
+    std::condition_variable ended{};
+    std::size_t threads = 0;  // that make answers, given up or not
+};
+
+}  // namespace stridor::explorer
