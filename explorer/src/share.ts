@@ -77,7 +77,7 @@ export class Share {
   }
 
   private header_(): string[] {
-    return [`# program: stridor ${this.start_.version}`, `# reproduce: ${comment(this.command_())}`];
+    return [`# program: stridor ${this.start_.version}`, `# reproduce: ${this.command_()}`];
   }
 
   /** A link may say anything; only what the program knows goes into a command. */
@@ -103,11 +103,6 @@ function paintPicture(chart: Chart): HTMLCanvasElement | null {
     if (plotBox(surface, look).width > 0) chart.paintOn(surface, direction, look);
   });
   return canvas;
-}
-
-/** Text in a comment of a table: spreadsheets part it at commas, too, and must take no piece for a formula. */
-export function comment(text: string): string {
-  return text.replace(/[,;][ "]*(?=[=+@-])/g, "$&'");
 }
 
 /** The cells of a chart, direction slowest and x fastest, as `stridor chart` writes them. */

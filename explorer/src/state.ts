@@ -162,9 +162,9 @@ export function fromFragment(fragment: string, defaults: State): State {
   };
 }
 
-/** A word as a shell takes it for one; what pasting would type by itself is refused. */
+/** A word as a shell takes it for one. What pasting would type by itself is refused, and what parts the cells of a table. */
 function word(text: string): string {
-  if (/[^ -~]/.test(text)) throw Error("control character");
+  if (/[^ -~]|[,;]/.test(text)) throw Error("no command");
   return /^[\w.+-][\w.=+-]*$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
 }
 
