@@ -23,12 +23,12 @@ export class Share {
     const sheet = h(
       "div",
       { class: "sheet" },
-      entry("Copy link", "copy-link", "The whole state of the page as an address", () => this.copy_(location.origin + "/" + store_.link(), "link")),
-      entry("Copy as command", "copy-command", "The command that simulates this design", () => this.copy_(this.command_(), "command")),
+      entry("Copy link", "copy-link", "All of the page as an address", () => this.copy_(location.origin + "/" + store_.link(), "link")),
+      entry("Copy as command", "copy-command", "It simulates this design", () => this.copy_(this.command_(), "command")),
       entry("Copy as TOML", "copy-toml", "The design as a case file", async () => this.copy_(await api.toml(store_.state.design, null), "case file")),
       entry("Copy chart as TOML", "copy-chart-toml", "The chart as a file for stridor chart", async () => this.copy_(await api.toml(store_.state.design, this.axes_()), "chart file")),
-      entry("Chart as PNG", "save-png", "The chart as a picture, light, twice the size of the screen", () => this.png_()),
-      entry("Chart as CSV", "save-csv", "The chart's cells as a table", () => this.csv_()),
+      entry("Chart as PNG", "save-png", "Light, twice the screen's size", () => this.png_()),
+      entry("Chart as CSV", "save-csv", "Its cells as a table", () => this.csv_()),
       entry("Report", "save-report", "One file that opens without Stridor", async () => this.report_()),
       this.note_,
     );

@@ -113,7 +113,7 @@ private:
     Words words_;
     Ownership ownership_;
     std::unique_ptr<CheckedFiles> files_;  // nothing for any database
-    bool is_owned_ = false;  // the lock that is kept has been got
+    bool is_owned_ = false;                // the lock that is kept has been got
     std::unique_ptr<sqlite3, Close> handle_;
 };
 
