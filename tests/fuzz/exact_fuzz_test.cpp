@@ -82,7 +82,10 @@ std::string failure_of(const Case& c) {
         if (reason != Reason::completed && reason != Reason::settled)
             return std::string(integration::reason_names[static_cast<std::size_t>(reason)]) + " at " +
                    std::to_string(motion.outcome.time / c.run.duration) + " of the run";
-        if (const std::string broken = support::broken_figure(c, motion); !broken.empty()) return broken;
+        // a drive that stands still is refused before it is run, and has no figures; the laws it keeps
+        const bool has_figures = parameters::findings(c).empty();
+        const std::string broken = has_figures ? support::broken_figure(c, motion) : std::string();
+        if (!broken.empty()) return broken;
         return support::broken_law(c, motion);
     } catch (const Error& error) {
         // a sliding start may have no equilibrium, or no direction
