@@ -148,6 +148,8 @@ Spool::Spool() : descriptor_(-1) {
     shown_ = "a temporary file in \"" + folder.string() + "\"";
     descriptor_ = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0600);
     if (descriptor_ >= 0) return;
+    // any other failure than of a file system without such files is the disk's
+    if (errno != EOPNOTSUPP && errno != EISDIR && errno != ENOENT && errno != EINVAL) throw failure("write", errno);
     // not every file system knows files without a name
     std::string name = (folder / "stridor-XXXXXX").string();
     descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);

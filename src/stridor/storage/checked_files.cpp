@@ -147,13 +147,25 @@ int write_file(sqlite3_file* file, const void* buffer, int size, sqlite3_int64 o
     return real(file)->pMethods->xWrite(real(file), buffer, size, offset);
 }
 
+// SQLite takes a file without one whole page for an empty one: so it becomes where an interrupted beginning is undone
+bool is_empty(sqlite3_int64 size) {
+    return size < static_cast<sqlite3_int64>(page_size);
+}
+
+int truncate_file(sqlite3_file* file, sqlite3_int64 size) {
+    const int code = real(file)->pMethods->xTruncate(real(file), size);
+    if (code == SQLITE_OK && !own(file)->is_journal && is_empty(size))
+        own(file)->system->pages = System::Pages::checked;
+    return code;
+}
+
 // the rest is the system's; no shared memory and no mapped pages (version 1), past which nothing would be looked at
 const sqlite3_io_methods checked_methods{
     1,
     close_file,
     read_file,
     write_file,
-    [](sqlite3_file* file, sqlite3_int64 size) { return real(file)->pMethods->xTruncate(real(file), size); },
+    truncate_file,
     [](sqlite3_file* file, int flags) { return real(file)->pMethods->xSync(real(file), flags); },
     [](sqlite3_file* file, sqlite3_int64* size) { return real(file)->pMethods->xFileSize(real(file), size); },
     [](sqlite3_file* file, int level) { return real(file)->pMethods->xLock(real(file), level); },
@@ -187,7 +199,7 @@ int open_file(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int flags,
     file->pMethods = &checked_methods;
     sqlite3_int64 size = 0;
     if (code == SQLITE_OK && is_database) code = real(file)->pMethods->xFileSize(real(file), &size);
-    if (code == SQLITE_OK && is_database && size == 0) system.pages = System::Pages::checked;
+    if (code == SQLITE_OK && is_database && is_empty(size)) system.pages = System::Pages::checked;
     return code;
 }
 
