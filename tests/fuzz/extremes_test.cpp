@@ -79,7 +79,7 @@ TEST(Extremes, OfEveryFieldEndSoonAndSayWhatTheyAre) {
                     const auto* quantity = std::get_if<Quantity>(&field.kind);
                     if (quantity == nullptr) continue;
                     for (const double value : extremes(quantity->range)) {
-                        constexpr std::size_t every = support::effort<std::size_t>(5, 40);
+                        constexpr std::size_t every = support::effort<std::size_t>(5, 29);
                         if (!tries_all() && number++ % every != 0) continue;
                         Case c = with_engine(with_drive(paper_case(name), drive), engine);
                         c.run.duration = c.run.window = 0.4;

