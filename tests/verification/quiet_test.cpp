@@ -4,6 +4,7 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "support/seal_lip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,19 +18,6 @@ using classification::Quiet;
 using classification::Verdict;
 using parameters::Case;
 
-// the lip of a door seal, which locks while going
-Case lip() {
-    Case c;
-    c.joint = {0.004, 25e3, 1.5e3, 1.5, 0.4, 60.0};
-    c.plate = {0.35, 400e3, 5.0};
-    c.contact.preload = 8.0;
-    c.contact.static_friction = 1.2;
-    c.contact.kinetic_friction = 0.9;
-    c.drive.kind = parameters::DriveKind::constant;
-    c.drive.velocity = 0.05;
-    return c;
-}
-
 std::vector<Verdict> verdicts(const Case& c) {
     return classification::classify_phases(integration::simulate(c).record.phases, c.verdict);
 }
@@ -42,7 +30,7 @@ TEST(QuietLip, SticksHoweverItStartsAndHoweverLongItIsLookedAt) {
     for (const parameters::Initial start : {parameters::Initial::rest, parameters::Initial::stuck})
         for (const double window : {1.0, 0.999, 0.5, 0.1})
             for (const parameters::Engine engine : {parameters::Engine::exact, parameters::Engine::beta_2}) {
-                Case c = lip();
+                Case c = support::seal_lip();
                 c.run.initial = start;
                 c.run.window = window;
                 c.run.engine = engine;
@@ -54,14 +42,14 @@ TEST(QuietLip, SticksHoweverItStartsAndHoweverLongItIsLookedAt) {
 }
 
 TEST(QuietLip, IsQuietAtAnyThreshold) {
-    Case c = lip();
+    Case c = support::seal_lip();
     c.verdict.start = 0.0;
     EXPECT_EQ(verdict(c).category, Category::none);
 }
 
 // 12 Hz: it slips in the first stroke and never again
 TEST(QuietLip, UnderASinusoidalDriveDoesNotCreakForItsFirstStroke) {
-    Case c = lip();
+    Case c = support::seal_lip();
     c.drive.kind = parameters::DriveKind::sinusoidal;
     c.drive.amplitude = 0.5e-3;
     c.drive.frequency = 12.0;
@@ -75,14 +63,14 @@ TEST(QuietLip, UnderASinusoidalDriveDoesNotCreakForItsFirstStroke) {
 }
 
 TEST(NoisyLip, SquealsComingWhereItDoesNotLock) {
-    Case c = lip();
+    Case c = support::seal_lip();
     c.drive.velocity = -0.05;
     EXPECT_EQ(verdict(c).category, Category::squeal);
 }
 
 // a creak of 1.1 s looked at for half a second is stuck throughout: that is no silence
 TEST(SlowCreak, IsUndecidedWhileTheRunIsTooShortAndCreakOnceItIsNot) {
-    Case c = lip();
+    Case c = support::seal_lip();
     c.joint.incidence_angle = 90.0;
     c.contact.kinetic_friction = 0.4;
     c.drive.velocity = 5e-3;

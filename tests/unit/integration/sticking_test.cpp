@@ -5,6 +5,7 @@
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/property.hpp"
+#include "support/seal_lip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,19 +16,6 @@ namespace {
 
 using parameters::Case;
 using record::Future;
-
-// the lip of a door seal: soft, and self-locking while going
-Case lip() {
-    Case c;
-    c.joint = {0.004, 25e3, 1.5e3, 1.5, 0.4, 60.0};
-    c.plate = {0.35, 400e3, 5.0};
-    c.contact.preload = 8.0;
-    c.contact.static_friction = 1.2;
-    c.contact.kinetic_friction = 0.9;
-    c.drive.kind = parameters::DriveKind::constant;
-    c.drive.velocity = 0.05;
-    return c;
-}
 
 // how a run ends; the outlook is the same for all its phases
 record::Ending ending(const Case& c) {
@@ -48,15 +36,15 @@ double locking_friction(const Case& c) {
 }
 
 TEST(Stick, OfALockingLipIsForEver) {
-    EXPECT_EQ(at_rest(lip()).future, Future::sticks);
-    const record::Ending end = ending(lip());
+    EXPECT_EQ(at_rest(support::seal_lip()).future, Future::sticks);
+    const record::Ending end = ending(support::seal_lip());
     EXPECT_EQ(end.state, model::ContactState::stick);
     EXPECT_EQ(end.outlook.future, Future::sticks);
     EXPECT_NEAR(end.since, 28e-6, 1e-6);
 }
 
 TEST(Stick, LocksFromTheClosedFormOn) {
-    Case c = lip();
+    Case c = support::seal_lip();
     const double locking = locking_friction(c);
     EXPECT_NEAR(locking, 0.734, 5e-4);
     c.contact.static_friction = locking * (1.0 + 1e-6);
@@ -70,7 +58,7 @@ TEST(Stick, LocksFromTheClosedFormOn) {
 
 // alpha = 0 decouples x and y: T = k x reaches mu_s F after mu_s F/(k V)
 TEST(Release, OfAMassOnABeltComesWhenTheSpringPullsItLoose) {
-    Case c = lip();
+    Case c = support::seal_lip();
     c.joint.incidence_angle = 0.0;
     const record::Outlook outlook = at_rest(c);
     EXPECT_EQ(outlook.future, Future::releases);
@@ -80,7 +68,7 @@ TEST(Release, OfAMassOnABeltComesWhenTheSpringPullsItLoose) {
 
 // a slow belt: the run ends before the first slip, and longer runs show that it comes
 TEST(Release, ComesWhereItWasForetold) {
-    Case c = lip();
+    Case c = support::seal_lip();
     c.drive.velocity = -1e-3;
     c.run.duration = c.run.window = 0.05;
     c.run.initial = parameters::Initial::stuck;
@@ -96,7 +84,7 @@ TEST(Release, ComesWhereItWasForetold) {
 
 // under a sinusoidal drive the bound is the swing of the forces; a hundred periods hold what the proof says
 RC_GTEST_PROP(Stick, ThatIsProvenHolds, ()) {
-    Case c = lip();
+    Case c = support::seal_lip();
     c.joint.incidence_angle = *support::number_between(0.0, 180.0);
     c.contact.preload = *support::number_between(1.0, 20.0);
     c.contact.static_friction = *support::number_between(0.2, 1.5);
@@ -118,14 +106,14 @@ RC_GTEST_PROP(Stick, ThatIsProvenHolds, ()) {
 }
 
 TEST(Stick, OfASampledDriveIsUnknown) {
-    Case c = lip();
+    Case c = support::seal_lip();
     c.drive.kind = parameters::DriveKind::sampled;
     EXPECT_EQ(at_rest(c).future, Future::unknown);
 }
 
 // a free vibration that could break the stick leaves it open
 TEST(Stick, WithMuchVibrationLeftIsUnknown) {
-    Case c = lip();
+    Case c = support::seal_lip();
     const model::Structure<3> structure = model::rubbing_system(c);
     const Eigen::Vector3d shaken(0.05, -0.5, -0.5);
     EXPECT_EQ(outlook_of_stick(structure, c.drive, {Eigen::Vector3d::Zero(), shaken, 0.05, 0.0, 0.0}).future,
@@ -145,7 +133,7 @@ TEST(Stick, WithoutFreeMotionsIsDecidedByTheDrive) {
 
 // both engines say the same of the same end
 TEST(Stick, IsForEverByBothEngines) {
-    Case c = lip();
+    Case c = support::seal_lip();
     c.run.engine = parameters::Engine::beta_2;
     c.run.duration = c.run.window = 0.1;
     EXPECT_EQ(ending(c).outlook.future, Future::sticks);
