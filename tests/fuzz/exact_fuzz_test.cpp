@@ -29,14 +29,7 @@ using parameters::Case;
 
 // as users run it: to the end, or to a proof
 std::string failure_of_plain_run(const Case& c) {
-    support::Patience patience(2.0);
-    std::string text;
-    try {
-        text = support::broken_figure(c, integration::simulate(c, {}, patience.token()));
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::numerical) text = error.what();
-    }
-    return patience.is_worn_out() ? "goes on a second after Ctrl-C" : text;
+    return support::complaint_of_run(c, 2.0);
 }
 
 // in the last hundredth of its time, or in the one and a half periods that a window must hold

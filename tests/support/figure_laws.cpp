@@ -1,7 +1,10 @@
 #include "support/figure_laws.hpp"
 
 #include "stridor/analysis/evidence.hpp"
+#include "stridor/base/error.hpp"
 #include "stridor/classification/contact_rules.hpp"
+#include "stridor/integration/simulate.hpp"
+#include "support/patience.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -65,6 +68,17 @@ std::string broken_figure(const parameters::Case& c, const integration::Motion& 
             if (!broken.empty()) return broken;
     }
     return {};
+}
+
+std::string complaint_of_run(const parameters::Case& c, double patience_in_seconds) {
+    Patience patience(patience_in_seconds);
+    std::string text;
+    try {
+        text = broken_figure(c, integration::simulate(c, {}, patience.token()));
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::numerical) text = error.what();
+    }
+    return patience.is_worn_out() ? "goes on a second after Ctrl-C" : text;
 }
 
 }  // namespace stridor::support
