@@ -121,6 +121,30 @@ protected:
         });
     }
 
+    // a run that ends once it is told to, or after 0.9 s; `stopped_` says which
+    void serve_one_run() {
+        serve([this](const Request& request, const std::stop_token& stop) {
+            if (request.path == "/alive") return plain(200, "GET /alive");
+            begun_.set_value();
+            const auto end = std::chrono::steady_clock::now() + 900ms;
+            while (!stop.stop_requested() && std::chrono::steady_clock::now() < end)
+                std::this_thread::sleep_for(1ms);
+            stopped_.set_value(std::chrono::steady_clock::now() < end);
+            return plain(200, "late");
+        });
+    }
+
+    // a client asks for the run with these bytes and leaves while it is made
+    void expect_that_leaving_stops_the_run(const std::string& bytes) {
+        serve_one_run();
+        Client client(server_.port());
+        client.send(bytes);
+        begun_.get_future().wait();
+        client.close();
+        EXPECT_TRUE(stopped_.get_future().get());
+        expect_alive();
+    }
+
     std::string ask(const std::string& text, const std::string& end = "") {
         Client client(server_.port());
         client.send(text);
@@ -136,6 +160,8 @@ protected:
     Server server_;
     Handler handler_;
     Admit admit_;
+    std::promise<void> begun_;
+    std::promise<bool> stopped_;
     std::stop_source stop_;
     std::thread thread_;
     std::size_t stuck_ = 0;  // answers that outlived the server

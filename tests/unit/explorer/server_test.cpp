@@ -135,23 +135,7 @@ TEST_F(ServerTest, ClosesConnectionsBeyondTheLimitAndServesAgainOnceOthersLeave)
 }
 
 TEST_F(ServerTest, StopsTheWorkWhenTheClientGoesAway) {
-    std::promise<void> begun;
-    std::promise<bool> stopped;
-    serve([&](const Request& request, const std::stop_token& stop) {
-        if (request.path == "/alive") return plain(200, "GET /alive");
-        begun.set_value();
-        const auto end = std::chrono::steady_clock::now() + 900ms;
-        while (!stop.stop_requested() && std::chrono::steady_clock::now() < end)
-            std::this_thread::sleep_for(1ms);
-        stopped.set_value(std::chrono::steady_clock::now() < end);
-        return plain(200, "late");
-    });
-    Client client(server_.port());
-    client.send("GET /long HTTP/1.1\r\nHost: a\r\n\r\n");
-    begun.get_future().wait();
-    client.close();
-    EXPECT_TRUE(stopped.get_future().get());
-    expect_alive();
+    expect_that_leaving_stops_the_run("GET /long HTTP/1.1\r\nHost: a\r\n\r\n");
 }
 
 TEST_F(ServerTest, StopsTheWorkAtItsDeadline) {
