@@ -8,18 +8,19 @@
 /// The program's only doors to the terminal: data goes to stdout, messages to stderr.
 namespace stridor::app {
 
-/// Makes sure that the numbers of stdin, stdout and stderr are taken: with one of them closed, the next file opened would have
-/// its number, and messages would go into that file.
+/// Makes sure that the numbers of stdin, stdout and stderr are taken: with one of them closed, the next file opened
+/// would have its number, and messages would go into that file.
 void open_standard_streams();
 
-/// Writes text to stdout; throws `Error` (io) where it cannot be written (a full disk behind a redirection), and ends the process
-/// by SIGPIPE where nobody reads any more.
+/// Writes text to stdout; throws `Error` (io) where it cannot be written (a full disk behind a redirection), and ends
+/// the process by SIGPIPE where nobody reads any more.
 ///
 /// What came from files and names stands in it, too, and must not steer the terminal: control characters are shown, as
 /// `base::visible` does. JSON stays what it is, for none stand in it as they are.
 void print(std::string_view text);
 
-/// The same for what others read byte by byte: a table, a case file, a path. Control characters are shown where a terminal is.
+/// The same for what others read byte by byte: a table, a case file, a path. Control characters are shown where a
+/// terminal is.
 void print_data(std::string_view bytes);
 
 /// Writes a message to stderr, with a line end; control characters are shown.

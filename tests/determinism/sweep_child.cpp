@@ -1,5 +1,7 @@
-// Runs the sweep of `swept_study` into a store and prints how many cells it computed: sweep_child STORE THREADS REFINE [READY
-// GO]. Its test kills it. READY and GO are two open pipes: it writes a byte into one and begins when the other one is closed.
+// Runs the sweep of `swept_study` into a store and prints how many cells it computed: sweep_child STORE THREADS REFINE
+// [READY GO]. Its test kills it. READY and GO are two open pipes: it writes a byte into one and begins when the other
+// one is
+// closed.
 
 #include "determinism/swept_study.hpp"
 #include "stridor/base/error.hpp"

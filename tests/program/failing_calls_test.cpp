@@ -1,7 +1,8 @@
-// Every command that writes, on a disk that fails at the n-th call, for all n: the error is said, no file is half there, what was
-// there before is whole, and the same command again succeeds.
+// Every command that writes, on a disk that fails at the n-th call, for all n: the error is said, no file is half
+// there, what was there before is whole, and the same command again succeeds.
 //
-// STRIDOR_FAILING_STEP=k takes every k-th n only, from another beginning for each fault: usual 3 (checked builds: 11). 1 takes all.
+// STRIDOR_FAILING_STEP=k takes every k-th n only, from another beginning for each fault: usual 3 (checked builds: 11).
+// 1 takes all.
 
 #include "support/effort.hpp"
 #include "support/process.hpp"

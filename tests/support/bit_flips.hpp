@@ -21,8 +21,8 @@ struct FlipCounts {
     long refused = 0;  // an `Error` that says so
 };
 
-/// Which bits are flipped: every one with STRIDOR_FULL in the environment, else each `release`-th or `checked`-th. Odd steps meet all
-/// places within a byte.
+/// Which bits are flipped: every one with STRIDOR_FULL in the environment, else each `release`-th or `checked`-th. Odd
+/// steps meet all places within a byte.
 inline std::size_t flip_step(std::size_t release, std::size_t checked) {
     return std::getenv("STRIDOR_FULL") != nullptr ? 1 : effort(release, checked);
 }
@@ -36,8 +36,8 @@ inline void put_file(const std::filesystem::path& file, const std::string& bytes
     std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// Flips bits of a file, one at a time, and reads it: each time `read` gives the very same text as before, or throws an `Error`
-/// of this kind. The file is as before at the end.
+/// Flips bits of a file, one at a time, and reads it: each time `read` gives the very same text as before, or throws
+/// an `Error` of this kind. The file is as before at the end.
 inline FlipCounts flip_bits(const std::filesystem::path& file, std::size_t step, base::ErrorKind kind,
                             const std::function<std::string()>& read) {
     const std::string good = read();

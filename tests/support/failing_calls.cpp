@@ -1,15 +1,17 @@
 // A disk that fails at one chosen call: preloaded into a program (LD_PRELOAD), which knows nothing of it.
 //
-// Counted are the calls that create, write, shorten, flush, rename, remove or close what lies below a folder, whoever makes them:
-// the program, SQLite or HDF5. The n-th fails, or it and all further ones. Settings come by the environment:
+// Counted are the calls that create, write, shorten, flush, rename, remove or close what lies below a folder, whoever
+// makes them: the program, SQLite or HDF5. The n-th fails, or it and all further ones. Settings come by the
+// environment:
 //   FAILING_BELOW   the folder; calls on anything else pass
 //   FAILING_AT      n, from 1
 //   FAILING_WITH    the number of the error (errno); 0: the call writes half of what it was given; below 0: instead of the call the
 //                   process gets the signal of that number
 //   FAILING_TIMES   how many calls from the n-th on fail
 //   FAILING_REPORT  a file that gets a line for each call that failed ("rename /tmp/x/chart.csv")
-// The calls themselves are made straight into the kernel, so that nothing is needed of the library that this hides. A full
-// disk spares what needs no room (ENOSPC: opening what is there, removing, closing). Programs that this one starts are spared.
+// The calls themselves are made straight into the kernel, so that nothing is needed of the library that this hides. A
+// full disk spares what needs no room (ENOSPC: opening what is there, removing, closing). Programs that this one
+// starts are spared.
 
 #include <fcntl.h>
 #include <sys/syscall.h>

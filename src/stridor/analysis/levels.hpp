@@ -25,7 +25,8 @@ struct Levels {
 /// Which part of the run: all that is judged, or the end of that under a constant drive.
 enum class Part { judged, closing };
 
-/// Is the joint's motion along the contact its own, or the plate's, which carries it while it sticks and is no vibration?
+/// Is the joint's motion along the contact its own, or the plate's, which carries it while it sticks and is no
+/// vibration?
 enum class Along { counted, carried };
 
 /// Levels from a tally of the rubbing system, degrees of freedom (x1, y1, y2). NaN where nothing was judged.

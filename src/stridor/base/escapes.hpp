@@ -22,13 +22,14 @@ bool has_control(std::string_view text);
 /// Line ends and tabs stay.
 std::string visible(std::string_view text);
 
-/// Text as one word of a shell: as it is where nothing in it is special, else in single quotes. Control characters and bytes
-/// that are no UTF-8 stand as escapes in `$'..'` (POSIX 2024, bash, zsh), so that pasting types nothing by itself.
+/// Text as one word of a shell: as it is where nothing in it is special, else in single quotes. Control characters and
+/// bytes that are no UTF-8 stand as escapes in `$'..'` (POSIX 2024, bash, zsh), so that pasting types nothing by
+/// itself.
 std::string shell_word(std::string_view text);
 
-/// Text as a cell that no spreadsheet takes for a formula: an apostrophe stands before what begins with = + - @, a tab or a
-/// line end (OWASP, CSV injection), unless it is a number, or a sign alone. Text that begins with apostrophes before such a
-/// character has one more, so that `from_spreadsheet_text` gives back what was there.
+/// Text as a cell that no spreadsheet takes for a formula: an apostrophe stands before what begins with = + - @, a tab
+/// or a line end (OWASP, CSV injection), unless it is a number, or a sign alone. Text that begins with apostrophes
+/// before such a character has one more, so that `from_spreadsheet_text` gives back what was there.
 std::string spreadsheet_text(std::string_view text);
 
 /// The same for each piece of a line that spreadsheets part at commas, semicolons and tabs.

@@ -9,14 +9,15 @@
 
 namespace stridor::base {
 
-/// Fills the bytes with the next ones that were sent; false where there are none any more. Throws `Error` (io) where what was
-/// sent ends in between.
+/// Fills the bytes with the next ones that were sent; false where there are none any more. Throws `Error` (io) where
+/// what was sent ends in between.
 using Receive = std::function<bool(std::span<std::byte>)>;
 
 /// Work in a copy of this process, for a library that may crash.
 ///
-/// The copy has all of this process' memory and none of its threads: it may use what no other thread held when it began. What it
-/// changes in memory is lost with it; it dies with this process. Its own destructors and exit handlers do not run.
+/// The copy has all of this process' memory and none of its threads: it may use what no other thread held when it
+/// began. What it changes in memory is lost with it; it dies with this process. Its own destructors and exit handlers
+/// do not run.
 class SeparateProcess {
 public:
     /// Begins the work. Errors begin with `problem`: "cannot write \"chart.nc\"". Throws `Error` (io).

@@ -25,10 +25,10 @@ SoundVerdict classify_sound(const signal::SoundFeatures& features, const paramet
 
 /// The segments and the category of a recording from its stretches in time.
 ///
-/// Stretches `quiet_depth` below the loudest are background, hence `none`. Neighbours of one category are one segment. Creaks
-/// with nothing but rest between them, impulses at most `creak_pause` apart, are counted together; one with fewer than
-/// `least_impulses` impulses, and a noise shorter than `least_duration`, is `undecided`. The recording has the category
-/// with most energy, if that is at least `majority` of all; else it is `undecided`.
+/// Stretches `quiet_depth` below the loudest are background, hence `none`. Neighbours of one category are one segment.
+/// Creaks with nothing but rest between them, impulses at most `creak_pause` apart, are counted together; one with
+/// fewer than `least_impulses` impulses, and a noise shorter than `least_duration`, is `undecided`. The recording has
+/// the category with most energy, if that is at least `majority` of all; else it is `undecided`.
 RecordingVerdict classify_recording(std::span<const signal::SoundStretch> stretches,
                                     const parameters::SoundThresholds& thresholds);
 

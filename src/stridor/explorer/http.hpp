@@ -40,8 +40,8 @@ struct Response {
 /// request is over or the server ends.
 using Handler = std::function<Response(const Request&, const std::stop_token&)>;
 
-/// Decides which requests are answered at all: gives the refusal, or nothing for one that may go on. Called on the thread that
-/// carries bytes, so it is quick.
+/// Decides which requests are answered at all: gives the refusal, or nothing for one that may go on. Called on the
+/// thread that carries bytes, so it is quick.
 using Admit = std::function<std::optional<Response>(const Request&)>;
 
 /// "No such page": an answer of one line.

@@ -39,8 +39,10 @@ struct Limits {
 ///
 /// What exceeds a limit is refused (413, 431, 503) or closed; memory stays bounded by the limits whatever clients send.
 ///
-/// An answer is stopped when its client leaves, its time is over or the server ends. One that does not heed its token in time
-/// is given up: its place goes to another, its thread to nobody. Ending waits for such threads no longer than for the others.
+/// An answer is stopped when its client leaves, its time is over or the server ends. One that does not heed its token
+/// in time is given up: its place goes to another, its thread to nobody. Ending waits for such threads no longer than
+/// for the
+/// others.
 class Server {
 public:
     /// Listens at once. Throws `Error` (input) for an address that is none, (io) for one that cannot be had.
@@ -54,11 +56,11 @@ public:
 
     /// Answers requests until stopped. Once.
     ///
-    /// Connections over which `admit` has let a request through come first: where there are too many, the one of the others
-    /// that was there longest is closed, so that strangers who say nothing keep nobody out.
+    /// Connections over which `admit` has let a request through come first: where there are too many, the one of the
+    /// others that was there longest is closed, so that strangers who say nothing keep nobody out.
     ///
-    /// Returns how many answers are still being made, by threads that did not stop: with any, whatever the handler refers
-    /// to must outlive them, or the program end at once.
+    /// Returns how many answers are still being made, by threads that did not stop: with any, whatever the handler
+    /// refers to must outlive them, or the program end at once.
     std::size_t serve(const Handler& handler, const std::stop_token& stop, const Admit& admit = {});
 
 private:

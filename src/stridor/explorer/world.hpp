@@ -30,7 +30,8 @@ struct World {
 /// A preset as the text that a case is read from.
 io::TomlSource source_of(const Preset& preset);
 
-/// Gives the samples that came with a preset and opens nothing: whoever reaches the page must not make the program open files.
+/// Gives the samples that came with a preset and opens nothing: whoever reaches the page must not make the program
+/// open files.
 io::SamplesReader samples_of(const Preset& preset);
 
 /// The four cases of Table 1.

@@ -22,13 +22,14 @@ struct EnergyBalance {
 
     /// The residual as a share of all energy that went in or out [1], the turnover.
     ///
-    /// Rounding makes 1e-16 of the energy held, whether any of it is turned over or not: a turnover below a thousandth of it
-    /// counts as that thousandth, so that a motion in which nothing happens has a residual of 1e-13 and not of 1.
+    /// Rounding makes 1e-16 of the energy held, whether any of it is turned over or not: a turnover below a thousandth
+    /// of it counts as that thousandth, so that a motion in which nothing happens has a residual of 1e-13 and not of
+    /// 1.
     double relative_residual() const;
 };
 
-/// `unbalanced` instead of a result whose relative residual is above `most_unexplained`, `diverged` instead of one whose balance
-/// is no number: velocities may still be numbers where their squares no longer are.
+/// `unbalanced` instead of a result whose relative residual is above `most_unexplained`, `diverged` instead of one
+/// whose balance is no number: velocities may still be numbers where their squares no longer are.
 Outcome weighed(const Outcome& outcome, const EnergyBalance& balance, double most_unexplained);
 
 /// What the other terms of a balance leave over [J]: its residual.

@@ -18,8 +18,8 @@ constexpr double narrowest = 0x1p-27;
 // what the form of degree 7 may miss, as a share of its largest coefficient: 2e-7 of the vibration, of which an event function
 // may show a small part (a twentieth has been seen)
 constexpr double missed = 1e-4;
-// so many intervals are looked at before a search is given up: 56 have been seen in 13 million searches, while a function whose
-// coefficients are all rounding would be halved into 2^27. Ten milliseconds at most.
+// so many intervals are looked at before a search is given up: 56 have been seen in 13 million searches, while a
+// function whose coefficients are all rounding would be halved into 2^27. Ten milliseconds at most.
 constexpr int most_intervals = 4096;
 
 struct Interval {

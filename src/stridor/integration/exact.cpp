@@ -35,7 +35,8 @@ constexpr long steps_between_proofs = 16;
 // so many events within this share of a step are a pile-up that double precision cannot resolve
 constexpr int most_events = 1000;
 constexpr double event_window = 1e-3;
-// [1] of the turnover: the balance closes to rounding, 1.4e-10 in the wildest of 20000 cases; far above, a motion has no meaning
+// [1] of the turnover: the balance closes to rounding, 1.4e-10 in the wildest of 20000 cases; far above, a motion has
+// no meaning
 constexpr double most_unexplained = 1e-9;
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The balance of a run: stored energies from the state, losses and the drive's work from the logbook. What it is held against where
-// next to nothing is turned over is the energy held, of the largest numbers that events, ends of spans and the end have shown: in
-// between a motion is made of vibrations about these.
+// The balance of a run: stored energies from the state, losses and the drive's work from the logbook. What it is held
+// against where next to nothing is turned over is the energy held, of the largest numbers that events, ends of spans
+// and the end have shown: in between a motion is made of vibrations about these.
 
 #include "stridor/integration/energy_held.hpp"
 #include "stridor/integration/exact_runner.hpp"

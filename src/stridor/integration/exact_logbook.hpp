@@ -58,8 +58,8 @@ public:
     /// Fills the rest of the run with decaying slip from state `s` at `now` on.
     void fill_with_silence(const Sliding& sliding, const Kernel& loops, Lanes s, double now);
 
-    /// Fills the rest of the run with repetitions of the period that ended at `now` and began at `begin`; less of it after a
-    /// stop request.
+    /// Fills the rest of the run with repetitions of the period that ended at `now` and began at `begin`; less of it
+    /// after a stop request.
     void fill_with_cycle(const Totals& period, double begin, double now, const std::stop_token& stop);
 
 private:

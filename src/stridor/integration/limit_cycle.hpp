@@ -66,8 +66,8 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Repeats the changes of one period, of some duration, until the run's end or until it is to stop: a long run repeats a short
-/// period a thousand million times.
+/// Repeats the changes of one period, of some duration, until the run's end or until it is to stop: a long run repeats
+/// a short period a thousand million times.
 void repeat_period(const std::vector<record::ContactInterval>& period, double duration, double end,
                    record::Recorder& recorder, const std::stop_token& stop);
 

@@ -1,5 +1,5 @@
-// While the contact sticks, u = r x + B q: r moves with the plate (n.r = 0, t.r = 1, x' = V), the columns of B are the motions
-// that the contact leaves free. With hats for what B reduces (M̂ = BᵀMB ...):
+// While the contact sticks, u = r x + B q: r moves with the plate (n.r = 0, t.r = 1, x' = V), the columns of B are the
+// motions that the contact leaves free. With hats for what B reduces (M̂ = BᵀMB ...):
 //
 //     M̂ q" + Ĉ q' + K̂ q = Bᵀ(f0 - M r x" - C r x' - K r x)
 //

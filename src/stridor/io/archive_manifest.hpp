@@ -24,7 +24,8 @@ std::string manifest_line(noise_library::Entry entry, std::uint64_t bytes);
 /// The last line: the hash of all lines before it.
 std::string manifest_closing(std::string_view lines);
 
-/// Throws `Error` (io) where an archive's manifest has not the hash that it ends with. One of the first schema has none.
+/// Throws `Error` (io) where an archive's manifest has not the hash that it ends with. One of the first schema has
+/// none.
 void expect_whole_manifest(TarReader& tar, const std::string& archive);
 
 /// Where in an archive audio stands.

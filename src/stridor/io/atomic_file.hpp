@@ -20,7 +20,8 @@ std::string read_file(const std::string& path);
 /// The bytes go to a temporary name in the same folder, are flushed to the disk and renamed; then the folder is flushed.
 /// A file that was there before stays untouched until the rename and keeps its permissions; a symbolic link is followed;
 /// a device or a pipe is written directly. On any failure the temporary is removed and `Error` (io) names the file and
-/// the reason; that of a process that was killed is removed by the next one that writes into the folder. A program that wants the error of a file size limit rather than its signal ignores SIGXFSZ.
+/// the reason; that of a process that was killed is removed by the next one that writes into the folder. A program
+/// that wants the error of a file size limit rather than its signal ignores SIGXFSZ.
 void write_file(const std::string& path, std::string_view bytes);
 
 /// A file that is written piece by piece, for what is too long to stand in memory, and that appears under its name only as

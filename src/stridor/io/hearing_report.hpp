@@ -61,8 +61,8 @@ std::vector<PlaneSet> sets_of(const HearingReport& report);
 
 bool is_right(const HeardRecording& recording);
 
-/// "stridor.evaluate/1": Table 1, the tables of each chart, of each set and of all together, of both halves and after each
-/// perturbation, and the recordings; thresholds.
+/// "stridor.evaluate/1": Table 1, the tables of each chart, of each set and of all together, of both halves and after
+/// each perturbation, and the recordings; thresholds.
 std::string hearing_json(const HearingReport& report);
 
 /// "stridor.evaluate/1": a row per sound of the charts: where it is, both verdicts, figures of both, why it sounds so, and the

@@ -37,9 +37,8 @@ struct Import {
 /// Adds the entries of an archive; all or none. One that the library has already is skipped, whatever verdict by ear either
 /// has: the library's stays.
 ///
-/// Throws `Error` (input) for an archive that is not what it says, (io) for one whose manifest has not its hash: nothing of it
-/// then stays. No name in it is
-/// ever used as a path. Memory grows with the number of audio files alone.
+/// Throws `Error` (input) for an archive that is not what it says, (io) for one whose manifest has not its hash:
+/// nothing of it then stays. No name in it is ever used as a path. Memory grows with the number of audio files alone.
 Import import_library(noise_library::Library& library, const std::filesystem::path& archive,
                       const TarProgress& progress = {});
 

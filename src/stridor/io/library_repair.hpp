@@ -25,11 +25,13 @@ struct Repair {
 
 /// Repairs a library. A sound one is left alone.
 ///
-/// Entries that say what was written stay, under their ids. One that is lost comes back from an archive: under its id where an index
-/// still has the digest of what it said, under a new one where its sound lies in the folder without an entry. Sounds that then still
-/// have no entry get one by listening to them. Damaged or missing sounds come back from the archives.
+/// Entries that say what was written stay, under their ids. One that is lost comes back from an archive: under its id
+/// where an index still has the digest of what it said, under a new one where its sound lies in the folder without an
+/// entry. Sounds that then still have no entry get one by listening to them. Damaged or missing sounds come back from
+/// the archives.
 ///
-/// The library's name leads to the old or to the new database at any moment. Throws `Error` as `check` and `import_library` do.
+/// The library's name leads to the old or to the new database at any moment. Throws `Error` as `check` and
+/// `import_library` do.
 Repair repair_library(const std::filesystem::path& file, std::span<const std::filesystem::path> archives,
                       const noise_library::Probe& probe);
 

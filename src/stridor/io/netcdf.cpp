@@ -218,8 +218,8 @@ void receive_rows(const base::Receive& receive, std::size_t values, const TakeRo
 
 /// HDF5 writes the temporary file by itself, in a process of its own.
 ///
-/// That process has of the chart what is in memory; the figures are sent to it, for the database they lie in may not be used by
-/// two processes.
+/// That process has of the chart what is in memory; the figures are sent to it, for the database they lie in may not
+/// be used by two processes.
 void write_apart(const std::string& path, const std::string& temporary, const sweep::SweepResult& result,
                  std::span<const signed char> starts) {
     const std::size_t values = sweep::cell_figures().size() * static_cast<std::size_t>(result.study.x.points);

@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <string>
 
-/// NetCDF-4 files after the CF conventions 1.10, written beside their name and renamed. The HDF5 library below crashes where a
-/// write fails, so that its files are made in memory; a chart too large for that is written by a process of its own, whose
-/// death is an error like any other. The same content gives the same bytes. Not for two threads at a time: the library has global state. Throws `Error`
-/// (io).
+/// NetCDF-4 files after the CF conventions 1.10, written beside their name and renamed. The HDF5 library below crashes
+/// where a write fails, so that its files are made in memory; a chart too large for that is written by a process of
+/// its own, whose death is an error like any other. The same content gives the same bytes. Not for two threads at a
+/// time: the library has global state. Throws `Error` (io).
 namespace stridor::io {
 
 /// A chart: dimensions (direction, y, x), the last two named after their parameters ("kinetic_friction", "preload"; with the
@@ -21,8 +21,8 @@ namespace stridor::io {
 /// y, x). Global attributes: x and y (the parameters' keys), study (`sweep::canonical_text`), study_hash,
 /// case (the chart as TOML, which can be run again).
 ///
-/// One that takes more than `largest_in_memory` bytes, generously counted, is not made in memory: usual 32 MiB, some 170,000
-/// computed cells.
+/// One that takes more than `largest_in_memory` bytes, generously counted, is not made in memory: usual 32 MiB, some
+/// 170,000 computed cells.
 void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result,
                         std::size_t largest_in_memory = std::size_t{32} << 20U);
 

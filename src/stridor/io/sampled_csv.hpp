@@ -22,8 +22,8 @@ struct SampledMotion {
 /// non-finite number, a unit of the wrong dimension, and times that do not increase.
 SampledMotion read_sampled_csv(std::string_view text, const std::string& name);
 
-/// The same from a file, which may neither be a pipe or a device nor hold more than 256 MiB. Throws `Error` (io) for what cannot
-/// be read.
+/// The same from a file, which may neither be a pipe or a device nor hold more than 256 MiB. Throws `Error` (io) for
+/// what cannot be read.
 SampledMotion read_sampled_file(const std::string& path);
 
 }  // namespace stridor::io

@@ -11,8 +11,8 @@
 
 namespace stridor::io {
 
-/// Gives the motion of a sampled drive by the path of its file: the only way by which reading a case reaches another file.
-/// Whoever reads for somebody who may name no files hands over one that opens none.
+/// Gives the motion of a sampled drive by the path of its file: the only way by which reading a case reaches another
+/// file. Whoever reads for somebody who may name no files hands over one that opens none.
 using SamplesReader = std::function<SampledMotion(const std::string& path)>;
 
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.

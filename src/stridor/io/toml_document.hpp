@@ -52,7 +52,8 @@ struct TomlDocument {
 /// Throws `Error` (input) with the place for text that is not TOML, a duplicate key, or an override without "=".
 TomlDocument parse_toml(const TomlSource& source);
 
-/// One override taken apart. Throws `Error` (input) for text without "=" or a key, with control characters, or that is no UTF-8.
+/// One override taken apart. Throws `Error` (input) for text without "=" or a key, with control characters, or that is
+/// no UTF-8.
 TomlEntry parse_override(const std::string& text);
 
 /// "a number", "text", "a list", "a section" or the name of an unfit type.

@@ -45,15 +45,16 @@ struct Findings {
 
 bool is_sound(const Findings& findings);
 
-/// Looks at each page, each entry and each sound of a library. Changes nothing. Throws `Error` where it is none, or in use.
+/// Looks at each page, each entry and each sound of a library. Changes nothing. Throws `Error` where it is none, or in
+/// use.
 Findings check(const std::filesystem::path& file, const LibraryOptions& options = {});
 
 /// Sounds in the folder beside a library that none of these entries has, whole ones only.
 std::vector<AudioName> sounds_without_entry(const std::filesystem::path& audio_folder, std::span<const Entry> entries);
 
-/// Writes the database of a library anew with these entries, those without an id getting new ones beyond `last_id`. The file as it was is kept
-/// beside it; its name is returned. Whoever calls sees to it that nobody uses the library meanwhile, as far as that is possible
-/// with a damaged one.
+/// Writes the database of a library anew with these entries, those without an id getting new ones beyond `last_id`.
+/// The file as it was is kept beside it; its name is returned. Whoever calls sees to it that nobody uses the library
+/// meanwhile, as far as that is possible with a damaged one.
 std::filesystem::path replace_database(const std::filesystem::path& file, std::span<const Entry> entries,
                                        std::int64_t last_id);
 

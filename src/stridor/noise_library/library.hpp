@@ -30,8 +30,8 @@ enum class Twins { refuse_same_audio, skip_equal, accept };
 /// value). Several processes may use a library
 /// at once; each change is whole or not there, on disk when its function returns, whatever ends the process. Every
 /// failure throws `Error`: input for a file that is no library of this program, an unknown id, a name or value that means
-/// nothing; io for the rest. What is read is what was written, or an `Error` (io) says that the library is damaged: each page
-/// has a checksum, each entry a digest, and audio is called by its hash.
+/// nothing; io for the rest. What is read is what was written, or an `Error` (io) says that the library is damaged:
+/// each page has a checksum, each entry a digest, and audio is called by its hash.
 class Library {
 public:
     explicit Library(const std::filesystem::path& file, const LibraryOptions& options = {});

@@ -8,12 +8,12 @@
 /// The database of a library: opened, made where there is none, brought up to date where it is of an older layout.
 namespace stridor::noise_library {
 
-/// Layout of a library. Raise it when a table, a column or the meaning of one changes, and let `open_database` bring the older
-/// ones up to date: nobody can compute a library anew.
+/// Layout of a library. Raise it when a table, a column or the meaning of one changes, and let `open_database` bring
+/// the older ones up to date: nobody can compute a library anew.
 inline constexpr int library_schema = 2;
 
-/// What a library's header says: "STRL", where other programs look for the kind of a database; pages have checksums from layout 2
-/// on.
+/// What a library's header says: "STRL", where other programs look for the kind of a database; pages have checksums
+/// from layout 2 on.
 inline constexpr storage::Identity library_identity{0x5354524C, 2};
 
 /// Is the library to be read, or filled, too? Only then is one made where there is none.
@@ -24,8 +24,8 @@ struct LibraryOptions {
     std::chrono::milliseconds wait{10000};  // for another process that writes
 };
 
-/// The folder of its audio, beside the file itself and not beside a link to it. Throws `Error` (input) for a file that has the name of
-/// its folder.
+/// The folder of its audio, beside the file itself and not beside a link to it. Throws `Error` (input) for a file that
+/// has the name of its folder.
 std::filesystem::path audio_folder_of(const std::filesystem::path& file);
 
 /// How a library's file is opened.
@@ -33,9 +33,12 @@ storage::DatabaseOptions database_options(const std::filesystem::path& file, con
 
 /// The database of a library, as this program makes it.
 ///
-/// One of layout 1, which has no checksums, is rewritten: the new file takes the old one's name once it is whole, under the old one's
-/// write lock, so that it survives a kill and a process that writes the old one loses nothing. Where nothing can be written it is
-/// read as it is. Throws `Error`: input for what is no library or a newer one, io where it is damaged or cannot be read.
+/// One of layout 1, which has no checksums, is rewritten: the new file takes the old one's name once it is whole,
+/// under the old one's write lock, so that it survives a kill and a process that writes the old one loses nothing.
+/// Where nothing can be written it is read as it is. Throws `Error`: input for what is no library or a newer one, io
+/// where it is damaged or
+/// cannot be
+/// read.
 storage::Database open_database(const std::filesystem::path& file, const LibraryOptions& options);
 
 }  // namespace stridor::noise_library

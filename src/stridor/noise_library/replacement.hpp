@@ -9,8 +9,10 @@
 
 namespace stridor::noise_library {
 
-/// A library's database written anew beside it ("library.sqlite.new"), which takes its name once it is whole. Gone if it is
-/// never kept; what a killed process left of one is removed by the next. Whoever calls keeps others from writing the library.
+/// A library's database written anew beside it ("library.sqlite.new"), which takes its name once it is whole. Gone if
+/// it is never kept; what a killed process left of one is removed by the next. Whoever calls keeps others from writing
+/// the
+/// library.
 class Replacement {
 public:
     /// Throws `Error` (io) where there is no room for it.

@@ -59,7 +59,8 @@ void put_number(Page& page, std::size_t place, std::uint32_t value) {
         page[place + k] = static_cast<std::uint8_t>(value);
 }
 
-// the first page of a library with so many pages, none of them free: the tables of every library begin at the same pages
+// the first page of a library with so many pages, none of them free: the tables of every library begin at the same
+// pages
 Page first_page(const fs::path& beside, std::uint32_t pages) {
     const Scratch empty(beside);
     {
@@ -76,8 +77,8 @@ Page first_page(const fs::path& beside, std::uint32_t pages) {
     return page;
 }
 
-// Which rows there are is asked along every way that leads to them, since any may be damaged. A way that breaks off is not
-// an error here: what it did not reach is met on another one, or is lost, and that is said.
+// Which rows there are is asked along every way that leads to them, since any may be damaged. A way that breaks off is
+// not an error here: what it did not reach is met on another one, or is lost, and that is said.
 void read_along(Database& database, const std::string& sql, const std::function<void(const Statement&)>& take) {
     constexpr long most_rows = 10'000'000;  // a damaged tree may lead in circles
     try {

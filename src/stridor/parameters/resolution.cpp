@@ -1,13 +1,15 @@
 // What a double, 53 bits or eps = 1.1e-16, can hold of a case.
 //
-// Magnitudes. Rates are sqrt(k/m), energies F²/k, norms of the equations (k/m)²: products of at most four numbers of a case. They
-// stay within 2.2e-308..1.8e308 if each number stays within 1e-75..1e75.
+// Magnitudes. Rates are sqrt(k/m), energies F²/k, norms of the equations (k/m)²: products of at most four numbers of a
+// case. They stay within 2.2e-308..1.8e308 if each number stays within 1e-75..1e75.
 //
-// Time. An instant is known to eps T, T the duration; a step of the exact engine is 2/Omega, Omega the fastest rate. The instant is
-// known to eps T Omega/2 of a step: 6e-5 where Omega T = 1e12. That many steps also take hours.
+// Time. An instant is known to eps T, T the duration; a step of the exact engine is 2/Omega, Omega the fastest rate.
+// The instant is known to eps T Omega/2 of a step: 6e-5 where Omega T = 1e12. That many steps also take hours.
 //
-// Ratios. Stiffnesses along and across the joint are added up into one matrix, masses into one total: the smaller summand is
-// known to eps times the ratio, 1e-4 where that is 1e12. A normal force is known to eps F, a friction force mu N to eps mu F.
+// Ratios. Stiffnesses along and across the joint are added up into one matrix, masses into one total: the smaller
+// summand is known to eps times the ratio, 1e-4 where that is 1e12. A normal force is known to eps F, a friction force
+// mu N to
+// eps mu F.
 
 #include "stridor/parameters/resolution.hpp"
 
@@ -61,8 +63,8 @@ void find_large_and_small(const Case& c, std::vector<Finding>& found) {
     }
 }
 
-// an upper bound of the fastest rate of the motion [1/s], and the field that makes it; friction adds mu_d times the forces across
-// the contact to those along it
+// an upper bound of the fastest rate of the motion [1/s], and the field that makes it; friction adds mu_d times the
+// forces across the contact to those along it
 Named fastest_rate(const Case& c, double friction) {
     const auto vibration = [&](double stiffness, double mass) {
         return std::sqrt((1.0 + friction) * stiffness / mass);

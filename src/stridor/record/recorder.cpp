@@ -65,7 +65,8 @@ void Recorder::count(double to) {
         if (tally != nullptr && is_judged(span.use)) tally->judged_time[state] += length;
         counted_to_ = std::max(counted_to_, end);
         if (end < span.to) break;
-        // the next judged span of this phase is another stretch of time, unless it closes this one: no interval reaches across
+        // the next judged span of this phase is another stretch of time, unless it closes this one: no interval
+        // reaches across
         const bool goes_on = span_ + 1 < schedule_.spans.size() && schedule_.spans[span_ + 1].use == Use::closing;
         if (tally != nullptr && is_judged(span.use) && !goes_on)
             for (Instants& instants : tally->changes)

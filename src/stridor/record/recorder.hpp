@@ -48,8 +48,8 @@ public:
     /// Where the next sample goes; to be asked for each of them.
     Trace& trace();
 
-    /// Ends the record at `time` and hands it over, with what the engine knows of the time after it. Throws `Error` (input) if
-    /// a history was asked for and did not fit.
+    /// Ends the record at `time` and hands it over, with what the engine knows of the time after it. Throws `Error`
+    /// (input) if a history was asked for and did not fit.
     Record finish(double time, const Outlook& outlook = {});
 
 private:

@@ -35,9 +35,9 @@ struct Span {
 
 /// Time cut into spans, from 0 to the end of the run, without gaps, in order.
 ///
-/// Constant drive: the window is judged, but for what of it lies in the share `start` of the run. Otherwise each complete
-/// going or coming phase loses the share `settling` at its start and `reversal` at its end; phases cut short by the window
-/// are counted but not judged.
+/// Constant drive: the window is judged, but for what of it lies in the share `start` of the run. Otherwise each
+/// complete going or coming phase loses the share `settling` at its start and `reversal` at its end; phases cut short
+/// by the window are counted but not judged.
 struct Schedule {
     std::vector<Span> spans;
     std::vector<Phase> phases;  // those that occur, going before coming

@@ -18,12 +18,12 @@ enum class Damage {
     salvage,  // it is read as it stands, for one who looks at each row himself
 };
 
-/// The files of one database connection, whose pages are given a checksum when they are written and are looked at when they
-/// are read: a virtual file system of SQLite's ("VFS") before the system's own.
+/// The files of one database connection, whose pages are given a checksum when they are written and are looked at when
+/// they are read: a virtual file system of SQLite's ("VFS") before the system's own.
 ///
 /// A database is checked if it is new or if two of three signs in its header say that it is ours: SQLite's words, the
-/// application id, the reserved bytes. So one damaged sign does not turn the checks off. One of an older layout, without
-/// reserved bytes, is not checked, and neither is another program's, whose header the caller looks at next.
+/// application id, the reserved bytes. So one damaged sign does not turn the checks off. One of an older layout,
+/// without reserved bytes, is not checked, and neither is another program's, whose header the caller looks at next.
 ///
 /// Pages that come back from a rollback journal are looked at like those of the database.
 class CheckedFiles {

@@ -198,14 +198,16 @@ void Database::copy_bytes(const std::filesystem::path& copy) {
 }
 
 void Database::own() {
-    // what SQLite did not have to undo for this lock is a journal whose process died, or could not remove it, after all was
-    // written; with the lock it is nobody's. Of an empty database it is our own: the lock's transaction makes the first page
+    // what SQLite did not have to undo for this lock is a journal whose process died, or could not remove it, after
+    // all was written; with the lock it is nobody's. Of an empty database it is our own: the lock's transaction makes
+    // the
+    // first page
     std::error_code ignored;
     const std::uintmax_t size = std::filesystem::file_size(file_, ignored);
     if (!ignored && size >= page_size)
         std::filesystem::remove(sqlite3_filename_journal(sqlite3_db_filename(handle_.get(), "main")), ignored);
-    // not before the whole lock is ours: a connection in this mode keeps each part of a lock it ever got, and two that begin at
-    // once would each keep the part that the other one lacks
+    // not before the whole lock is ours: a connection in this mode keeps each part of a lock it ever got, and two that
+    // begin at once would each keep the part that the other one lacks
     execute("PRAGMA locking_mode = EXCLUSIVE");
     is_owned_ = true;
 }

@@ -30,9 +30,9 @@ struct Words {
 /// Whose the file is while it is open.
 ///
 /// `alone`: the lock is taken by the first `Transaction` and kept until the database is closed, so that a second process
-/// is refused and can never change the file between two transactions; of several that begin at once one gets it, if they
-/// wait longer than a lock takes to be got. `shared`: the lock lasts as long as a
-/// transaction, and others wait for it.
+/// is refused and can never change the file between two transactions; of several that begin at once one gets it, if
+/// they wait longer than a lock takes to be got. `shared`: the lock lasts as long as a transaction, and others wait
+/// for it.
 enum class Ownership { alone, shared };
 
 /// What becomes of a file that is not there.
@@ -53,8 +53,8 @@ struct DatabaseOptions {
 /// one that opens the file. Every failure throws `Error`: input for a file of another kind, io with the reason for the
 /// rest. A file that may not be written is opened for reading.
 ///
-/// One with an identity has checksums (`CheckedFiles`): what was read is what was written, or an `Error` (io). Triggers and
-/// views never run, whatever the file holds.
+/// One with an identity has checksums (`CheckedFiles`): what was read is what was written, or an `Error` (io).
+/// Triggers and views never run, whatever the file holds.
 class Database {
 public:
     /// Opens the file, or makes an empty one; nothing is read yet.
@@ -69,7 +69,8 @@ public:
     /// Throws `Error` (io) if the file is shorter than it says: SQLite would read the missing end as zeros.
     void expect_whole();
 
-    /// Throws `Error` (io) if the file holds other tables, indices, triggers or views than those that these statements make.
+    /// Throws `Error` (io) if the file holds other tables, indices, triggers or views than those that these statements
+    /// make.
     void expect_schema(std::span<const std::string> statements);
 
     /// Is nothing in it yet, not even what it is?
@@ -81,8 +82,8 @@ public:
     /// Are its pages checked? Known once something was read.
     bool is_checked() const;
 
-    /// The pages that are not what was written, the first hundred of them, or else SQLite's own findings on how they hang together,
-    /// in words; empty for a sound file. Needs a transaction.
+    /// The pages that are not what was written, the first hundred of them, or else SQLite's own findings on how they
+    /// hang together, in words; empty for a sound file. Needs a transaction.
     std::vector<std::string> damages();
 
     /// Writes the bytes of the file, as they stand, into another one.

@@ -15,8 +15,8 @@ std::uint64_t word_at(std::span<const std::uint8_t, page_size> page, std::size_t
     return word;
 }
 
-// Each step is one to one in the hash and in the word: what differs in one word differs at the end. The odd factor is that
-// of Knuth's linear congruential generator (MMIX); the shift carries high bits back to the low ones.
+// Each step is one to one in the hash and in the word: what differs in one word differs at the end. The odd factor is
+// that of Knuth's linear congruential generator (MMIX); the shift carries high bits back to the low ones.
 std::uint64_t stirred(std::uint64_t hash, std::uint64_t word) {
     hash = (hash ^ word) * 6364136223846793005U;
     return hash ^ (hash >> 29U);

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 
-/// Checksums of the pages of a database: the last bytes of each page, which SQLite leaves to others ("reserved bytes"), hold
-/// a checksum of the page's number and of the bytes before. A changed bit changes it for certain, anything else but for one case
-/// in 2^64. docs/formats/chart.md has the definition.
+/// Checksums of the pages of a database: the last bytes of each page, which SQLite leaves to others ("reserved
+/// bytes"), hold a checksum of the page's number and of the bytes before. A changed bit changes it for certain,
+/// anything else but for one case in 2^64. docs/formats/chart.md has the definition.
 namespace stridor::storage {
 
 inline constexpr std::size_t page_size = 4096;   // [bytes]

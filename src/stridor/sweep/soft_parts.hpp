@@ -7,7 +7,8 @@
 
 namespace stridor::sweep {
 
-/// Soft parts of a car that rub. Table 1 of the paper is a stiff joint (10 and 1 kN/mm); a seal's lip is a thousand times softer.
+/// Soft parts of a car that rub. Table 1 of the paper is a stiff joint (10 and 1 kN/mm); a seal's lip is a thousand
+/// times softer.
 enum class SoftPart { weatherstrip, weatherstrip_shaken, glass_run, clip, wiper, brake_pad };
 
 /// What a soft part is called, and what it is known to do.
@@ -27,11 +28,12 @@ inline constexpr std::array<SoftPartName, 6> soft_part_names{{
     {"brake-pad", "A brake pad on its disc groans when the brake is let go slowly: stick-slip below 100 Hz."},
 }};
 
-/// A case of a soft part with the plane of two quantities that decide whether it is heard; 20 by 14 cells, both directions.
+/// A case of a soft part with the plane of two quantities that decide whether it is heard; 20 by 14 cells, both
+/// directions.
 ///
-/// The drive is constant and the second half is judged, but for `weatherstrip_shaken`: 0.5 mm at 12 Hz, judged by its second
-/// second. The second half holds several tens of beats at the slowest mode. Values, ranges, sources, and what of them
-/// is judgement: docs/methods/soft-parts.md.
+/// The drive is constant and the second half is judged, but for `weatherstrip_shaken`: 0.5 mm at 12 Hz, judged by its
+/// second second. The second half holds several tens of beats at the slowest mode. Values, ranges, sources, and what
+/// of them is judgement: docs/methods/soft-parts.md.
 Study soft_part(SoftPart part);
 
 }  // namespace stridor::sweep

@@ -16,8 +16,8 @@ namespace stridor::sweep {
 /// Layout of a store. Raise it when a table, a column or the meaning of one changes: older stores are then refused.
 inline constexpr int store_schema = 3;
 
-/// What a store's header says: "STRD", where other programs look for the kind of a database; pages have checksums from layout 3
-/// on.
+/// What a store's header says: "STRD", where other programs look for the kind of a database; pages have checksums from
+/// layout 3 on.
 inline constexpr storage::Identity store_identity{0x53545244, 3};
 
 /// Generation of the numbers. Raise it with every change that moves a result (the changelog's "Results changed"): a
@@ -28,8 +28,10 @@ inline constexpr int results_version = 3;
 ///
 /// Tables: meta(key, value) with the study's canonical text, the results version, and program and commit for
 /// information; cell(id, status, category, quiet_because, message, starts, a column per `cell_figures`), id being the
-/// cell's index, category NULL unless done, quiet_because NULL unless that is none, starts the verdicts of its starts as
-/// words, a figure NULL where it is NaN. Only computed cells are in it, never inferred ones. `PRAGMA application_id` and `user_version` say what the file is.
+/// cell's index, category NULL unless done, quiet_because NULL unless that is none, starts the verdicts of its starts
+/// as words, a figure NULL where it is NaN. Only computed cells are in it, never inferred ones. `PRAGMA
+/// application_id`
+/// and `user_version` say what the file is.
 ///
 /// What is read is what was written, or an `Error` (io) says that the store is damaged: each page has a checksum.
 ///

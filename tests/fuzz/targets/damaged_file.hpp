@@ -18,9 +18,10 @@ namespace stridor::fuzz {
 
 /// What an input makes of a sound database.
 ///
-/// Its first byte says how: 0 changes bytes, 1 changes them and then gives each page a checksum that is right, so that what
-/// lies behind the checksums is met, 2 takes the rest of the input for the whole file, 3 the same with right checksums. Changes are
-/// a place (three bytes, the lowest first), a length, and so many bytes; a length of zero cuts the file off there. So an input stays small.
+/// Its first byte says how: 0 changes bytes, 1 changes them and then gives each page a checksum that is right, so that
+/// what lies behind the checksums is met, 2 takes the rest of the input for the whole file, 3 the same with right
+/// checksums. Changes are a place (three bytes, the lowest first), a length, and so many bytes; a length of zero cuts
+/// the file off there. So an input stays small.
 struct Damage {
     std::string bytes{};
     bool is_mended = false;
