@@ -1,0 +1,299 @@
+#include "golden/results.hpp"
+
+#include "golden/values.hpp"
+#include "stridor/analysis/stability_scan.hpp"
+#include "stridor/base/elementary.hpp"
+#include "stridor/classification/contact_rules.hpp"
+#include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/paper_cases.hpp"
+#include "stridor/sweep/keeper.hpp"
+#include "stridor/sweep/run.hpp"
+#include "stridor/sweep/run_sound.hpp"
+#include "stridor/sweep/starts.hpp"
+#include "support/seal_lip.hpp"
+#include "unit/sweep/small_study.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace stridor::golden {
+
+namespace {
+
+using parameters::Case;
+using parameters::DriveKind;
+using parameters::Engine;
+using parameters::ImpactLaw;
+using parameters::PaperCase;
+
+void add(Values& values, const record::Tally& tally) {
+    values.add("time", tally.time);
+    values.add("judged_time", tally.judged_time);
+    for (const record::Instants& instants : tally.changes) {
+        values.add("changes", instants.count);
+        values.add("instant", instants.times);
+    }
+    for (const auto* vibrations : {&tally.vibration, &tally.closing_vibration})
+        for (const record::Vibration& vibration : *vibrations) {
+            values.add("square_time", vibration.square_time);
+            values.add("peak_square", vibration.peak_square);
+        }
+    values.add("vibration_time", tally.vibration_time);
+    values.add("closing_time", tally.closing_time);
+    values.add("releases", tally.releases);
+    values.add("state", tally.ending.state);
+    values.add("since", tally.ending.since);
+    values.add("future", tally.ending.outlook.future);
+    values.add("future_from", tally.ending.outlook.from);
+    values.add("release", tally.ending.outlook.release);
+}
+
+void add(Values& values, const classification::Verdict& verdict) {
+    values.add("category", name(verdict.category));
+    values.add("quiet", name(verdict.quiet));
+    const analysis::Evidence& evidence = verdict.evidence;
+    values.add("regularity", evidence.alternation.regularity);
+    values.add("repetition", evidence.alternation.repetition);
+    values.add("variation", evidence.alternation.variation);
+    values.add("lag", evidence.alternation.lag);
+    values.add("period", evidence.alternation.period);
+    values.add("frequency", evidence.alternation.frequency);
+    for (const analysis::Level& level : {evidence.levels.joint, evidence.levels.plate}) {
+        values.add("rms", level.rms);
+        values.add("peak", level.peak);
+        values.add("decibels", level.decibels);
+    }
+    for (const classification::Margin& margin : verdict.margins)
+        values.add("distance", margin.distance);
+}
+
+void add(Values& values, const record::Trace& trace) {
+    values.add("sample", trace.time);
+    for (const auto* motions : {&trace.displacement, &trace.velocity, &trace.acceleration})
+        for (const std::vector<double>& motion : *motions)
+            values.add("motion", motion);
+    values.add("normal_force", trace.normal_force);
+    values.add("friction_force", trace.friction_force);
+    values.add("gap", trace.gap);
+}
+
+void add(Values& values, const integration::Motion& motion) {
+    values.add("reason", motion.outcome.reason);
+    values.add("time", motion.outcome.time);
+    const integration::EnergyBalance& energy = motion.energy;
+    for (const double term : {energy.stored, energy.preload_work, energy.drive_work, energy.dashpot_loss,
+                              energy.friction_loss, energy.impact_loss, energy.residual, energy.held})
+        values.add("energy", term);
+    if (motion.silence) values.add("silence", motion.silence->time);
+    if (motion.cycle) values.add("cycle", motion.cycle->period);
+    for (const record::ContactInterval& interval : motion.record.history) {
+        values.add("interval", interval.state);
+        values.add("from", interval.from);
+        values.add("slip_velocity", interval.slip_velocity);
+        values.add("gap_velocity", interval.gap_velocity);
+    }
+    add(values, motion.record.trace);
+}
+
+enum class Keep { everything, tallies };
+
+// with nothing kept but the tallies, a run under a constant drive may end early
+record::Request request_of(const Case& c, Keep keep) {
+    record::Request request;
+    if (keep == Keep::tallies) return request;
+    request.history = record::KeepHistory::yes;
+    request.trace = {0.0, c.run.duration, c.run.duration / 100.0};
+    return request;
+}
+
+Result run(std::string name, const Case& c, integration::InstructionSet set, Keep keep) {
+    integration::Workspace workspace;
+    workspace.instruction_set = set;
+    const integration::Motion motion = integration::simulate(c, request_of(c, keep), {}, workspace);
+    Values values;
+    add(values, motion);
+    std::string extract = std::string(integration::reason_names[static_cast<std::size_t>(motion.outcome.reason)]);
+    for (const record::Tally& tally : motion.record.phases) {
+        add(values, tally);
+        const analysis::Evidence evidence = analysis::evidence(tally);
+        const classification::Verdict verdict = classification::classify(evidence, c.verdict);
+        add(values, verdict);
+        extract += fmt::format("; {} slip {:.6f} stick {:.6f}, {:.3f} dB", classification::name(verdict.category),
+                               evidence.rates.slip, evidence.rates.stick, evidence.levels.joint.decibels);
+    }
+    return {std::move(name), values.text(), std::move(extract)};
+}
+
+Case with_engine(Case c, Engine engine) {
+    c.run.engine = engine;
+    c.run.step = 1e-6;
+    return c;
+}
+
+// two periods of a column of Table 1
+Case column(PaperCase which) {
+    Case c = parameters::paper_case(which);
+    c.run.duration = c.run.window = 0.4;
+    return c;
+}
+
+Case constant_drive(double velocity) {
+    Case c = column(PaperCase::squeal);
+    c.drive.kind = DriveKind::constant;
+    c.drive.velocity = velocity;
+    return c;
+}
+
+// a stroke that is no sine: there quickly, back slowly
+Case sampled_drive() {
+    Case c = column(PaperCase::squeak);
+    c.drive.kind = DriveKind::sampled;
+    for (int k = 0; k <= 80; ++k) {
+        const double time = 0.005 * k;
+        const double turn = 5.0 * time;
+        c.drive.times.push_back(time);
+        c.drive.velocities.push_back(0.1 * base::sine_cosine_of_turns(turn).sine +
+                                     0.04 * base::sine_cosine_of_turns(2.0 * turn).sine);
+    }
+    return c;
+}
+
+// a contact that opens and closes often
+Case bouncing(ImpactLaw law) {
+    Case c = column(PaperCase::squeak);
+    c.contact.impact = law;
+    return c;
+}
+
+Result chart(std::string name, const sweep::Study& study) {
+    auto keeper = std::make_shared<sweep::MemoryKeeper>(study);
+    sweep::RunOptions options;
+    options.threads = 1;
+    sweep::run(study, *keeper, options);
+    const sweep::SweepResult result = sweep::load(study, keeper);
+    Values values;
+    for (const sweep::CellVerdict& cell : result.cells) {
+        values.add("status", cell.status);
+        values.add("category", cell.category);
+        values.add("quiet", cell.quiet);
+        values.add("agreement", cell.agreement);
+        values.add("start", cell.shown_start);
+    }
+    result.computed->visit(0, result.cells.size(), [&](sweep::IndexedCell& computed) {
+        values.add("index", computed.index);
+        for (const sweep::CellFigure& figure : sweep::cell_figures())
+            values.add(figure.name, computed.cell.*figure.member);
+        for (const sweep::StartVerdict& start : computed.cell.starts)
+            values.add("verdict", sweep::number_of(start));
+    });
+    std::string extract = fmt::format("{} cells, {} computed:", result.cells.size(), sweep::computed_count(result));
+    const sweep::Counts counts = keeper->counts();
+    for (std::size_t k = 0; k < counts.categories.size(); ++k)
+        extract += fmt::format(" {} {}", counts.categories[k], classification::category_names[k]);
+    return {std::move(name), values.text(), std::move(extract)};
+}
+
+// 8 by 6 points in two directions
+sweep::Study pair() {
+    sweep::Study study = sweep::small_study();
+    study.base.run.duration = study.base.run.window = 0.3;
+    study.x.points = 8;
+    study.y.points = 6;
+    return study;
+}
+
+sweep::Study refined_with_starts() {
+    sweep::Study study = pair();
+    study.x.points = study.y.points = 9;
+    study.refine = 2;
+    study.starts = {parameters::Initial::rest, parameters::Initial::stuck};
+    return study;
+}
+
+Result stability() {
+    const analysis::StabilityScan scan = analysis::scan_stability(
+        column(PaperCase::squeal), analysis::ScanRange{"contact.kinetic_friction", 0.0, 0.8, 17});
+    Values values;
+    std::string extract;
+    for (const analysis::DirectionScan& direction : scan.directions) {
+        for (const analysis::StabilityPoint& point : direction.path.points) {
+            values.add("kind", point.stability.kind);
+            values.add("normal_force", point.stability.normal_force);
+            for (const analysis::Mode& mode : point.stability.modes) {
+                values.add("growth", mode.growth);
+                values.add("frequency", mode.frequency);
+            }
+        }
+        for (const analysis::StabilityBoundary& boundary : direction.path.boundaries) {
+            values.add("boundary", boundary.value);
+            extract += fmt::format("{} from mu_d {:.6f} at {:.3f} Hz; ",
+                                   analysis::stability_names[static_cast<std::size_t>(boundary.above)], boundary.value,
+                                   boundary.frequency);
+        }
+    }
+    return {"stability", values.text(), std::move(extract)};
+}
+
+Result sound(integration::InstructionSet set) {
+    integration::Workspace workspace;
+    workspace.instruction_set = set;
+    const Case c = column(PaperCase::squeal);
+    signal::AuralisationSettings settings;
+    settings.stretches = sweep::heard_stretches(c, parameters::Direction::going);
+    const std::optional<sweep::RunSound> heard = sweep::sound_of_run(c, settings, {}, workspace);
+    Values values;
+    for (const signal::Signal& part : heard->parts)
+        values.add("sample", part.samples);
+    const sweep::HeardVerdict verdict = sweep::judged(heard->parts, {});
+    for (const signal::SoundStretch& stretch : verdict.stretches) {
+        const signal::SoundFeatures& f = stretch.features;
+        for (const double feature :
+             {f.duration, f.mean_square, f.peak, f.clearness, f.frequency, f.prominence, f.tonality, f.regularity,
+              f.repetition, f.repetition_frequency, f.movement, f.trend, f.unsteadiness, f.abruptness, f.rest,
+              f.kurtosis, f.crest, f.impulse_interval, f.impulse_periodicity})
+            values.add("feature", feature);
+        values.add("impulses", stretch.impulses);
+    }
+    values.add("share", verdict.verdict.shares);
+    std::string extract = fmt::format("{}, {} stretches, {:.3f} Hz", classification::name(verdict.verdict.category),
+                                      verdict.stretches.size(), verdict.stretches.front().features.frequency);
+    return {"sound", values.text(), std::move(extract)};
+}
+
+}  // namespace
+
+std::vector<Result> results(integration::InstructionSet set) {
+    std::vector<Result> all;
+    const auto add_run = [&](const std::string& name, const Case& c) {
+        all.push_back(run(name, c, set, Keep::everything));
+    };
+    const auto add_early = [&](const std::string& name, const Case& c) {
+        all.push_back(run(name, c, set, Keep::tallies));
+    };
+    const auto add_by_both = [&](const std::string& name, const Case& c) {
+        add_run(name + ".exact", with_engine(c, Engine::exact));
+        add_run(name + ".beta_2", with_engine(c, Engine::beta_2));
+    };
+    for (std::size_t k = 0; k < parameters::paper_case_names.size(); ++k)
+        add_by_both(std::string(parameters::paper_case_names[k]), column(static_cast<PaperCase>(k)));
+    add_by_both("constant.going", constant_drive(0.1));
+    add_run("constant.coming", constant_drive(-0.1));
+    add_run("constant.lip", support::seal_lip());
+    add_early("early.going", constant_drive(0.1));
+    add_early("early.coming", constant_drive(-0.1));
+    add_early("early.lip", support::seal_lip());
+    add_by_both("sampled", sampled_drive());
+    add_run("impact.normal-only", bouncing(ImpactLaw::normal_only));
+    add_by_both("impact.restitution", bouncing(ImpactLaw::restitution));
+    all.push_back(chart("chart.plain", pair()));
+    all.push_back(chart("chart.refined", refined_with_starts()));
+    all.push_back(stability());
+    all.push_back(sound(set));
+    return all;
+}
+
+}  // namespace stridor::golden
