@@ -4,11 +4,12 @@
 #     docs_examples_test.sh [--update] PROGRAM SOURCE_FOLDER [PAGE.md ...]
 #
 # An example is a line "$ command" in a block fenced by ```console. Lines below it are its expected output, standard
-# output and standard error together; without such lines only the exit code counts. A command may end with a comment
-# "# exit 2" that names the exit code it must have. A line that ends with a backslash goes on in the next line. The
-# examples of one page run one after the other in one empty folder, with PROGRAM on the PATH as `stridor`.
+# output and standard error together; without such lines it must print nothing. A line "..." stands for one or more lines
+# that the page leaves out. A command may end with a comment "# exit 2" that names the exit code it must have. A line that
+# ends with a backslash goes on in the next line. The examples of one page run one after the other in one empty folder,
+# with PROGRAM on the PATH as `stridor`.
 #
-# --update writes the real output into the pages instead; read the difference before you commit it.
+# --update writes the real output into the pages where it is another; read the difference before you commit it.
 set -u
 
 update=no
@@ -63,36 +64,66 @@ take_apart() {
         END { print number + 0 }' "$1"
 }
 
-# a page with the real output in place of the expected one
+# a page with the real output in place of the expected one, but for examples with N.keep
 put_together() {
     awk -v folder="$2" '
-        function real(number,   name, line, blanks) {
-            name = folder "/" number ".actual"
-            while ((getline line < name) > 0) print line
-            close(name)
-        }
-        function has_expected(number,   name, line, found) {
-            name = folder "/" number ".expected"
-            while ((getline line < name) > 0) if (line ~ /[^ \t]/) found = 1
-            close(name)
+        function file(kind) { return folder "/" number "." kind }
+        function keeps(   line, found) {
+            found = (getline line < file("keep")) >= 0
+            close(file("keep"))
             return found
+        }
+        function real(   line) {
+            while ((getline line < file("actual")) > 0) print line
+            close(file("actual"))
+        }
+        function end_of_command() {
+            continues = /\\$/
+            if (continues || keeps()) return
+            real()
+            is_skipping = 1
         }
         /^```console[ \t]*$/ { is_inside = 1; is_skipping = 0; print; next }
         /^```/ && is_inside { is_inside = 0; print; next }
         !is_inside { print; next }
-        continues { print; continues = /\\$/; if (!continues && has_expected(number)) { real(number); is_skipping = 1 }; next }
-        /^\$ / {
-            print; number++; is_skipping = 0
-            continues = /\\$/
-            if (!continues && has_expected(number)) { real(number); is_skipping = 1 }
-            next
-        }
+        continues { print; end_of_command(); next }
+        /^\$ / { print; number++; is_skipping = 0; end_of_command(); next }
         !is_skipping { print }' "$1"
 }
 
 # without blanks at line ends and blank lines at the end
 tidy() {
     awk '{ sub(/[ \t]+$/, ""); line[NR] = $0 } END { while (NR > 0 && line[NR] == "") NR--; for (k = 1; k <= NR; k++) print line[k] }'
+}
+
+# Do the lines of the file $2 agree with those of $1, where "..." stands for one or more lines? What lies between two such
+# marks is looked for from above; the last lines must end the output.
+agree() {
+    awk -v expected="$1" '
+        function matches(first, size, at,   k) {
+            for (k = 0; k < size; k++) if (at + k > lines || wanted[first + k] != line[at + k]) return 0
+            return 1
+        }
+        { line[++lines] = $0 }
+        END {
+            while ((getline text < expected) > 0) wanted[++count] = text
+            at = 1
+            for (first = 1; ; first = next_one + 1) {
+                for (next_one = first; next_one <= count && wanted[next_one] != "..."; next_one++) {}
+                size = next_one - first
+                is_last = next_one > count
+                if (first == 1 && is_last) exit !(size == lines && matches(1, size, 1))
+                if (first == 1) {
+                    if (!matches(1, size, 1)) exit 1
+                    at = size + 1
+                    continue
+                }
+                at++ # the line that the mark stands for at least
+                if (is_last) exit !(lines - size + 1 >= at && matches(first, size, lines - size + 1))
+                while (at <= lines && !matches(first, size, at)) at++
+                at += size
+            }
+        }' "$2"
 }
 
 examples=0
@@ -117,14 +148,17 @@ for page in "$@"; do
             echo "$(cat "$parts/$number.place"): exit code $code, expected ${wanted:-0}:"
             sed 's/^/    $ /' "$parts/$number.command"
             sed 's/^/    /' "$parts/$number.actual" | head -n 40
-        elif [ "$update" = no ] && [ -f "$parts/$number.expected" ]; then
-            tidy <"$parts/$number.expected" >"$parts/$number.tidy"
-            if [ -s "$parts/$number.tidy" ] && ! diff "$parts/$number.tidy" "$parts/$number.actual" >"$parts/$number.diff"; then
-                failures=$((failures + 1))
-                echo "$(cat "$parts/$number.place"): the page (<) says something else than the program (>):"
-                sed 's/^/    $ /' "$parts/$number.command"
-                sed 's/^/    /' "$parts/$number.diff" | head -n 40
-            fi
+            continue
+        fi
+        touch "$parts/$number.expected"
+        tidy <"$parts/$number.expected" >"$parts/$number.tidy"
+        if agree "$parts/$number.tidy" "$parts/$number.actual"; then
+            touch "$parts/$number.keep"
+        elif [ "$update" = no ]; then
+            failures=$((failures + 1))
+            echo "$(cat "$parts/$number.place"): the page (<) says something else than the program (>):"
+            sed 's/^/    $ /' "$parts/$number.command"
+            diff "$parts/$number.tidy" "$parts/$number.actual" | sed 's/^/    /' | head -n 40
         fi
     done
     if [ "$update" = yes ]; then

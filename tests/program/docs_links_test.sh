@@ -6,13 +6,12 @@ cd "$1" || exit 2
 failures=0
 links=0
 for page in README.md CHANGELOG.md $(find docs -name '*.md' | LC_ALL=C sort); do
-    # [text](target), several in a line, outside of fenced blocks; pictures, anchors and web addresses are left out
+    # [text](target), several in a line, pictures too, outside of fenced blocks; anchors and web addresses are left out
     for target in $(awk '
         /^```/ { is_code = !is_code; next }
         is_code { next }
         {
             text = $0
-            gsub(/!\[[^]]*\]\([^)]*\)/, "", text)
             while (match(text, /\]\([^)]*\)/)) {
                 print substr(text, RSTART + 2, RLENGTH - 3)
                 text = substr(text, RSTART + RLENGTH)
