@@ -129,7 +129,7 @@ void add_figure(CLI::App& program) {
 
     auto paper = std::make_shared<PaperOptions>();
     CLI::App* all = figure->add_subcommand(
-        "paper", "Figures 3, 5, 6, 7 and 8 of the paper from its own cases (about two minutes on two cores).");
+        "paper", "Figures 3, 5, 6, 7 and 8 of the paper from its own cases (a few seconds on two cores).");
     all->add_option("--out", paper->out, "folder")->type_name("DIR")->capture_default_str();
     all->add_option("--threads", paper->threads, "number of threads (default: one per processor)")
         ->check(CLI::Range(0, 4096));

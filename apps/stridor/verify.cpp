@@ -43,7 +43,7 @@ void verify() {
 void add_verify(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "verify", "Compute the numbers this program must reproduce, and hold them against closed forms.");
-    command->footer("Takes about ten seconds. Exit code 3 if any check fails.");
+    command->footer("Takes about a second. Exit code 3 if any check fails.");
     command->callback([] { verify(); });
 }
 
