@@ -8,6 +8,8 @@
 #include "stridor/chart/time_history.hpp"
 #include "stridor/io/atomic_file.hpp"
 
+#include <optional>
+
 namespace stridor::app {
 
 namespace {
@@ -15,8 +17,9 @@ namespace {
 // long enough for a few dozen changes of state of a squeal
 constexpr double zoom_length = 20e-3;  // [s]
 
-chart::Range zoom_range(const parameters::Case& c, const std::string& zoom) {
-    if (zoom.empty()) return chart::telling_stretch(c, zoom_length);
+std::optional<chart::Range> zoom_range(const parameters::Case& c, const record::ContactHistory& history,
+                                       const std::string& zoom) {
+    if (zoom.empty()) return chart::busiest_stretch(c, history, zoom_length);
     const std::size_t colon = zoom.find(':');
     if (colon == std::string::npos)
         throw Error(ErrorKind::input,
@@ -42,7 +45,7 @@ void draw_both(const chart::Scene& scene, const std::filesystem::path& stem) {
 
 chart::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom) {
     chart::TimeHistoryOptions options;
-    options.zoom = zoom_range(c, zoom);
+    options.zoom = zoom_range(c, record.history, zoom);
     return chart::time_history(c, record, options);
 }
 

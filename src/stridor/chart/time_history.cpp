@@ -24,7 +24,8 @@ struct Curve {
     double cut = 0.0;                             // [1] share of the samples at either end that may lie beyond the axis
 };
 
-// Impact peaks grow without bound as the time step shrinks: an axis that shows them whole shows nothing else.
+// Impact peaks of beta_2 grow without bound as the time step shrinks: an axis that shows them whole shows nothing else. The
+// exact engine has none: its impacts take no time.
 constexpr double peak_share = 2e-3;
 
 Text body_symbol(std::string_view letter, std::string_view number) {
@@ -40,7 +41,7 @@ void add_motion(std::vector<Curve>& curves, const std::vector<std::vector<double
         curves.push_back({names[dof], unit, &motion[dof], cut});
 }
 
-void add_curves(std::vector<Curve>& curves, const record::Trace& trace, Signal signal) {
+void add_curves(std::vector<Curve>& curves, const record::Trace& trace, Signal signal, double cut) {
     switch (signal) {
         case Signal::imposed_velocity:
             curves.push_back({symbol("V"), "m/s", &trace.surface_velocity});
@@ -52,11 +53,11 @@ void add_curves(std::vector<Curve>& curves, const record::Trace& trace, Signal s
             add_motion(curves, trace.velocity, {"ẋ", "ẏ"}, "m/s");
             break;
         case Signal::acceleration:
-            add_motion(curves, trace.acceleration, {"ẍ", "ÿ"}, "m/s^2", peak_share);
+            add_motion(curves, trace.acceleration, {"ẍ", "ÿ"}, "m/s^2", cut);
             break;
         case Signal::contact_forces:
-            curves.push_back({symbol("N"), "N", &trace.normal_force, peak_share});
-            curves.push_back({symbol("T"), "N", &trace.friction_force, peak_share});
+            curves.push_back({symbol("N"), "N", &trace.normal_force, cut});
+            curves.push_back({symbol("T"), "N", &trace.friction_force, cut});
             break;
     }
 }
@@ -134,6 +135,43 @@ Range traced(const record::Record& record) {
     return {time.front(), std::max(time.back(), end)};
 }
 
+bool is_impact(const record::ContactInterval& interval) {
+    return interval.state != model::ContactState::separation && interval.gap_velocity < 0.0;
+}
+
+bool runs_beyond(const Panel& panel) {
+    const auto leaves = [&](const Layer& layer) {
+        const Line* line = std::get_if<Line>(&layer);
+        return line != nullptr && std::any_of(line->y.begin(), line->y.end(), [&](double value) {
+                   return value < panel.y.range.from || value > panel.y.range.to;
+               });
+    };
+    return std::any_of(panel.layers.begin(), panel.layers.end(), leaves);
+}
+
+std::string times_text(std::size_t number) {
+    return number == 1 ? "once" : number == 2 ? "twice" : fmt::format("{} times", number);
+}
+
+// "In b) the contact separates 8 times and sticks twice."
+std::string changes_text(const record::ContactHistory& history, const Range& stretch) {
+    std::array<std::size_t, model::contact_states> entries{};
+    for (const record::ContactInterval& interval : history)
+        if (interval.from > stretch.from && interval.from < stretch.to) ++entries[model::index_of(interval.state)];
+    const std::size_t separations = entries[model::index_of(model::ContactState::separation)];
+    const std::size_t sticks = entries[model::index_of(model::ContactState::stick)];
+    const std::size_t slips = entries[model::index_of(model::ContactState::slip)];
+    std::string text;
+    const auto add = [&](std::string_view verb, std::size_t number) {
+        if (number > 0) text += fmt::format("{}{} {}", text.empty() ? "" : " and ", verb, times_text(number));
+    };
+    add("separates", separations);
+    add("sticks", sticks);
+    // a slip follows each of the two but the last
+    if (text.empty()) add("begins to slip", slips);
+    return text.empty() ? "In b) the contact does not change its state." : "In b) the contact " + text + ".";
+}
+
 std::string phase_name(const parameters::Case& c, const Range& stretch) {
     for (const record::Span& span : record::schedule(c).spans)
         if (stretch.from >= span.from && stretch.to <= span.to && span.phase != record::Phase::all)
@@ -141,20 +179,45 @@ std::string phase_name(const parameters::Case& c, const Range& stretch) {
     return {};
 }
 
+// the stretch with the most changes of state so far
+struct Busiest {
+    Range stretch;
+    std::size_t changes = 0;
+
+    void look_at(const record::ContactHistory& history, const Range& within, double length) {
+        std::vector<double> times;
+        for (std::size_t k = 1; k < history.size(); ++k)
+            if (history[k].from >= within.from && history[k].from <= within.to) times.push_back(history[k].from);
+        const double fitting = std::min(length, within.to - within.from);
+        for (std::size_t first = 0, last = 0; first < times.size(); ++first) {
+            while (last < times.size() && times[last] <= times[first] + fitting)
+                ++last;
+            if (last - first <= changes) continue;
+            changes = last - first;
+            // amid what it shows
+            const double middle = 0.5 * (times[first] + times[last - 1]);
+            const double grid = 0.05 * fitting;  // so that its ends are short numbers
+            const double from =
+                std::clamp(std::round((middle - 0.5 * fitting) / grid) * grid, within.from, within.to - fitting);
+            stretch = {from, from + fitting};
+        }
+    }
+};
+
 }  // namespace
 
 Scene time_history(const parameters::Case& c, const record::Record& record, const TimeHistoryOptions& options) {
     STRIDOR_EXPECT(!record.trace.time.empty());
     std::vector<Curve> curves;
+    const bool has_peaks = c.run.engine == parameters::Engine::beta_2 &&
+                           std::any_of(record.history.begin(), record.history.end(), is_impact);
     for (const Signal signal : options.signals)
-        add_curves(curves, record.trace, signal);
+        add_curves(curves, record.trace, signal, has_peaks ? peak_share : 0.0);
     Range whole = options.whole;
     if (!(whole.from < whole.to)) whole = traced(record);
     Scene scene;
     scene.title = c.title.empty() ? Text("Time history") : Text(c.title);
     scene.caption = {conditions(c)};
-    if (std::any_of(curves.begin(), curves.end(), [](const Curve& curve) { return curve.cut > 0.0; }))
-        scene.caption.emplace_back("Impact peaks, whose height follows from the time step, run beyond the axes.");
     scene.row_heights.assign(curves.size(), 1.0);
     scene.row_heights.push_back(0.75);
     scene.height = 30.0 + 24.0 * static_cast<double>(curves.size());
@@ -162,12 +225,25 @@ Scene time_history(const parameters::Case& c, const record::Record& record, cons
     add_column(scene, record, curves, whole);
     if (options.zoom) {
         add_column(scene, record, curves, *options.zoom);
+        scene.caption.emplace_back(changes_text(record.history, *options.zoom));
         mark(scene, *options.zoom);
         scene.panels.front().title = lettered(0, "whole run");
         scene.panels[curves.size() + 1].title = lettered(
             1, fmt::format("{:g} s to {:g} s{}", options.zoom->from, options.zoom->to, phase_name(c, *options.zoom)));
     }
+    if (has_peaks && std::any_of(scene.panels.begin(), scene.panels.end(), runs_beyond))
+        scene.caption.emplace_back("Impact peaks, whose height follows from the time step, run beyond the axes.");
     return scene;
+}
+
+std::optional<Range> busiest_stretch(const parameters::Case& c, const record::ContactHistory& history, double length) {
+    Busiest judged;
+    Busiest any;
+    for (const record::Span& span : record::schedule(c).spans)
+        if (record::is_judged(span.use)) judged.look_at(history, {span.from, span.to}, length);
+    any.look_at(history, {0.0, c.run.duration}, length);
+    const Busiest& best = judged.changes >= 2 ? judged : any;
+    return best.changes > 0 ? std::optional(best.stretch) : std::nullopt;
 }
 
 Range telling_stretch(const parameters::Case& c, double length) {

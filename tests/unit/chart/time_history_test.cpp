@@ -46,11 +46,50 @@ TEST(TimeHistory, HasARowPerCurveAndTheContactStatesBelow) {
 }
 
 TEST(TimeHistory, ImpactPeaksDoNotSetTheAxisButAreDrawn) {
-    const Scene scene = time_history({}, example());
+    parameters::Case c;
+    c.run.engine = parameters::Engine::beta_2;
+    record::Record record = example();
+    record.history = {{model::ContactState::slip, 0.0, 0.3, 0.0, 0.0},
+                      {model::ContactState::separation, 0.3, 0.5, 0.0, 0.0},
+                      {model::ContactState::slip, 0.5, 1.0, 0.0, -0.1}};
+    const Scene scene = time_history(c, record);
     EXPECT_LT(scene.panels[1].y.range.to, 2.0);
     const Line line = layers_of<Line>(scene.panels[1]).at(0);
     EXPECT_EQ(*std::max_element(line.y.begin(), line.y.end()), 1e6);
     EXPECT_EQ(scene.caption.size(), 2U) << "the reader is told";
+}
+
+TEST(TimeHistory, ARunWithoutImpactsBlamesNone) {
+    for (const parameters::Engine engine : {parameters::Engine::beta_2, parameters::Engine::exact}) {
+        parameters::Case c;
+        c.run.engine = engine;
+        const Scene scene = time_history(c, example());
+        EXPECT_GT(scene.panels[1].y.range.to, 1e6) << "a peak that is no impact is a part of the motion";
+        EXPECT_EQ(scene.caption.size(), 1U);
+    }
+}
+
+TEST(TimeHistory, TheExactEngineHasNoPeaksThatFollowFromAStep) {
+    record::Record record = example();
+    record.history.push_back({model::ContactState::separation, 1.0, 1.0, 0.0, 0.0});
+    record.history.push_back({model::ContactState::slip, 1.0, 1.0, 0.0, -0.1});
+    parameters::Case c;
+    c.run.engine = parameters::Engine::exact;
+    EXPECT_EQ(time_history(c, record).caption.size(), 1U);
+}
+
+TEST(TimeHistory, SaysWhatTheZoomShows) {
+    record::Record record = example();
+    TimeHistoryOptions options;
+    options.zoom = Range{0.2, 0.4};
+    EXPECT_EQ(plain_text(time_history({}, record, options).caption.at(1)),
+              "In b) the contact does not change its state.");
+    record.history = {{model::ContactState::slip, 0.0, 0.25, 0.0, 0.0},
+                      {model::ContactState::stick, 0.25, 0.3, 0.0, 0.0},
+                      {model::ContactState::separation, 0.3, 0.35, 0.0, 0.0},
+                      {model::ContactState::stick, 0.35, 1.0, 0.0, 0.0}};
+    EXPECT_EQ(plain_text(time_history({}, record, options).caption.at(1)),
+              "In b) the contact separates once and sticks twice.");
 }
 
 TEST(TimeHistory, PeaksOfVelocitiesSetTheirAxis) {
@@ -76,6 +115,49 @@ TEST(TimeHistory, ZoomStandsBesideAndIsMarked) {
     for (std::size_t row = 0; row < 5; ++row)
         EXPECT_EQ(layers_of<Boxes>(scene.panels[row]).at(0).boxes.at(0).x, *options.zoom);
     EXPECT_EQ(plain_text(scene.panels[5].title), "b) 0.2 s to 0.22 s (going)");
+}
+
+// slips of 1 ms each, one after each stay of these lengths
+record::ContactHistory sticks(const std::vector<double>& lengths) {
+    record::ContactHistory history;
+    double time = 0.0;
+    for (const double length : lengths) {
+        history.push_back({model::ContactState::stick, time, time + length, 0.0, 0.0});
+        history.push_back({model::ContactState::slip, time + length, time + length + 1e-3, 0.0, 0.0});
+        time += length + 1e-3;
+    }
+    return history;
+}
+
+TEST(BusiestStretch, IsWhereTheContactChangesMost) {
+    parameters::Case c;
+    c.drive.kind = parameters::DriveKind::constant;
+    c.run.duration = 1.0;
+    c.run.window = 0.5;
+    // slips at 0.6, then four close together from 0.8 s on
+    const std::optional<Range> stretch = busiest_stretch(c, sticks({0.6, 0.2, 2e-3, 2e-3, 2e-3, 0.1}), 0.02);
+    ASSERT_TRUE(stretch);
+    EXPECT_LT(stretch->from, 0.801);
+    EXPECT_GT(stretch->to, 0.811);
+    EXPECT_NEAR(stretch->to - stretch->from, 0.02, 1e-12);
+}
+
+TEST(BusiestStretch, PrefersWhatIsJudged) {
+    parameters::Case c;
+    c.drive.kind = parameters::DriveKind::constant;
+    c.run.duration = 1.0;
+    c.run.window = 0.5;
+    const std::optional<Range> late = busiest_stretch(c, sticks({1e-3, 1e-3, 1e-3, 0.8, 2e-3}), 0.02);
+    ASSERT_TRUE(late);
+    EXPECT_GT(late->from, 0.5);
+    const std::optional<Range> early = busiest_stretch(c, sticks({1e-3, 1e-3, 1e-3}), 0.02);
+    ASSERT_TRUE(early);
+    EXPECT_LT(early->from, 0.5);
+}
+
+TEST(BusiestStretch, IsNoneWhereNothingHappens) {
+    EXPECT_FALSE(busiest_stretch({}, example().history, 0.02));
+    EXPECT_FALSE(busiest_stretch({}, {}, 0.02));
 }
 
 TEST(TellingStretch, LiesInAGoingPhase) {
