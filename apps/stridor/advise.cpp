@@ -1,6 +1,7 @@
 #include "advise_text.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "progress.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/quantity.hpp"
@@ -12,7 +13,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -88,41 +88,12 @@ auto named(const char* option, const std::string& text, Read read) {
     }
 }
 
-// a line that is redrawn in a terminal, a line per stage anywhere else
-class StageDisplay {
-public:
-    ~StageDisplay() { clear(); }
-
-    void show(sweep::AdviceStage stage, std::size_t runs) {
-        const auto number = static_cast<std::size_t>(stage);
-        const std::string line = fmt::format("{} of {}: {}, {} runs", number + 1, sweep::advice_stage_names.size(),
-                                             sweep::advice_stage_names[number], runs);
-        if (has_terminal()) {
-            const auto now = std::chrono::steady_clock::now();
-            if (has_line_ && now - shown_ < std::chrono::milliseconds(100)) return;
-            shown_ = now;
-            has_line_ = true;
-            std::fprintf(stderr, "\r\033[K%s", line.c_str());
-            std::fflush(stderr);
-        } else if (!is_started_ || stage != stage_) {
-            say(fmt::format("{} of {}: {}", number + 1, sweep::advice_stage_names.size(),
-                            sweep::advice_stage_names[number]));
-        }
-        is_started_ = true;
-        stage_ = stage;
-    }
-
-    void clear() {
-        if (has_line_) std::fprintf(stderr, "\r\033[K");
-        has_line_ = false;
-    }
-
-private:
-    sweep::AdviceStage stage_ = sweep::AdviceStage::margins;
-    std::chrono::steady_clock::time_point shown_{};
-    bool is_started_ = false;
-    bool has_line_ = false;
-};
+// "2 of 4: nearest design, 1820 runs"
+std::string stage_text(const sweep::AdviceProgress& progress) {
+    const auto number = static_cast<std::size_t>(progress.stage);
+    return fmt::format("{} of {}: {}, {} runs", number + 1, sweep::advice_stage_names.size(),
+                       sweep::advice_stage_names[number], progress.runs);
+}
 
 sweep::Advice advice_on(const parameters::Case& c, const AdviseCommand& command) {
     sweep::AdviceOptions options;
@@ -134,8 +105,10 @@ sweep::Advice advice_on(const parameters::Case& c, const AdviseCommand& command)
     options.threads = command.threads;
     const Interrupt interrupt;
     options.stop = interrupt.token();
-    StageDisplay display;
-    options.progress = [&](sweep::AdviceStage stage, std::size_t runs) { display.show(stage, runs); };
+    ShareDisplay display("advice:", TimeLeft::shown);
+    options.progress = [&](const sweep::AdviceProgress& progress) {
+        display.show(progress.share, stage_text(progress));
+    };
     return sweep::advise(c, options);
 }
 

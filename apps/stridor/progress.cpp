@@ -79,21 +79,35 @@ void ProgressDisplay::finish() {
     has_line_ = false;
 }
 
+std::string ShareDisplay::line(double share, const std::string& detail) {
+    std::string text =
+        fmt::format("{} {} %{}{}", what_, static_cast<int>(100.0 * share), detail.empty() ? "" : ", ", detail);
+    if (time_left_ == TimeLeft::hidden || !(share > begin_share_)) return text;
+    const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    return text + ", " + duration_text(taken * (1.0 - share) / (share - begin_share_)) + " left";
+}
+
 void ShareDisplay::show(double share, const std::string& detail) {
     const int percent = static_cast<int>(100.0 * share);
-    const std::string line = fmt::format("{} {} %{}{}", what_, percent, detail.empty() ? "" : ", ", detail);
+    if (begin_share_ < 0.0) {
+        begin_share_ = share;
+        begin_ = std::chrono::steady_clock::now();
+    }
     if (has_terminal()) {
-        if (percent == said_ && has_line_) return;
+        // ten times a second is more than an eye follows
+        const auto now = std::chrono::steady_clock::now();
+        if (has_line_ && percent == said_ && now - drawn_ < std::chrono::milliseconds(100)) return;
+        drawn_ = now;
         said_ = percent;
         const auto width = static_cast<std::size_t>(terminal_columns() > 1 ? terminal_columns() - 1 : 1);
-        std::fprintf(stderr, "\r\033[K%s", shown(line).substr(0, width).c_str());
+        std::fprintf(stderr, "\r\033[K%s", shown(line(share, detail)).substr(0, width).c_str());
         std::fflush(stderr);
         has_line_ = true;
         return;
     }
     if (percent / 10 <= said_ / 10) return;
     said_ = percent;
-    say(line);
+    say(line(share, detail));
 }
 
 void ShareDisplay::clear() {

@@ -2,6 +2,7 @@
 
 #include "stridor/sweep/run.hpp"
 
+#include <chrono>
 #include <string>
 #include <utility>
 
@@ -28,11 +29,16 @@ private:
     bool has_line_ = false;
 };
 
+/// Does a display say how long it will still take?
+enum class TimeLeft { hidden, shown };
+
 /// Shows on stderr how far a long piece of work is: a line that is redrawn in a terminal, a line per 10 % anywhere else.
 class ShareDisplay {
 public:
     /// `what` begins the line: "analysed".
-    explicit ShareDisplay(std::string what) : what_(std::move(what)) {}
+    explicit ShareDisplay(std::string what, TimeLeft time_left = TimeLeft::hidden)
+        : what_(std::move(what)),
+          time_left_(time_left) {}
     ~ShareDisplay() { clear(); }
     ShareDisplay(const ShareDisplay&) = delete;
     ShareDisplay& operator=(const ShareDisplay&) = delete;
@@ -44,8 +50,14 @@ public:
     void clear();
 
 private:
+    std::string line(double share, const std::string& detail);
+
     std::string what_;
-    int said_ = 0;  // [%]
+    TimeLeft time_left_;
+    std::chrono::steady_clock::time_point begin_{};  // when it was shown first
+    std::chrono::steady_clock::time_point drawn_{};
+    double begin_share_ = -1.0;  // [1] what was done then
+    int said_ = 0;               // [%]
     bool has_line_ = false;
 };
 

@@ -50,6 +50,23 @@ const std::vector<std::string> friction{"--over", "kinetic_friction=0.3:0.8"};
 
 }  // namespace
 
+TEST_F(Advise, SaysHowFarItIsALinePerTenPercent) {
+    const Finished finished = advise({"--over", "kinetic_friction", "--over", "preload=5:50"});
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    int lines = 0;
+    int last = 0;
+    for (std::size_t at = 0; (at = finished.err.find("advice: ", at)) != std::string::npos; ++at) {
+        const int percent = std::stoi(finished.err.substr(at + 8));
+        EXPECT_GT(percent, last) << "it never goes back:\n" << finished.err;
+        last = percent;
+        ++lines;
+    }
+    EXPECT_GE(lines, 3) << finished.err;
+    EXPECT_LE(lines, 10) << finished.err;
+    EXPECT_NE(finished.err.find(" of 4: "), std::string::npos) << finished.err;
+    EXPECT_NE(finished.err.find(" left"), std::string::npos) << finished.err;
+}
+
 TEST_F(Advise, NamesAChangeThatSimulateCallsQuiet) {
     const json advice = document(friction);
     EXPECT_EQ(advice["schema"], "stridor.advice/1");

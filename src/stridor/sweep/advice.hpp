@@ -20,13 +20,21 @@ enum class AdviceStage { margins, nearest, changes, chance };
 
 inline constexpr std::array<std::string_view, 4> advice_stage_names{"margins", "nearest design", "changes", "chance"};
 
+/// How far advice is.
+struct AdviceProgress {
+    AdviceStage stage = AdviceStage::margins;
+    std::size_t runs = 0;  // [1] designs simulated so far
+    double share =
+        0.0;  // [1] of the work done, never falling: an estimate, for each stage asks what the one before found
+};
+
 struct AdviceOptions {
     std::vector<AskedRange> over{};            // what may be changed; empty: all with a usual range
     std::vector<AskedTolerance> tolerances{};  // empty: no chance of noise is computed
     ChanceOptions chance{};
-    int threads = 0;                                                // [1] 0: one per processor this process may use
-    std::stop_token stop{};                                         // asks for an early end
-    std::function<void(AdviceStage, std::size_t runs)> progress{};  // called from the caller's thread
+    int threads = 0;                                        // [1] 0: one per processor this process may use
+    std::stop_token stop{};                                 // asks for an early end
+    std::function<void(const AdviceProgress&)> progress{};  // called from the caller's thread
 };
 
 /// Advice on a design.
