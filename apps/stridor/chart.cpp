@@ -25,6 +25,7 @@ namespace {
 
 struct ChartOptions {
     CaseOptions input;
+    io::AxisTexts axes;
     std::string out;
     int threads = 0;
     bool json = false;
@@ -63,8 +64,19 @@ std::string starts_text(const sweep::SweepResult& result) {
     return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
 }
 
+// "the design lies outside of the chart: contact.preload = 50 N, contact.kinetic_friction = 0.6"
+std::string outside_text(const sweep::Study& study) {
+    std::string values;
+    for (const sweep::Axis* axis : {&study.x, &study.y}) {
+        if (axis == &study.y && sweep::has_one_axis(study)) continue;
+        const parameters::Field& field = *parameters::find_field(axis->parameter);
+        values += (values.empty() ? "" : ", ") + axis->parameter + " = " + parameters::value_text(study.base, field);
+    }
+    return "the design lies outside of the chart: " + values;
+}
+
 void chart(const ChartOptions& options) {
-    sweep::Study study = io::read_study(io::load_toml(options.input.file, options.input.overrides));
+    sweep::Study study = io::read_study(io::load_toml(options.input.file, options.input.overrides), options.axes);
     if (options.preview) study = sweep::preview(std::move(study));
     const std::string name =
         std::filesystem::path(options.input.file).stem().string() + (options.preview ? "-preview" : "");
@@ -81,6 +93,7 @@ void chart(const ChartOptions& options) {
     io::write_file((out / "boundaries.csv").string(), io::boundaries_csv(study, sweep::boundaries(result)));
     io::write_chart_netcdf((out / "chart.nc").string(), result);
     draw_charts(result, out);
+    if (!sweep::holds_design(study)) say(outside_text(study));
     if (options.json) {
         print(io::chart_json(result) + "\n");
         return;
@@ -107,6 +120,13 @@ void add_chart(CLI::App& program) {
     add_case_options(*command, options->input);
     add_no_early_option(*command, options->input);
     command
+        ->add_option(
+            "--x", options->axes.x,
+            "the axis x instead of the file's [chart]: preload=1:40, \"incidence_angle=20:85 deg:60\"; without "
+            "POINTS 40, without SCALE what is usual for the quantity (linear or log)")
+        ->type_name("KEY=FROM:TO[:POINTS[:SCALE]]");
+    command->add_option("--y", options->axes.y, "the axis y, likewise")->type_name("KEY=FROM:TO[:POINTS[:SCALE]]");
+    command
         ->add_option("--out", options->out,
                      "folder for store, figures and tables (default: the file's name, with -preview for one)")
         ->type_name("DIR");
@@ -118,7 +138,8 @@ void add_chart(CLI::App& program) {
     command->footer(
         "Ctrl-C stops and keeps all finished cells; the same command goes on. A killed run loses at most half a second "
         "of work.\n"
-        "Examples:\n  stridor init noise-chart -o pair.toml\n  stridor chart pair.toml --out pair\n"
+        "Examples:\n  stridor chart squeal.toml --x preload=1:40 --y mu_d=0.2:0.8 --out pair\n"
+        "  stridor init noise-chart -o pair.toml\n  stridor chart pair.toml --out pair\n"
         "  stridor chart pair.toml --out quick --set chart.x.points=12 --set chart.y.points=12");
     command->callback([options] { chart(*options); });
 }

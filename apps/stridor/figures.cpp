@@ -2,6 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
+#include "stridor/chart/design_mark.hpp"
 #include "stridor/chart/gnuplot.hpp"
 #include "stridor/chart/noise_chart.hpp"
 #include "stridor/chart/stability.hpp"
@@ -60,7 +61,9 @@ void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& 
     // the first quantity is the chart; further ones stand beside it under their own names
     bool is_first = true;
     for (const std::string& quantity : result.study.quantities) {
-        draw_both(chart::quantity_chart(result, quantity), folder / (is_first ? "chart" : "chart-" + quantity));
+        chart::Scene scene = chart::quantity_chart(result, quantity);
+        chart::mark_design(scene, result.study);
+        draw_both(scene, folder / (is_first ? "chart" : "chart-" + quantity));
         is_first = false;
     }
 }

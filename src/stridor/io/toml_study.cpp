@@ -2,6 +2,7 @@
 
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/io/axis_text.hpp"
 #include "stridor/io/toml_case.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/sweep/starts.hpp"
@@ -48,23 +49,38 @@ void check_chart_keys(const TomlDocument& document) {
     }
 }
 
-void check_chart_complete(const TomlDocument& document) {
+bool has_axis(const TomlDocument& document, std::string_view prefix) {
+    return std::any_of(document.entries.begin(), document.entries.end(),
+                       [&](const TomlEntry& entry) { return entry.key.starts_with(prefix); });
+}
+
+// a diagram over x alone: the command line or the file says nothing of y
+bool is_over_x_alone(const TomlDocument& document, const AxisTexts& axes) {
+    return axes.y.empty() && (!axes.x.empty() || !has_axis(document, "chart.y"));
+}
+
+void check_chart_complete(const TomlDocument& document, const AxisTexts& axes) {
     const TomlEntry* chart = document.find("chart");
     if (chart != nullptr && !std::holds_alternative<TomlTable>(chart->value)) throw wrong_type(*chart, "a section");
     std::string missing;
     bool has_any = chart != nullptr;
-    for (const std::string_view axis : {"chart.x.", "chart.y."})
+    for (const auto& [axis, text] : {std::pair("chart.x.", axes.x), std::pair("chart.y.", axes.y)}) {
+        if (axis == std::string_view("chart.y.") && is_over_x_alone(document, axes)) continue;
+        has_any = has_any || !text.empty();
         for (const std::string_view name : required_axis_keys) {
-            const std::string key = std::string(axis) + std::string(name);
-            const bool is_there = document.find(key) != nullptr;
+            const std::string key = axis + std::string(name);
+            const bool is_there = !text.empty() || document.find(key) != nullptr;
             has_any = has_any || is_there;
             if (!is_there) missing += (missing.empty() ? "" : ", ") + key;
         }
+    }
     if (!has_any)
-        throw Error(ErrorKind::input,
-                    {"there is no section [chart]", "it says which two parameters span the chart",
-                     "`stridor init noise-chart` prints one to start from."},
-                    whole_file(document));
+        throw Error(
+            ErrorKind::input,
+            {"there is no section [chart]", "it says which two parameters span the chart",
+             "Name them: stridor chart " + document.name +
+                 " --x preload=1:40 --y mu_d=0.2:0.8. `stridor init noise-chart` prints a section to start from."},
+            whole_file(document));
     if (!missing.empty())
         throw Error(ErrorKind::input,
                     {"missing in [chart]: " + missing, "an axis without them is not defined",
@@ -183,17 +199,23 @@ const TomlEntry* culprit(const TomlDocument& document, const std::string& what) 
 
 }  // namespace
 
-sweep::Study read_study(const TomlSource& source) {
+sweep::Study read_study(const TomlSource& source, const AxisTexts& axes) {
     const TomlDocument document = parse_toml(source);
     sweep::Study study;
     check_chart_keys(document);
-    check_chart_complete(document);
+    check_chart_complete(document, axes);
     study.base = read_base_case(document, read_sampled_file);
-    study.x = read_axis(document, "chart.x");
-    study.y = read_axis(document, "chart.y");
+    const bool is_over_x = is_over_x_alone(document, axes);
+    const auto axis = [&](const std::string& text, const std::string& name) {
+        if (text.empty()) return read_axis(document, "chart." + name);
+        return read_axis_text(study.base, text, is_over_x ? usual_points_alone : usual_points, "--" + name);
+    };
+    study.x = axis(axes.x, "x");
+    study.y = is_over_x ? sweep::resting_axis(study.base, study.x) : axis(axes.y, "y");
     read_names(document, "chart.directions", parameters::direction_names, study.directions);
     read_names(document, "chart.starts", sweep::start_names(), study.starts);
-    if (const TomlEntry* entry = document.find("chart.refine"))
+    // a chart's file may be looked at along one axis: what it says of areas means nothing then
+    if (const TomlEntry* entry = document.find("chart.refine"); entry != nullptr && !is_over_x)
         study.refine = count_of(*entry, sweep::most_refinement, "halvings");
     if (const TomlEntry* entry = document.find("chart.quantities")) study.quantities = list_of(*entry);
     try {

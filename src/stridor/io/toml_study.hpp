@@ -8,6 +8,13 @@
 
 namespace stridor::io {
 
+/// The axes that a command line gives (`read_axis_text`). Both empty: as the file has them. x alone: a diagram over x,
+/// whatever the file's y. y alone: beside the file's x.
+struct AxisTexts {
+    std::string x;
+    std::string y;
+};
+
 /// Reads a chart: a case and a section [chart] with the axes x and y, the directions and what to draw.
 ///
 ///     [chart]
@@ -18,10 +25,12 @@ namespace stridor::io {
 ///     refine = 3
 ///     starts = ["rest", "sliding"]
 ///
-/// `parameter`, `from`, `to` and `points` of both axes must be there. Ends are in the unit of the axis's parameter, or
+/// `parameter`, `from`, `to` and `points` of both axes must be there; without any of y it is a diagram over x alone
+/// (`sweep::resting_axis`). Ends are in the unit of the axis's parameter, or
 /// text with a unit. The case's own sections must be complete, the axes' keys included: they are its base values.
-/// Any of it may be overridden ("chart.x.points=5", "chart.directions=going"). Throws what `read_case` throws.
-sweep::Study read_study(const TomlSource& source);
+/// Any of it may be overridden ("chart.x.points=5", "chart.directions=going"). Axes given beside it take the place of
+/// the file's, which then needs no [chart]. Throws what `read_case` throws.
+sweep::Study read_study(const TomlSource& source, const AxisTexts& axes = {});
 
 /// The same from a file; "-" is standard input.
 sweep::Study read_study(const std::string& path, std::vector<std::string> overrides = {});

@@ -144,7 +144,7 @@ std::string study_toml(const sweep::Study& study, const TomlOptions& options) {
     std::string text = case_toml(study.base, options) + "\n[chart]\n";
     text += say("the axes: any quantity above; ends in its unit, both included; scale \"linear\" or \"log\"");
     text += "x = " + axis_text(study.x) + "\n";
-    text += "y = " + axis_text(study.y) + "\n";
+    if (!sweep::has_one_axis(study)) text += "y = " + axis_text(study.y) + "\n";
     text += say("which way the plate moves: going is V > 0, coming V < 0");
     text += "directions = " +
             list_text(study.directions,
@@ -154,8 +154,11 @@ std::string study_toml(const sweep::Study& study, const TomlOptions& options) {
             "\n";
     text += say("what to draw: \"category\" or any figure of a cell, such as \"separation\" or \"frequency\"");
     text += "quantities = " + list_text(study.quantities, [](const std::string& name) { return name; }) + "\n";
-    text += say("0 computes every cell; 1 to 6 begin with every 2nd to 64th point and halve that where cells differ");
-    text += "refine = " + std::to_string(study.refine) + "\n";
+    if (!sweep::has_one_axis(study)) {
+        text +=
+            say("0 computes every cell; 1 to 6 begin with every 2nd to 64th point and halve that where cells differ");
+        text += "refine = " + std::to_string(study.refine) + "\n";
+    }
     text += say("each cell is run from all of these instead of run.initial, and shows the loudest");
     if (study.starts.empty()) return text + say("starts = " + list_text(sweep::start_names(), std::identity{}));
     return text + "starts = " +

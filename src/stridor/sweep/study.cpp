@@ -132,6 +132,9 @@ void check_starts(const Study& study) {
 }
 
 void check_refinement(const Study& study) {
+    if (has_one_axis(study) && study.refine != 0)
+        refuse("chart.refine = " + std::to_string(study.refine) + " refines nothing",
+               "it follows the boundaries between areas, and this chart has one axis", "Leave chart.refine out.");
     if (study.refine < 0 || study.refine > most_refinement)
         refuse("chart.refine = " + std::to_string(study.refine) + " is out of range",
                "the base grid has every 2^refine-th point, and refine is from 0 to " + std::to_string(most_refinement),
@@ -146,6 +149,15 @@ void check_quantities(const Study& study) {
         if (std::find(names.begin(), names.end(), quantity) == names.end())
             refuse("chart.quantities names " + quoted(quantity), "a cell has no such figure",
                    did_you_mean(quantity, names));
+}
+
+// the one value of y of a study over x alone
+void check_resting(const Study& study) {
+    const Axis rests = resting_axis(study.base, study.x);
+    const bool is_so = study.y.parameter == rests.parameter && study.y.from == rests.from && study.y.to == rests.to;
+    if (!is_so)
+        refuse("chart.y.points = 1 makes no axis", "both ends belong to it, so it has two at least",
+               "Leave chart.y out for a diagram over x alone.");
 }
 
 // A finding that reads the same at all four corners does not come from the axes: every cell would be invalid.
@@ -195,6 +207,30 @@ double value_at(const Axis& axis, int index) {
     return std::clamp(value, axis.from, axis.to);
 }
 
+Axis resting_axis(const Case& c, const Axis& x) {
+    constexpr std::string_view preload = "contact.preload";
+    const std::string key(x.parameter == preload ? "contact.kinetic_friction" : preload);
+    const double value = parameters::get_quantity(c, *parameters::find_field(key));
+    return {key, value, value, 1, Scale::linear};
+}
+
+bool has_one_axis(const Study& study) {
+    return study.y.points == 1;
+}
+
+double own_value(const Study& study, const Axis& axis) {
+    const double value = parameters::get_quantity(study.base, *parameters::find_field(axis.parameter));
+    return axis.parameter == "drive.velocity" && is_constant(study) ? std::abs(value) : value;
+}
+
+bool holds_design(const Study& study) {
+    const auto holds = [&](const Axis& axis) {
+        const double value = own_value(study, axis);
+        return value >= axis.from && value <= axis.to;
+    };
+    return holds(study.x) && holds(study.y);
+}
+
 std::size_t cell_count(const Study& study) {
     return static_cast<std::size_t>(study.x.points) * static_cast<std::size_t>(study.y.points) *
            study.directions.size();
@@ -228,7 +264,10 @@ Case case_at(const Study& study, const CellPlace& place) {
 
 void check(const Study& study) {
     check_axis(study, study.x, "chart.x");
-    check_axis(study, study.y, "chart.y");
+    if (has_one_axis(study))
+        check_resting(study);
+    else
+        check_axis(study, study.y, "chart.y");
     if (study.x.parameter == study.y.parameter)
         refuse("chart.x and chart.y are both " + study.x.parameter, "a chart needs two different quantities", "");
     check_directions(study);
@@ -246,7 +285,7 @@ Study preview(Study study) {
     constexpr double periods = 2.0;
     for (Axis* axis : {&study.x, &study.y})
         axis->points = std::min(axis->points, points);
-    study.refine = std::max(study.refine, refinement);
+    if (!has_one_axis(study)) study.refine = std::max(study.refine, refinement);
     if (is_constant(study)) {
         study.base.run.duration *= shorter;
         study.base.run.window = 0.5 * study.base.run.duration;
@@ -281,8 +320,9 @@ std::string reproduce_command(const Study& study, const CellPlace& place, const 
     constexpr std::string_view velocity = "drive.velocity";
     // a name with a dash in front would be an option
     const bool is_option = file.starts_with('-') && file != "-";
-    std::string command = "stridor simulate " + base::shell_word((is_option ? "./" : "") + file) +
-                          setting(c, study.x.parameter) + setting(c, study.y.parameter);
+    std::string command =
+        "stridor simulate " + base::shell_word((is_option ? "./" : "") + file) + setting(c, study.x.parameter);
+    if (!has_one_axis(study)) command += setting(c, study.y.parameter);
     const bool is_axis = study.x.parameter == velocity || study.y.parameter == velocity;
     if (is_constant(study) && !is_axis) command += setting(c, std::string(velocity));
     if (!study.starts.empty())

@@ -21,7 +21,7 @@ struct Axis {
     std::string parameter;  // "contact.preload"
     double from = 0.0;      // in the field's unit (SI, angles in deg)
     double to = 1.0;
-    int points = 2;  // [1] from 2 to `most_points`
+    int points = 2;  // [1] from 2 to `most_points`; 1: a resting axis
     Scale scale = Scale::linear;
 };
 
@@ -31,7 +31,8 @@ inline constexpr int most_refinement = 6;
 /// Value number `index` of an axis, 0 <= index < points: the same bits on every machine, ends exact.
 double value_at(const Axis& axis, int index);
 
-/// A chart to be computed: a case, two of its quantities as axes, and the directions to look at.
+/// A chart to be computed: a case, two of its quantities as axes, and the directions to look at. With one axis only, y
+/// rests at one value (`resting_axis`).
 ///
 /// A constant drive is run once per direction, with V = +-|velocity|. Other drives give both directions in one run.
 struct Study {
@@ -43,6 +44,19 @@ struct Study {
     int refine = 0;  // [1] halvings from the base grid to the chart's; 0: every cell is computed
     std::vector<parameters::Initial> starts;  // each cell is run from all of them; empty: from the case's own
 };
+
+/// The y axis of a study over x alone: one point, a quantity that x leaves alone at the case's own value.
+Axis resting_axis(const parameters::Case& c, const Axis& x);
+
+/// Does x alone vary?
+bool has_one_axis(const Study& study);
+
+/// The base case's own value of an axis' quantity; of the velocity of a constant drive its magnitude, for the directions
+/// give its sign.
+double own_value(const Study& study, const Axis& axis);
+
+/// Do the base case's own values lie within both axes?
+bool holds_design(const Study& study);
 
 /// Number of cells: x.points * y.points * directions.
 std::size_t cell_count(const Study& study);

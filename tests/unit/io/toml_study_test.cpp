@@ -2,6 +2,8 @@
 
 #include "io_support.hpp"
 #include "stridor/io/atomic_file.hpp"
+#include "stridor/io/axis_text.hpp"
+#include "stridor/io/toml_writer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -105,8 +107,45 @@ TEST(TomlStudy, SuggestsAChartWhereThereIsNone) {
 
 TEST(TomlStudy, ListsWhatAnAxisLacks) {
     expect_error(refusal_with(", points = 8", ""), "missing in [chart]: chart.y.points", "chart.toml:1:2");
-    expect_error(refusal("[chart]\n"), "chart.x.parameter, chart.x.from, chart.x.to, chart.x.points, chart.y.parameter",
-                 "chart.toml:1:2");
+    expect_error(refusal("[chart]\n"),
+                 "missing in [chart]: chart.x.parameter, chart.x.from, chart.x.to, chart.x.points", "chart.toml:1:2");
+}
+
+TEST(TomlStudy, WithoutAYAxisIsADiagramOverXAlone) {
+    const std::string text(axes);
+    const Study study = read(text.substr(0, text.find("y = ")));
+    EXPECT_TRUE(sweep::has_one_axis(study));
+    EXPECT_EQ(study.x.parameter, "contact.preload");
+    EXPECT_EQ(study.y.parameter, "contact.kinetic_friction");
+    EXPECT_EQ(study.y.from, study.base.contact.kinetic_friction);
+    EXPECT_EQ(sweep::cell_count(study), 80U);
+    const Study back = read_study(TomlSource{study_toml(study), "back.toml", {}});
+    EXPECT_EQ(sweep::canonical_text(back), sweep::canonical_text(study));
+}
+
+TEST(TomlStudy, AxesGivenBesideItTakeThePlaceOfTheFiles) {
+    const TomlSource source{axes + squeal_toml().substr(squeal_toml().find('[')), "chart.toml", {}};
+    const Study both = read_study(source, {"incidence_angle=20:80 deg:7", "preload=1:4"});
+    EXPECT_EQ(both.x.parameter, "joint.incidence_angle");
+    EXPECT_EQ(both.x.points, 7);
+    EXPECT_EQ(both.y.points, usual_points);
+    EXPECT_EQ(both.y.scale, sweep::Scale::logarithmic) << "as usual for the preload";
+    const Study beside = read_study(source, {"", "incidence_angle=20:80"});
+    EXPECT_EQ(beside.x.parameter, "contact.preload");
+    EXPECT_EQ(beside.y.parameter, "joint.incidence_angle");
+    const Study alone = read_study(source, {"mu_d=0.2:0.6", ""});
+    EXPECT_TRUE(sweep::has_one_axis(alone));
+    EXPECT_EQ(alone.x.points, usual_points_alone);
+    EXPECT_EQ(alone.y.parameter, "contact.preload");
+}
+
+TEST(TomlStudy, AUnitAtTheLastEndIsThatOfBoth) {
+    const TomlSource source{axes + squeal_toml().substr(squeal_toml().find('[')), "chart.toml", {}};
+    const Study study = read_study(source, {"preload=0.1:2 kN", "mu_d=20:60 %"});
+    EXPECT_EQ(study.x.from, 100.0);
+    EXPECT_EQ(study.x.to, 2000.0);
+    EXPECT_EQ(study.y.from, 0.2);
+    EXPECT_EQ(study.y.to, 0.6);
 }
 
 TEST(TomlStudy, PointsAtWhatAnAxisGetsWrong) {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "stridor/chart/scene.hpp"
+#include "stridor/sweep/study.hpp"
+
+namespace stridor::chart {
+
+/// Marks the design a chart was made from, its case's own values of the two axes, in every panel and in the legend. Where
+/// it lies outside of the axes, the caption says so instead.
+void mark_design(Scene& scene, const sweep::Study& study);
+
+}  // namespace stridor::chart

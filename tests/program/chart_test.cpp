@@ -1,0 +1,106 @@
+#include "support/process.hpp"
+#include "support/scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+using stridor::support::Finished;
+using stridor::support::read_text;
+using stridor::support::run;
+using stridor::support::ScratchFolder;
+using stridor::support::write_text;
+
+namespace {
+
+class ChartOfACase : public testing::Test {
+protected:
+    void SetUp() override { write_text(folder_ / "squeal.toml", run({"init", "squeal"}).out); }
+
+    Finished chart(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {"chart", "squeal.toml"});
+        return run(arguments, folder_.path());
+    }
+
+    std::string text(const std::string& file) const { return read_text(folder_.path() / file); }
+
+    ScratchFolder folder_;
+};
+
+TEST_F(ChartOfACase, NeedsNoSectionInTheFile) {
+    const Finished done = chart({"--x", "preload=10:40:3", "--y", "mu_d=0.2:0.8:4", "--out", "out"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(done.out.find("24 cells"), std::string::npos) << done.out;
+    for (const char* file : {"chart.csv", "chart.nc", "chart.png", "chart.svg", "chart.sqlite", "boundaries.csv"})
+        EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / file)) << file;
+    EXPECT_NE(text("out/chart.toml")
+                  .find("x = { parameter = \"contact.preload\", from = \"10 N\", to = \"40 N\", "
+                        "points = 3, scale = \"log\" }"),
+              std::string::npos)
+        << "what it resolves to, with the usual scale: " << text("out/chart.toml");
+    EXPECT_NE(text("out/chart.svg").find("design"), std::string::npos) << "the case's own values are marked";
+    const Finished from_file = run({"chart", "out/chart.toml", "--out", "again"}, folder_.path());
+    ASSERT_EQ(from_file.exit_code, 0) << from_file.err;
+    EXPECT_EQ(text("again/chart.csv"), text("out/chart.csv"));
+}
+
+TEST_F(ChartOfACase, UnitsScaleAndCountAreUnderstood) {
+    for (const char* x : {"preload=10:40 N:3:linear", "contact.preload = 10N : 0.04 kN : 3 : linear"}) {
+        std::filesystem::remove_all(folder_.path() / "out");
+        const Finished done = chart({"--x", x, "--y", "mu_d=0.5:0.6:2", "--out", "out"});
+        ASSERT_EQ(done.exit_code, 0) << done.err;
+        EXPECT_NE(text("out/chart.toml").find("from = \"10 N\", to = \"40 N\", points = 3, scale = \"linear\""),
+                  std::string::npos);
+    }
+}
+
+TEST_F(ChartOfACase, ADesignOutsideOfTheRangeIsSaid) {
+    const Finished done = chart({"--x", "preload=30:40:2", "--y", "mu_d=0.5:0.6:2", "--out", "out"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(done.err.find("lies outside of the chart: contact.preload = 20 N, contact.kinetic_friction = 0.6"),
+              std::string::npos)
+        << done.err;
+}
+
+TEST_F(ChartOfACase, TheSameCommandResumesAndAnotherIsRefused) {
+    const std::vector<std::string> same{"--x", "preload=10:40:3", "--y", "mu_d=0.2:0.6:3", "--out", "out"};
+    ASSERT_EQ(chart(same).exit_code, 0);
+    const std::string first = text("out/chart.csv");
+    EXPECT_EQ(chart(same).exit_code, 0);
+    EXPECT_EQ(text("out/chart.csv"), first);
+    const Finished other = chart({"--x", "preload=10:50:3", "--y", "mu_d=0.2:0.6:3", "--out", "out"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_NE(other.err.find("another study"), std::string::npos) << other.err;
+}
+
+TEST_F(ChartOfACase, OptionsTakeThePlaceOfTheFilesAxes) {
+    write_text(folder_ / "pair.toml", run({"init", "noise-chart"}).out);
+    const Finished done = run({"chart", "pair.toml", "--x", "velocity=0.05:0.2:2", "--y", "mu_d=0.2:0.6:2", "--set",
+                               "chart.directions=going", "--out", "out"},
+                              folder_.path());
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(done.out.find("4 cells"), std::string::npos) << done.out;
+}
+
+TEST_F(ChartOfACase, WhatCannotBeReadIsNamed) {
+    const auto refusal = [&](const std::string& x) {
+        const Finished done = chart({"--x", x, "--y", "mu_d=0.2:0.6", "--out", "none"});
+        EXPECT_EQ(done.exit_code, 2) << x;
+        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "none")) << x;
+        return done.err;
+    };
+    EXPECT_NE(refusal("preload").find("KEY=FROM:TO"), std::string::npos);
+    EXPECT_NE(refusal("preload=1:40:3:log:5").find("KEY=FROM:TO"), std::string::npos);
+    EXPECT_NE(refusal("preload=40:1").find("smaller end first"), std::string::npos);
+    EXPECT_NE(refusal("preload=1:1").find("no axis"), std::string::npos);
+    EXPECT_NE(refusal("preload=1 mm:4 mm").find("length"), std::string::npos);
+    EXPECT_NE(refusal("preload=1:40:1").find("no number of points"), std::string::npos);
+    EXPECT_NE(refusal("preload=1:40:3:lag").find("no scale"), std::string::npos);
+    EXPECT_NE(refusal("preloat=1:40").find("Did you mean preload?"), std::string::npos);
+    EXPECT_NE(refusal("mu_d=0.1:0.2").find("both"), std::string::npos);
+    const Finished bare = run({"chart", "squeal.toml"}, folder_.path());
+    EXPECT_EQ(bare.exit_code, 2);
+    EXPECT_NE(bare.err.find("--x preload=1:40"), std::string::npos) << bare.err;
+}
+
+}  // namespace
