@@ -10,17 +10,19 @@ else()
 endif()
 option(STRIDOR_PAGE "Build the page of `stridor explore` into the program" ${stridor_page_default})
 
-# Defines the rule for FILE, a header with the page's files as arrays named index_html, page_js and page_css.
+# Defines the rule for FILE, a header with the page's files as arrays named index_html, page_js and so on.
 function(stridor_page file)
     set(folder "${PROJECT_SOURCE_DIR}/explorer")
     set(bundle "${CMAKE_CURRENT_BINARY_DIR}/page")
+    set(names index.html page.js chunk.js later.js page.css)
     set(embed "${PROJECT_SOURCE_DIR}/cmake/embed.cmake")
-    set(files "${bundle}/index.html" "${bundle}/page.js" "${bundle}/page.css")
+    list(TRANSFORM names PREPEND "${bundle}/" OUTPUT_VARIABLE files)
     if(NOT STRIDOR_PAGE)
         file(WRITE "${bundle}/index.html" "<!doctype html><title>stridor</title><p>This stridor was built without its page "
             "(Node.js was missing, or STRIDOR_PAGE off).\n")
-        file(WRITE "${bundle}/page.js" "\n")
-        file(WRITE "${bundle}/page.css" "\n")
+        foreach(name page.js chunk.js later.js page.css)
+            file(WRITE "${bundle}/${name}" "\n")
+        endforeach()
         add_custom_command(OUTPUT "${file}"
             COMMAND ${CMAKE_COMMAND} "-DFILES=${files}" "-DOUTPUT=${file}" -P "${embed}"
             DEPENDS "${embed}" VERBATIM)

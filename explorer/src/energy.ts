@@ -9,7 +9,6 @@ const sources = ["drive_work", "preload_work"];
 const losses = ["friction_loss", "impact_loss", "dashpot_loss"];
 
 export class Energy implements ViewPart {
-  readonly title = "Energy and verdict";
   readonly element = h("div", { class: "energy" });
 
   show({ simulation }: Context): void {

@@ -13,7 +13,6 @@ import type { Context, ViewPart } from "./views.ts";
 const shownFields = ["system", "denomination", "recorded", "preload", "velocity", "temperature", "humidity"];
 
 export class LibraryView implements ViewPart {
-  readonly title = "Library";
   readonly element: HTMLElement;
   private readonly body_ = h("tbody");
   private readonly head_ = h("tr");

@@ -10,7 +10,6 @@ import type { Direction, LibraryEntry, Start } from "./types.ts";
 import type { Context, ViewPart } from "./views.ts";
 
 export class Listen implements ViewPart {
-  readonly title = "Listen";
   readonly element: HTMLElement;
   private readonly a_ = new SoundSlot("A");
   private readonly b_ = new SoundSlot("B");

@@ -5,25 +5,21 @@ import * as api from "./api.ts";
 import { Chart } from "./chart.ts";
 import { Clock } from "./clock.ts";
 import { button, h } from "./dom.ts";
-import { Energy } from "./energy.ts";
-import { Help } from "./help.ts";
 import { Latest } from "./latest.ts";
-import { LibraryView } from "./library.ts";
-import { Listen } from "./listen.ts";
 import { Mechanism } from "./mechanism.ts";
-import { Modes } from "./modes.ts";
 import { Motions } from "./motions.ts";
 import { Complaint, Parameters } from "./parameters.ts";
-import { Quiet } from "./quiet.ts";
 import { Response } from "./response.ts";
 import { Share } from "./share.ts";
-import { Spectra } from "./spectra.ts";
 import { themes, type Design, type State } from "./state.ts";
 import { Store, type Step } from "./store.ts";
 import { onTheme, setTheme } from "./theme.ts";
 import type { Case, Simulation, Start } from "./types.ts";
 import { VerdictBar } from "./verdict.ts";
 import { Views } from "./views.ts";
+
+/** What is not needed at once comes when it is first asked for. */
+const later = () => import("./later.ts");
 
 function defaultsOf(start: Start): State {
   const own = start.presets.find(({ name }) => name === "file") ?? start.presets.find(({ name }) => name === "squeal");
@@ -45,12 +41,10 @@ class Page {
   private readonly clock_ = new Clock();
   private readonly motions_ = new Motions();
   private readonly complaint_ = new Complaint();
-  private readonly help_ = new Help();
   private readonly verdict_: VerdictBar;
   private readonly parameters_: Parameters;
   private readonly chart_: Chart;
   private readonly mechanism_: Mechanism;
-  private readonly listen_: Listen;
   private readonly views_: Views;
   private readonly runs_ = new Latest<Design>((design, signal) => this.simulate_(design, signal));
   private simulation_: Simulation | null = null;
@@ -64,17 +58,8 @@ class Page {
     this.parameters_ = new Parameters(store, start_);
     this.chart_ = new Chart(store, start_);
     this.mechanism_ = new Mechanism(this.clock_);
-    this.listen_ = new Listen(store, start_);
-    const parts = {
-      response: new Response(store, this.motions_, this.clock_),
-      spectra: new Spectra(),
-      modes: new Modes(start_),
-      energy: new Energy(),
-      listen: this.listen_,
-      quiet: new Quiet(store, start_),
-      library: new LibraryView(store),
-    };
-    this.views_ = new Views(store, parts, (view) => view !== "library" || start_.library);
+    const first = { response: new Response(store, this.motions_, this.clock_) };
+    this.views_ = new Views(store, first, async () => (await later()).viewsOf(store, start_), (view) => view !== "library" || start_.library);
     this.motions_.listen(() => {
       const { motion } = this.motions_;
       if (motion && this.simulation_) this.mechanism_.show(motion, this.simulation_, store.state.direction);
@@ -95,13 +80,12 @@ class Page {
       { class: "tools" },
       new Share(this.store_, this.start_, this.chart_).element,
       button("◐", () => this.nextTheme_(), { id: "theme", class: "icon", "aria-label": "Change the theme", title: "Theme: the system's, light, dark" }),
-      button("?", () => this.help_.toggle(), { id: "help-button", class: "icon", "aria-label": "Keys", title: "Keys (?)" }),
+      button("?", () => void this.help_(), { id: "help-button", class: "icon", "aria-label": "Keys", title: "Keys (?)" }),
     );
     document.body.replaceChildren(
       h("header", {}, h("h1", { title: `Stridor ${this.start_.version}` }, "Stridor"), this.verdict_.element, this.verdict_.announcement, tools),
       this.complaint_.element,
       h("main", {}, this.parameters_.element, this.mechanism_.element, this.chart_.element, this.views_.element),
-      this.help_.element,
     );
   }
 
@@ -168,6 +152,14 @@ class Page {
     }
   }
 
+  private async help_(): Promise<void> {
+    try {
+      (await later()).help();
+    } catch (error) {
+      this.complaint_.show(api.sentence(error));
+    }
+  }
+
   private nextTheme_(): void {
     const { theme } = this.store_.state;
     this.store_.update({ theme: themes[(themes.indexOf(theme) + 1) % themes.length] ?? "auto" }, "replace");
@@ -178,10 +170,10 @@ class Page {
     if (event.ctrlKey || event.metaKey || event.altKey || target.matches("input[type=text], select, dialog *")) return;
     const { state } = this.store_;
     const preset = this.start_.presets[Number(event.key) - 1];
-    if (event.key === "?") this.help_.toggle();
+    if (event.key === "?") void this.help_();
     else if (event.key === "p") this.clock_.toggle();
     else if (event.key === "d") this.store_.update({ direction: state.direction === "going" ? "coming" : "going" }, "replace");
-    else if (event.key === "x" && state.view === "listen") this.listen_.switch();
+    else if (event.key === "x" && state.view === "listen") this.views_.current?.switch?.();
     else if (preset) this.store_.update({ design: { preset: preset.name, set: {} }, span: null });
     else return;
     event.preventDefault();

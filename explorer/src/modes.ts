@@ -17,7 +17,6 @@ interface Wish {
 }
 
 export class Modes implements ViewPart {
-  readonly title = "Modes";
   readonly element: HTMLElement;
   private readonly frequency_ = new Plot("Frequencies of steady sliding");
   private readonly growth_ = new Plot("Growth rates of steady sliding");

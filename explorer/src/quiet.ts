@@ -17,7 +17,6 @@ interface Wish {
 }
 
 export class Quiet implements ViewPart {
-  readonly title = "Keep quiet";
   readonly element: HTMLElement;
   private readonly margins_ = h("div", { class: "margins", id: "margins" });
   private readonly change_ = h("div", { class: "card", id: "change" });

@@ -13,7 +13,6 @@ import { onTheme, palette } from "./theme.ts";
 import type { Context, ViewPart } from "./views.ts";
 
 export class Response implements ViewPart {
-  readonly title = "Response";
   readonly element: HTMLElement;
   private readonly lanes_: Surface;
   private readonly portrait_: Surface;

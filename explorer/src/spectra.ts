@@ -33,7 +33,6 @@ export class SoundPicker {
 }
 
 export class Spectra implements ViewPart {
-  readonly title = "Spectra";
   readonly element: HTMLElement;
   private readonly picker_ = new SoundPicker(() => this.last_ && this.show(this.last_));
   private readonly spectrum_ = new Plot("Spectrum");
