@@ -133,7 +133,7 @@ std::string report(const parameters::Case& c, const integration::Motion& motion,
                         std::abs(motion.energy.relative_residual()));
     text += proof_text(motion);
     text += fmt::format("{:<8}{:<10}{:>8}{:>8}{:>8}{:>13}{:>12}{:>12}\n", "phase", "category", "slip", "stick",
-                        "separ.", "regularity", "frequency", "joint");
+                        "separ.", "regularity", "frequency", "joint level");
     for (const Verdict& verdict : verdicts)
         text += verdict_row(verdict);
     text += "\n";
@@ -149,7 +149,8 @@ std::string report(const parameters::Case& c, const integration::Motion& motion,
                                            margin.distance),
                                Style::dim, STDOUT_FILENO);
     }
-    text += "\n" + left_out(c, verdicts) + "A category names a vibration pattern of the model, not a sound pressure.\n";
+    text += "\n" + left_out(c, verdicts) + "A category names a vibration pattern of the model.\n" +
+            std::string(analysis::level_note) + "\n";
     return text;
 }
 

@@ -2,10 +2,17 @@
 
 #include "stridor/record/tally.hpp"
 
+#include <string_view>
+
 namespace stridor::analysis {
 
 /// Reference velocity of velocity levels [m/s] (ISO 1683: 1e-9 m/s).
 inline constexpr double reference_velocity = 1e-9;
+
+/// What is said to people beside a level; without more words, a design's level is its joint's. Files write the
+/// reference as "1e-9 m/s".
+inline constexpr std::string_view level_note =
+    "Levels are of the joint's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
 
 /// Vibration level of one body over the judged time. It is the vibration of the model's masses, not a sound pressure.
 /// A contact that only slides ends at rest: its level is then -infinity or that of rounding, hundreds of dB below any other.

@@ -114,9 +114,13 @@ Text symbol(std::string_view name) {
 Text unit_text(std::string_view unit) {
     if (unit == "1") return {};
     if (unit == "deg") return "°";
+    constexpr std::string_view reference = "1e-9 m/s";  // of velocity levels
+    const std::size_t at = unit.find(reference);
+    if (at != std::string_view::npos)
+        return Text(std::string(unit.substr(0, at)) + "1 nm/s") + unit_text(unit.substr(at + reference.size()));
     Text text;
     for (std::size_t i = 0; i < unit.size(); ++i) {
-        // "m/s^2", and the "1e-9 m/s" of a reference
+        // "m/s^2", and the "1e-6 N" of a reference
         const bool is_power = unit[i] == '^' || unit.substr(i, 3) == "1e-";
         if (unit[i] == '*') {
             text = text + "·";

@@ -28,7 +28,8 @@ std::string phase_name(const Verdict& verdict) {
 
 Section verdict_section(const DesignResults& results) {
     Section section{"Verdict"};
-    section.table.columns = {"phase", "category", "slip", "stick", "separation", "regularity", "frequency", "joint"};
+    section.table.columns = {"phase",      "category",   "slip",      "stick",
+                             "separation", "regularity", "frequency", "joint level"};
     for (const Verdict& verdict : results.verdicts) {
         const analysis::Evidence& e = verdict.evidence;
         section.table.rows.push_back(
@@ -42,7 +43,8 @@ Section verdict_section(const DesignResults& results) {
             why += (k > 0 ? "; " : "") + verdict.reasons[k];
         section.paragraphs.push_back(std::move(why));
     }
-    section.paragraphs.push_back("A category names a vibration pattern of the model, not a sound pressure.");
+    section.paragraphs.push_back("A category names a vibration pattern of the model. " +
+                                 std::string(analysis::level_note));
     return section;
 }
 

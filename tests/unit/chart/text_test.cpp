@@ -32,9 +32,13 @@ TEST(UnitText, SetsPowersHighAndProductsDotted) {
     EXPECT_EQ(plain_text(unit_text("N*s/m")), "N·s/m");
     EXPECT_EQ(plain_text(unit_text("deg")), "°");
     EXPECT_TRUE(is_empty(unit_text("1")));
-    EXPECT_EQ(runs(unit_text("dB re 1e-9 m/s")),
+    EXPECT_EQ(runs(unit_text("dB re 1e-6 N")),
               (std::vector<TextRun>{
-                  {"dB re 10", TextStyle::plain}, {"−9", TextStyle::superscript}, {" m/s", TextStyle::plain}}));
+                  {"dB re 10", TextStyle::plain}, {"−6", TextStyle::superscript}, {" N", TextStyle::plain}}));
+}
+
+TEST(UnitText, NamesTheReferenceOfVelocityLevelsAsPeopleDo) {
+    EXPECT_EQ(plain_text(unit_text("dB re 1e-9 m/s")), "dB re 1 nm/s");
 }
 
 TEST(NumberText, WritesPowersOfTenAsPrinted) {
