@@ -3,10 +3,12 @@
 #include "stridor/base/error.hpp"
 #include "stridor/explorer/api.hpp"
 #include "stridor/explorer/gate.hpp"
+#include "stridor/explorer/link.hpp"
 #include "stridor/explorer/redirect.hpp"
 #include "stridor/explorer/server.hpp"
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_document.hpp"
+#include "stridor/io/toml_study.hpp"
 #include "stridor/noise_library/library.hpp"
 #include "terminal.hpp"
 
@@ -27,7 +29,8 @@ namespace stridor::app {
 namespace {
 
 struct ExploreOptions {
-    std::string file;
+    std::string file;      // or a link
+    std::string fragment;  // of the link, without "#"; empty: none
     std::vector<std::string> overrides;
     explorer::Address address;
     std::string library;
@@ -56,14 +59,16 @@ explorer::World world_of(const ExploreOptions& options) {
             noise_library::Library(world.library));  // what is wrong with it is said here and not in the page
     else if (!std::filesystem::exists(world.library, ignored))
         world.library.clear();
-    if (options.file.empty()) return world;
+    if (options.file.empty() || explorer::is_link(options.file)) return world;
     const io::TomlSource source = io::load_toml(options.file, options.overrides);
     explorer::Preset preset{"file", source.text, source.name, options.overrides};
     const io::SamplesReader keep = [&](const std::string& path) {
         preset.samples_file = path;
         return preset.samples = io::read_sampled_file(path);
     };
-    static_cast<void>(io::read_case(io::parse_toml(source), keep));  // likewise
+    const io::TomlDocument document = io::parse_toml(source);
+    static_cast<void>(io::read_case(document, keep));  // likewise
+    if (document.find("chart") != nullptr) preset.study = io::read_study(source);
     world.presets.insert(world.presets.begin(), std::move(preset));
     return world;
 }
@@ -106,7 +111,8 @@ public:
     }
 
     void tell(const std::string& token) {
-        const std::string link = base_ + "/open?token=" + token;
+        const std::string& fragment = options_.fragment;
+        const std::string link = base_ + "/open?token=" + token + (fragment.empty() ? "" : "#" + fragment);
         redirect_.reset();  // it led to the one that was used
         print(link + "\n");
         if (std::exchange(is_told_, true)) return;
@@ -129,8 +135,14 @@ private:
     bool is_told_ = false;
 };
 
-void explore(const ExploreOptions& options) {
+void explore(ExploreOptions options) {
     check(options);
+    if (explorer::is_link(options.file)) {
+        options.fragment = explorer::fragment_of(options.file);
+        if (!options.overrides.empty())
+            throw Error(ErrorKind::input, {"--set does not go with a link", "the link says the whole case",
+                                           "Leave --set out, and change the value in the page."});
+    }
     const explorer::World world = world_of(options);
     std::optional<explorer::Server> server(std::in_place, options.address);
     std::optional<Links> links(std::in_place, options, server->port());
@@ -157,7 +169,8 @@ void add_explore(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "explore",
         "Play with the rubbing system in a browser: sliders, charts, motion, sound, and what keeps it quiet.");
-    command->add_option("file", options->file, "case file (TOML) to begin with (default: the paper's squeal)");
+    command->add_option("file", options->file,
+                        "case file (TOML) or link of the page to begin with (default: the paper's squeal)");
     command->add_option("--set", options->overrides, "override a key of the file (repeatable)")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
@@ -178,6 +191,7 @@ void add_explore(CLI::App& program) {
     command->footer(
         "The page is served to this machine alone, to who has the link; nothing is fetched from anywhere.\n"
         "Examples:\n  stridor explore\n  stridor explore door-seal.toml --port 8080 --no-browser\n"
+        "  stridor explore 'http://localhost:8080/#preset=squeal&contact.preload=35'\n"
         "  ssh -L 8080:localhost:8080 cluster stridor explore --port 8080 --no-browser");
     command->callback([options] { explore(*options); });
 }

@@ -142,6 +142,17 @@ export function recordingAnalysis(id: number, signal?: AbortSignal): Promise<Ana
   return json(asked(`/api/library/${id}/analysis`, { signal: signal ?? null }));
 }
 
+/** The number that a text with a unit is for a quantity, as `--set` takes it. */
+export async function value(key: string, text: string): Promise<number> {
+  return (await json<{ value: number }>(post("/api/value", { key, text }))).value;
+}
+
+/** The same case as one of the paper's with all that differs: it needs no file. */
+export async function share(design: Design): Promise<Design> {
+  const { preset, set } = await json<{ preset: string; set: string[] }>(post("/api/share", body(design)));
+  return { preset, set: Object.fromEntries(set.map((text) => text.split("=", 2) as [string, string])) };
+}
+
 export async function toml(design: Design, axes: { x: Axis; y: Axis; refine: number } | null): Promise<string> {
   return (await post("/api/toml", { ...body(design), ...(axes ? { chart: axes } : {}) })).text();
 }

@@ -1,6 +1,7 @@
 /** Which parameters the chart's axes are, between which ends, and what it shows. */
+import * as api from "./api.ts";
 import { button, h, select, setOptions } from "./dom.ts";
-import { exact, plain, quantity, read, symbolText, title, words } from "./format.ts";
+import { number, plain, quantity, symbolText, title, words } from "./format.ts";
 import { valueIn } from "./parameters.ts";
 import type { State } from "./state.ts";
 import type { Store } from "./store.ts";
@@ -25,6 +26,7 @@ export class AxisControls {
     private readonly store_: Store,
     start: Start,
     unzoom: () => void,
+    private readonly complain_: (error: unknown) => void,
   ) {
     this.quantities_ = start.fields.filter((field): field is QuantityField => field.kind === "quantity" && field.usual !== null);
     this.rows_ = { x: this.row_("x"), y: this.row_("y") };
@@ -71,7 +73,7 @@ export class AxisControls {
     const parameter = select(`Parameter of the ${name} axis`, [], (key) => this.choose_(name, key), { id: `axis-${name}` });
     const end = (which: "from" | "to"): HTMLInputElement => {
       const input = h("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${name} axis, ${which}`, id: `${name}-${which}` });
-      input.addEventListener("change", () => this.move_(name, which, input));
+      input.addEventListener("change", () => void this.move_(name, which, input));
       return input;
     };
     const scale = select(`Scale of the ${name} axis`, [["linear", "linear"], ["log", "log"]], (value) => {
@@ -102,14 +104,19 @@ export class AxisControls {
     else this.change_(name, this.whole({ ...state[name], parameter: key }));
   }
 
-  private move_(name: Name, which: "from" | "to", input: HTMLInputElement): void {
+  private async move_(name: Name, which: "from" | "to", input: HTMLInputElement): Promise<void> {
     const axis = this.store_.state[name];
-    const unit = this.quantities_.find(({ key }) => key === axis.parameter)?.unit ?? "";
-    const value = read(input.value, unit);
-    const next = { ...axis, [which]: value ?? NaN };
-    const sound = value !== null && next.from < next.to && (axis.scale === "linear" || next.from > 0);
-    input.setAttribute("aria-invalid", String(!sound));
-    if (sound) this.change_(name, { ...next, [which]: Number(exact(value)) });
+    try {
+      const next = { ...axis, [which]: number(input.value) ?? (await api.value(axis.parameter, input.value)) };
+      if (!(next.from < next.to)) throw Error(`The ${name} axis must rise from one end to the other.`);
+      if (axis.scale === "log" && next.from <= 0) throw Error("A log axis begins above 0.");
+      input.setAttribute("aria-invalid", "false");
+      this.change_(name, next);
+      this.complain_(null);
+    } catch (error) {
+      input.setAttribute("aria-invalid", "true");
+      this.complain_(error);
+    }
   }
 
   private change_(name: Name, axis: Axis): void {

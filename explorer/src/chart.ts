@@ -3,13 +3,13 @@ import * as api from "./api.ts";
 import { AxisControls } from "./axis_controls.ts";
 import { merged } from "./chart_data.ts";
 import { categories } from "./colours.ts";
-import { h, setText } from "./dom.ts";
-import { exact, percent, plain, quantity, symbolText, title, unitText, words } from "./format.ts";
+import { button, h, setText } from "./dom.ts";
+import { between, exact, level, percent, plain, quantity, symbolText, title, unitText, words } from "./format.ts";
 import { Latest } from "./latest.ts";
 import { Legend } from "./legend.ts";
 import { cellAt, cellBox, indexOf, paintDesign, paintFrame, paintMap, plotBox, shareAt, type ChartData, type Look } from "./map.ts";
 import { quantityOf } from "./parameters.ts";
-import { nearest, zoomed } from "./scale.ts";
+import { holds, nearest, widened, zoomed } from "./scale.ts";
 import { chartDesign, withValues, type State } from "./state.ts";
 import type { Step, Store } from "./store.ts";
 import { surface, type Surface } from "./surface.ts";
@@ -33,6 +33,7 @@ export class Chart {
   private readonly readout_ = h("p", { id: "chart-readout", class: "readout" });
   private readonly status_ = h("span", { id: "chart-status", class: "muted" });
   private readonly problem_ = h("p", { class: "complaint", hidden: true, role: "alert" });
+  private readonly outside_ = h("p", { class: "outside", id: "outside", role: "status", hidden: true });
   private readonly panels_: Panel[];
   private readonly controls_: AxisControls;
   private readonly legend_ = new Legend();
@@ -49,9 +50,10 @@ export class Chart {
   constructor(
     private readonly store_: Store,
     private readonly start_: Start,
+    complain: (error: unknown) => void,
   ) {
     this.resolved_ = (start_.presets.find(({ name }) => name === store_.state.design.preset) ?? start_.presets[0])?.case as Case;
-    this.controls_ = new AxisControls(store_, start_, () => this.unzoom_());
+    this.controls_ = new AxisControls(store_, start_, () => this.unzoom_(), complain);
     this.panels_ = (["going", "coming"] as const).map((direction) => this.panel_(direction));
     this.box_.append(...this.panels_.map(({ surface: { canvas } }) => h("div", { class: "map" }, canvas)));
     this.element = h(
@@ -59,6 +61,7 @@ export class Chart {
       { class: "panel chart", "aria-label": "Noise chart" },
       h("div", { class: "heading" }, h("h2", {}, "Noise chart"), this.status_, this.controls_.element),
       this.problem_,
+      this.outside_,
       this.box_,
       h("div", { class: "under" }, this.legend_.element, this.readout_),
     );
@@ -94,7 +97,37 @@ export class Chart {
     this.repaint();
   }
 
+  /** Says that the design is not on the chart, and offers to widen it. */
+  private seek_(): void {
+    const { state } = this.store_;
+    const here = this.design_();
+    const missed = (["x", "y"] as const).filter((name) => !holds(state[name], here[name]));
+    this.outside_.hidden = missed.length === 0;
+    const what = missed.map((name) => `${words(state[name].parameter)} ${quantity(here[name], this.unit_(state[name]))}`).join(" and ");
+    if (this.outside_.dataset.what === what) return;
+    this.outside_.dataset.what = what;
+    this.outside_.replaceChildren(`The design lies outside the chart: ${what}. `, button("Widen the chart", () => this.widen_(), { id: "widen" }));
+  }
+
+  private widen_(): void {
+    const { x, y } = this.store_.state;
+    const here = this.design_();
+    const wide = (axis: Axis, value: number): Axis => {
+      const field = this.start_.fields.find(({ key }) => key === axis.parameter);
+      return widened(axis, value, field?.kind === "quantity" ? field : { low: null, high: null });
+    };
+    this.zooms_.push({ x, y });
+    this.store_.update({ x: wide(x, here.x), y: wide(y, here.y) });
+    this.panels_[0]?.surface.canvas.focus();
+  }
+
+  private unit_(axis: Axis): string {
+    const field = this.start_.fields.find(({ key }) => key === axis.parameter);
+    return field?.kind === "quantity" ? field.unit : "";
+  }
+
   repaint(): void {
+    this.seek_();
     for (const { surface } of this.panels_) surface.invalidate();
     this.legend_.show(this.data_, this.store_.state.figure, this.start_);
   }
@@ -109,7 +142,7 @@ export class Chart {
     const stacked = this.box_.classList.contains("stacked");
     return {
       palette: palette(),
-      title: (direction === "going" ? "going (V > 0)" : "coming (V < 0)") + this.range_(),
+      title: direction === "going" ? "going (V > 0)" : "coming (V < 0)",
       xTitle: this.axisTitle_(state.x),
       yTitle: direction === "going" || stacked ? this.axisTitle_(state.y) : "",
       chosen: direction === state.direction,
@@ -117,12 +150,12 @@ export class Chart {
   }
 
   /** Of a figure, its name and ends, so that a picture alone says what it shows. */
-  private range_(): string {
+  range(): string {
     if (!this.data_?.figure) return "";
     const { figure } = this.store_.state;
     const unit = this.start_.figures.find(({ name }) => name === figure)?.unit ?? "";
     const [low, high] = this.data_.figureRange;
-    return `: ${words(figure)} ${quantity(low, unit, 3)} to ${quantity(high, unit, 3)}`;
+    return `: ${words(figure)} ${between(low, high, unit, " to ")}`;
   }
 
   private wish_(state: State, preview: boolean): api.ChartWish {
@@ -132,7 +165,7 @@ export class Chart {
 
   private axisTitle_(axis: Axis): string {
     const field = this.start_.fields.find(({ key }) => key === axis.parameter);
-    const unit = field?.kind === "quantity" ? unitText(field.unit) : "";
+    const unit = unitText(this.unit_(axis));
     const sign = field?.symbol ? ` ${symbolText(field.symbol)}` : "";
     return title(axis.parameter) + sign + (unit ? ` [${unit}]` : "");
   }
@@ -178,10 +211,11 @@ export class Chart {
 
   private design_(): { x: number; y: number } {
     const { state } = this.store_;
-    return {
-      x: quantityOf(state, this.resolved_, state.x.parameter),
-      y: quantityOf(state, this.resolved_, state.y.parameter),
+    const on = ({ parameter }: Axis): number => {
+      const value = quantityOf(state, this.resolved_, parameter);
+      return parameter === "drive.velocity" ? Math.abs(value) : value; // its sign is the direction
     };
+    return { x: on(state.x), y: on(state.y) };
   }
 
   private panel_(direction: Direction): Panel {
@@ -378,7 +412,7 @@ export class Chart {
         `slip ${percent(shares.slip)} stick ${percent(shares.stick)} separation ${percent(shares.separation)}`,
         frequency ? quantity(frequency, "Hz") : "",
         regularity === null ? "" : `regularity ${plain(regularity, 3)}`,
-        quantity(levels.plate.level, "dB", 4),
+        `joint ${level(levels.joint.level)} re 1 nm/s`,
       ];
       setText(this.readout_, [this.cellText_(cell.direction, cell.ix, cell.iy), ...figures].filter(Boolean).join(" · "));
     } catch (error) {

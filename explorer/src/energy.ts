@@ -1,6 +1,6 @@
 /** Where the energy comes from and where it goes, and how the verdict came about. */
 import { h } from "./dom.ts";
-import { percent, plain, quantity, words } from "./format.ts";
+import { level, percent, plain, quantity, words } from "./format.ts";
 import { paintSwatch } from "./theme.ts";
 import type { PhaseResult, Simulation } from "./types.ts";
 import type { Context, ViewPart } from "./views.ts";
@@ -62,8 +62,8 @@ function reasons({ phase, verdict }: PhaseResult): HTMLElement {
   const figures: [string, string][] = [
     ["frequency", quantity(verdict.frequency, "Hz")],
     ["period", quantity(verdict.period, "s")],
-    ["level of the joint", quantity(verdict.levels.joint.level, "dB")],
-    ["level of the plate", quantity(verdict.levels.plate.level, "dB")],
+    ["joint, velocity level", `${level(verdict.levels.joint.level)} re 1 nm/s`],
+    ["plate, velocity level", `${level(verdict.levels.plate.level)} re 1 nm/s`],
   ];
   return h(
     "div",

@@ -23,7 +23,12 @@ export function plain(value: number, digits = 4): string {
 export function unitText(unit: string): string {
   if (unit === "1" || unit === "") return "";
   if (unit === "deg") return "°";
-  return unit.replaceAll("*", "·").replace("^2", "²");
+  return unit.replace("1e-9 m/s", "1 nm/s").replaceAll("*", "·").replace("^2", "²");
+}
+
+/** The velocity level of the joint, which stands for a design, as `stridor simulate` prints it. */
+export function level(decibels: number | null): string {
+  return decibels === null ? "–" : `${decibels.toFixed(1)} dB`;
 }
 
 /** "20 N", "10 MN/m", "4 mm", "70°"; "–" for what is not known. */
@@ -37,6 +42,11 @@ export function quantity(value: number | null | undefined, unit: string, digits 
   if (rounded < 1e-9) return `${plain(value, digits)} ${unitText(unit)}`;
   const [factor, prefix] = prefixes.find(([size]) => rounded >= size) ?? [1e-9, "n"];
   return `${plain(value / factor, digits)} ${prefix}${unitText(unit)}`;
+}
+
+/** Two ends of a range; of levels the unit stands once. */
+export function between(low: number, high: number, unit: string, word: string): string {
+  return `${unit.startsWith("dB") ? plain(low, 3) : quantity(low, unit, 3)}${word}${quantity(high, unit, 3)}`;
 }
 
 /** A share of one as per cent. */
@@ -54,26 +64,9 @@ export function rounded(value: number, digits = 3): number {
   return Number(value.toPrecision(digits));
 }
 
-const factors: Record<string, number> = { G: 1e9, M: 1e6, k: 1e3, "": 1, m: 1e-3, u: 1e-6, µ: 1e-6, μ: 1e-6, n: 1e-9 };
-
-/** Reads "20", "1e7", "4 mm", "70°" or "10 MN/m" for a field of this unit; null if it is no such number. */
-export function read(text: string, unit: string): number | null {
-  const match = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\S*)\s*$/.exec(text.replace(",", "."));
-  if (!match) return null;
-  const number = Number(match[1]);
-  const said = (match[2] ?? "").replaceAll("·", "*").replace("²", "^2").replace("°", "deg").replace(/^%$/, "");
-  if ((match[2] ?? "") === "%") return unit === "1" ? scaledBack(number, 100) : null;
-  if (said === "" || said === unit) return number;
-  if (unit === "kg" && said === "g") return scaledBack(number, 1e3);
-  if (!said.endsWith(unit)) return null;
-  const factor = factors[said.slice(0, said.length - unit.length)];
-  if (factor === undefined || !scalable.has(unit)) return null;
-  return factor < 1 ? scaledBack(number, Math.round(1 / factor)) : number * factor;
-}
-
-/** Division by a whole number: nearer to what was meant than the product with its inverse. */
-function scaledBack(number: number, divisor: number): number {
-  return number / divisor;
+/** The number that a text is without help; null for one with a unit, which the program reads. */
+export function number(text: string): number | null {
+  return /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i.test(text) ? Number(text) : null;
 }
 
 const greek: Record<string, string> = { mu: "μ", alpha: "α", beta: "β", lambda: "λ", omega: "ω" };

@@ -10,7 +10,7 @@ import { paintSwatch } from "./theme.ts";
 import type { Library, LibraryEntry } from "./types.ts";
 import type { Context, ViewPart } from "./views.ts";
 
-const shownFields = ["system", "denomination", "recorded", "preload", "velocity", "temperature", "humidity"];
+const shownFields = ["file", "system", "denomination", "recorded", "preload", "velocity", "temperature", "humidity"];
 
 export class LibraryView implements ViewPart {
   readonly element: HTMLElement;

@@ -25,9 +25,7 @@ function defaultsOf(start: Start): State {
   const own = start.presets.find(({ name }) => name === "file") ?? start.presets.find(({ name }) => name === "squeal");
   return {
     design: { preset: (own ?? start.presets[0])?.name ?? "squeal", set: {} },
-    x: start.chart.x,
-    y: start.chart.y,
-    figure: "category",
+    ...{ figure: "category", x: start.chart.x, y: start.chart.y, ...own?.chart },
     direction: "going",
     view: "response",
     span: null,
@@ -55,8 +53,8 @@ class Page {
     const store = (this.store_ = new Store(defaultsOf(start_)));
     setTheme(store.state.theme);
     this.verdict_ = new VerdictBar((direction) => store.update({ direction }, "replace"));
-    this.parameters_ = new Parameters(store, start_);
-    this.chart_ = new Chart(store, start_);
+    this.parameters_ = new Parameters(store, start_, (error) => this.complain_(error));
+    this.chart_ = new Chart(store, start_, (error) => this.complain_(error));
     this.mechanism_ = new Mechanism(this.clock_);
     const first = { response: new Response(store, this.motions_, this.clock_) };
     this.views_ = new Views(store, first, async () => (await later()).viewsOf(store, start_), (view) => view !== "library" || start_.library);
@@ -135,8 +133,7 @@ class Page {
       if (signal.aborted) return;
       this.simulation_ = simulation;
       this.simulated_ = design;
-      this.complaint_.show("");
-      this.parameters_.blame(null);
+      this.complain_(null);
       const { state } = this.store_;
       this.verdict_.show(simulation, state.direction);
       this.parameters_.show(state, simulation.case);
@@ -147,16 +144,21 @@ class Page {
     } catch (error) {
       if (api.isAbort(error)) return;
       this.verdict_.fail();
-      this.complaint_.show(api.sentence(error));
-      this.parameters_.blame(error instanceof api.Failure ? error.error : null);
+      this.complain_(error);
     }
+  }
+
+  /** Says what was refused; null: nothing any more. */
+  private complain_(error: unknown): void {
+    this.complaint_.show(error === null ? "" : api.sentence(error));
+    this.parameters_.blame(error instanceof api.Failure ? error.error : null);
   }
 
   private async help_(): Promise<void> {
     try {
       (await later()).help();
     } catch (error) {
-      this.complaint_.show(api.sentence(error));
+      this.complain_(error);
     }
   }
 
@@ -174,7 +176,7 @@ class Page {
     else if (event.key === "p") this.clock_.toggle();
     else if (event.key === "d") this.store_.update({ direction: state.direction === "going" ? "coming" : "going" }, "replace");
     else if (event.key === "x" && state.view === "listen") this.views_.current?.switch?.();
-    else if (preset) this.store_.update({ design: { preset: preset.name, set: {} }, span: null });
+    else if (preset) this.store_.update({ design: { preset: preset.name, set: {} }, span: null, ...preset.chart });
     else return;
     event.preventDefault();
   }

@@ -111,7 +111,7 @@ export class Mechanism {
     const reach = Math.max(largest("x1"), largest("y1"), largest("y2"));
     this.scales_ = {
       length: 34 / reach,
-      force: 62 / Math.max(largest("normal_force", 0.99), largest("friction_force", 0.99)),
+      force: 46 / Math.max(largest("normal_force", 0.99), largest("friction_force", 0.99)),
       velocity: 44 / largest("surface_velocity"),
     };
   }
@@ -152,7 +152,10 @@ export class Mechanism {
     this.tell_();
   }
 
-  /** The joint's springs and dashpots to their walls, along i and j, and the angle between x and i. */
+  /**
+   * The joint's springs and dashpots to their walls, along i and j, and the angle between x and i. The signs stand beside
+   * them where neither the arc nor the line of the angle passes: above a spring that lies low on the right.
+   */
   private paintSupports_(s: Surface, rest: Point, body: Point, alpha: number): void {
     const { pen, width, height } = s;
     const colours = palette();
@@ -171,10 +174,13 @@ export class Mechanism {
       pen.strokeStyle = colours.muted;
       wall(pen, anchor, home);
       pen.fillStyle = colours.ink;
-      const middle = { x: (body.x + anchor.x) / 2, y: (body.y + anchor.y) / 2 };
-      const side = { x: -d.y, y: d.x };
-      sign(pen, ["k", name], { x: middle.x + side.x * -24 - 7, y: middle.y + side.y * -24 });
-      sign(pen, ["c", name], { x: middle.x + side.x * 24 - 7, y: middle.y + side.y * 24 });
+      const isLow = d.x > 0.78; // below 39 degrees, to the right
+      const beside = (part: number, aside: number): Point => ({
+        x: body.x + (anchor.x - body.x) * part - d.y * aside - 7,
+        y: body.y + (anchor.y - body.y) * part + d.x * aside,
+      });
+      sign(pen, ["k", name], beside(isLow ? 0.42 : 0.62, -25));
+      sign(pen, ["c", name], beside(isLow ? 0.8 : 0.62, isLow ? -25 : 25));
     }
     this.paintAngle_(s, home, alpha);
   }
@@ -184,15 +190,21 @@ export class Mechanism {
     pen.save();
     pen.strokeStyle = palette().muted;
     pen.setLineDash([3, 3]);
-    line(pen, home.x + 26, home.y, home.x + 84, home.y);
+    // the sign of a small angle has room below the line only; within a wide one lies the joint's other spring
+    const isNarrow = alpha < 0.68;
+    const radius = isNarrow ? 104 : 50;
+    line(pen, home.x + 38, home.y, home.x + radius + 20, home.y);
     pen.setLineDash([]);
     pen.beginPath();
-    pen.arc(home.x, home.y, 62, -Math.max(alpha, 0), 0);
+    pen.arc(home.x, home.y, radius, -Math.max(alpha, 0), 0);
     pen.stroke();
     pen.restore();
     pen.fillStyle = palette().muted;
-    const half = Math.min(alpha / 2, 0.42);
-    sign(pen, ["α", ""], { x: home.x + 70 * Math.cos(half), y: home.y - 72 * Math.sin(half) }, 15);
+    const at = alpha > Math.PI / 2 ? alpha - Math.PI / 4 : Math.min(0.38 * alpha, 0.42);
+    const place = alpha < 1
+      ? { x: home.x + radius - 4, y: home.y + 11 }
+      : { x: home.x + 64 * Math.cos(at) - 5, y: home.y - 64 * Math.sin(at) };
+    sign(pen, ["α", ""], place, 15);
   }
 
   private paintPlate_(s: Surface, top: number, unit: number, middle: number): void {
@@ -263,12 +275,12 @@ export class Mechanism {
     const state = stateAt(this.motion_ as Motion, this.clock.time);
     const [N, T] = [this.at_("normal_force") * this.scales_.force, this.at_("friction_force") * this.scales_.force];
     if (state !== "separation") {
-      arrow(pen, contact, { x: contact.x, y: contact.y - Math.min(N, 90) }, colours.traces[0], colours.panel);
-      arrow(pen, contact, { x: contact.x + Math.min(Math.max(T, -90), 90), y: contact.y }, colours.traces[1], colours.panel);
+      arrow(pen, contact, { x: contact.x, y: contact.y - Math.min(N, 52) }, colours.traces[0], colours.panel);
+      arrow(pen, contact, { x: contact.x + Math.min(Math.max(T, -70), 70), y: contact.y }, colours.traces[1], colours.panel);
       pen.fillStyle = colours.traces[0];
-      if (N > 16) sign(pen, ["N", ""], { x: contact.x + 7, y: contact.y - Math.min(N, 90) + 4 });
+      if (N > 28) sign(pen, ["N", ""], { x: contact.x + 7, y: contact.y - Math.min(N, 52) + 4 });
       pen.fillStyle = colours.traces[1];
-      if (Math.abs(T) > 16) sign(pen, ["T", ""], { x: contact.x + Math.min(Math.max(T, -90), 90) + (T > 0 ? 5 : -16), y: contact.y - 9 });
+      if (Math.abs(T) > 16) sign(pen, ["T", ""], { x: contact.x + Math.min(Math.max(T, -70), 70) + (T > 0 ? 5 : -16), y: contact.y + 12 });
     }
     this.paintContact_(pen, { x: contact.x, y: state === "separation" ? (contact.y + plateTop) / 2 : contact.y }, state);
   }

@@ -1,6 +1,7 @@
 /** The design's parameters: a slider and a field each, made from the program's field table; presets; resets. */
+import * as api from "./api.ts";
 import { button, h, select, setText, symbol } from "./dom.ts";
-import { exact, quantity, read, rounded, symbolParts, words } from "./format.ts";
+import { exact, number as plainNumber, quantity, rounded, symbolParts, words } from "./format.ts";
 import { at, share } from "./scale.ts";
 import { withoutKeys, withValues, type State } from "./state.ts";
 import type { Store } from "./store.ts";
@@ -55,6 +56,7 @@ export class Parameters {
   constructor(
     private readonly store_: Store,
     private readonly start_: Start,
+    private readonly complain_: (error: unknown) => void,
   ) {
     this.resolved_ = start_.presets[0]?.case as Case;
     this.resetAll_ = button("Reset all", () => this.store_.update({ design: { ...this.store_.state.design, set: {} } }), {
@@ -97,10 +99,10 @@ export class Parameters {
 
   private presetPicker_(): HTMLElement {
     const group = h("fieldset", { id: "preset", class: "segments" }, h("legend", { class: "unseen" }, "Case"));
-    for (const { name, title } of this.start_.presets) {
+    for (const { name, title, chart } of this.start_.presets) {
       const input = h("input", { type: "radio", name: "preset", value: name, "data-preset": name });
       input.addEventListener("change", () =>
-        this.store_.update({ design: { preset: name, set: {} }, span: null }),
+        this.store_.update({ design: { preset: name, set: {} }, span: null, ...chart }),
       );
       this.presets_.set(name, input);
       group.append(h("label", { title }, input, h("span", {}, name)));
@@ -180,16 +182,33 @@ export class Parameters {
     const slider = field.usual ? new Slider(field, field.usual, (value, step) => this.set_(field, value, step)) : null;
 
     let shown = "";
+    let refused = false; // text that the program did not take for a quantity
+    const forgive = (): void => {
+      if (refused) this.complain_(null);
+      refused = false;
+    };
     const commit = (): void => {
-      if (number.value === shown) return;
-      const value = read(number.value, unit);
-      number.setAttribute("aria-invalid", String(value === null));
+      if (number.value === shown) return forgive();
+      const text = number.value;
+      const value = plainNumber(text);
       if (value !== null) this.set_(field, exact(value), "push");
+      else
+        void api.value(key, text).then((meant) => take(text, meant), (error: unknown) => {
+          refused = true;
+          this.complain_(error);
+        });
+    };
+    const take = (text: string, meant: number): void => {
+      if (number.value !== text) return; // typed over while it was read
+      number.value = "";
+      this.set_(field, exact(meant), "push");
     };
     number.addEventListener("change", commit);
     number.addEventListener("focus", () => number.select());
     number.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") number.value = shown;
+      if (event.key !== "Escape") return;
+      number.value = shown;
+      forgive();
     });
 
     const element = h(
@@ -204,7 +223,7 @@ export class Parameters {
       const known = Number(value);
       shown = quantity(known, unit);
       if (document.activeElement !== number || number.value === "") number.value = shown;
-      else if (read(number.value, unit) === known) number.value = shown;
+      else if (plainNumber(number.value) === known) number.value = shown;
       number.title = unit === "1" ? exact(known) : `${exact(known)} ${unit}`;
       slider?.show(known, shown);
       reset.title = base === undefined ? "Reset" : `Back to ${quantity(Number(base), unit)}`;

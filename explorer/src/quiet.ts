@@ -2,7 +2,7 @@
 import * as api from "./api.ts";
 import { Asked } from "./asked.ts";
 import { button, h, select, setOptions, setText, symbol } from "./dom.ts";
-import { exact, percent, plain, quantity, read, symbolParts, title } from "./format.ts";
+import { exact, number, percent, plain, quantity, symbolParts, title } from "./format.ts";
 import { valueIn } from "./parameters.ts";
 import { share } from "./scale.ts";
 import { withValues, type Design } from "./state.ts";
@@ -148,9 +148,9 @@ export class Quiet implements ViewPart {
       picker.value = tolerance.key;
       const input = h("input", { type: "text", inputmode: "decimal", value: `${plain(100 * tolerance.relative)} %`, "aria-label": "Tolerance, per cent" });
       input.addEventListener("change", () => {
-        const relative = read(input.value.includes("%") ? input.value : `${input.value} %`, "1");
-        input.setAttribute("aria-invalid", String(relative === null));
-        if (relative !== null && relative > 0) this.tolerate_(at, { ...tolerance, relative });
+        const relative = (number(input.value.replace("%", "").replace(",", ".")) ?? 0) / 100;
+        input.setAttribute("aria-invalid", String(!(relative > 0)));
+        if (relative > 0) this.tolerate_(at, { ...tolerance, relative });
       });
       return h("div", { class: "ends" }, picker, "±", input, button("×", () => this.tolerate_(at, null), { class: "quiet", "aria-label": "Remove" }));
     });

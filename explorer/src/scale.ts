@@ -54,6 +54,27 @@ export function zoomed(axis: Axis, first: number, second: number): Axis {
   return to > from ? { ...axis, from, to } : axis;
 }
 
+/** Does a value lie between the ends of an axis, or but half a cell beyond? */
+export function holds(axis: Axis, value: number): boolean {
+  const part = share(value, axis.from, axis.to, axis.scale);
+  const half = 0.5 / (axis.points - 1);
+  return !Number.isFinite(value) || (part >= -half && part <= 1 + half);
+}
+
+/**
+ * An axis made wide enough for a value, with some room beyond, but not beyond what its quantity may be; linear where a
+ * logarithm has no place for the value.
+ */
+export function widened(axis: Axis, value: number, limits: { low: number | null; high: number | null }): Axis {
+  if (holds(axis, value)) return axis;
+  if (axis.scale === "log" && value <= 0) return widened({ ...axis, scale: "linear" }, value, limits);
+  const room = axis.scale === "log" ? Math.abs(value) * 0.2 : 0.1 * Math.max(value - axis.from, axis.to - value);
+  const few = (x: number): number => Number(x.toPrecision(3));
+  const [low, high] = [limits.low ?? -Infinity, limits.high ?? Infinity];
+  if (value < axis.from) return { ...axis, from: Math.min(value, Math.max(low, few(value - room))) };
+  return { ...axis, to: Math.max(value, Math.min(high, few(value + room))) };
+}
+
 /** A span moved and stretched about a place of it, kept within its limits. */
 export function stretched(
   span: readonly [number, number],

@@ -4,13 +4,14 @@ import type { Chart } from "./chart.ts";
 import { categoryAndQuiet, light } from "./colours.ts";
 import { button, download, h, setText } from "./dom.ts";
 import { plotBox, type ChartData } from "./map.ts";
-import { command } from "./state.ts";
+import { command, longestFragment, toFragment, type Design } from "./state.ts";
 import type { Store } from "./store.ts";
 import type { Surface } from "./surface.ts";
 import type { Axis, Start } from "./types.ts";
 
 export class Share {
   readonly element: HTMLElement;
+  private readonly paste_ = h("input", { type: "text", id: "paste-link", autocomplete: "off", spellcheck: "false", placeholder: "http://…/#preset=…" });
   private readonly note_ = h("p", { class: "note", role: "status", id: "share-note" });
 
   constructor(
@@ -23,16 +24,42 @@ export class Share {
     const sheet = h(
       "div",
       { class: "sheet" },
-      entry("Copy link", "copy-link", "All of the page as an address", () => this.copy_(location.origin + "/" + store_.link(), "link")),
-      entry("Copy as command", "copy-command", "It simulates this design", () => this.copy_(this.command_(), "command")),
+      entry("Copy link", "copy-link", "All of the page, with every number of the case; it opens on any machine with Stridor", () => this.link_()),
+      entry("Copy as command", "copy-command", "It simulates this design", async () => this.copy_(await this.command_(), "command")),
       entry("Copy as TOML", "copy-toml", "The design as a case file", async () => this.copy_(await api.toml(store_.state.design, null), "case file")),
       entry("Copy chart as TOML", "copy-chart-toml", "The chart as a file for stridor chart", async () => this.copy_(await api.toml(store_.state.design, this.axes_()), "chart file")),
       entry("Chart as PNG", "save-png", "Light, twice the screen's size", () => this.png_()),
       entry("Chart as CSV", "save-csv", "Its cells as a table", () => this.csv_()),
       entry("Report", "save-report", "One file that opens without Stridor", async () => this.report_()),
+      h("label", { class: "paste" }, "Open a link", this.paste_),
       this.note_,
     );
+    this.paste_.addEventListener("change", () => void this.run_(() => this.open_(this.paste_.value.trim())));
     this.element = h("details", { class: "drop", id: "share" }, h("summary", {}, "Share"), sheet);
+  }
+
+  /** A design that leans on no file of this machine. */
+  private async whole_(design: Design): Promise<Design> {
+    return design.preset === "file" ? api.share(design) : design;
+  }
+
+  private async link_(): Promise<string> {
+    const { state } = this.store_;
+    const { other } = state;
+    const kept = other && "design" in other ? { ...other, design: await this.whole_(other.design) } : null;
+    const fragment = toFragment({ ...state, design: await this.whole_(state.design), other: kept });
+    if (fragment.length > longestFragment) throw Error("This is too long for a link. Copy it as TOML.");
+    const said = await this.copy_(`${location.origin}/#${fragment}`, "link");
+    return `${said} Elsewhere: stridor explore 'LINK'.${other && !kept ? " The recording beside it stays here." : ""}`;
+  }
+
+  private open_(link: string): string {
+    const fragment = link.slice(link.indexOf("#"));
+    if (!/^#(.*&)?preset=/.test(fragment)) throw Error("This is no link that the page made.");
+    if (fragment.length > longestFragment) throw Error("This link is too long.");
+    location.hash = fragment;
+    this.paste_.value = "";
+    return "";
   }
 
   private axes_(): { x: Axis; y: Axis; refine: number } {
@@ -63,10 +90,10 @@ export class Share {
     return "noise-chart.png";
   }
 
-  private csv_(): string {
+  private async csv_(): Promise<string> {
     const data = this.chart_.current;
     if (!data) return "There is no chart yet.";
-    download("noise-chart.csv", new Blob([table(data, this.store_.state.figure, this.header_())], { type: "text/csv" }));
+    download("noise-chart.csv", new Blob([table(data, this.store_.state.figure, await this.header_())], { type: "text/csv" }));
     return "noise-chart.csv";
   }
 
@@ -76,15 +103,18 @@ export class Share {
     return "stridor-report.html";
   }
 
-  private header_(): string[] {
-    return [`# program: stridor ${this.start_.version}`, `# reproduce: ${this.command_()}`];
+  private async header_(): Promise<string[]> {
+    return [`# program: stridor ${this.start_.version}`, `# reproduce: ${await this.command_()}`];
   }
 
   /** A link may say anything; only what the program knows goes into a command. */
-  private command_(): string {
+  private async command_(): Promise<string> {
     const { design } = this.store_.state;
-    if (!this.start_.presets.some((one) => one.name === design.preset)) throw Error("no preset " + design.preset);
-    return command(design);
+    const preset = this.start_.presets.find((one) => one.name === design.preset);
+    if (!preset) throw Error("no preset " + design.preset);
+    const { drive } = preset.case;
+    const isSampled = typeof drive === "object" && drive.kind === "sampled";
+    return command(isSampled ? design : await this.whole_(design));
   }
 }
 
@@ -99,7 +129,8 @@ function paintPicture(chart: Chart): HTMLCanvasElement | null {
   (["going", "coming"] as const).forEach((direction, k) => {
     pen.setTransform(ratio, 0, 0, ratio, k * width * ratio, 0);
     const surface = { canvas, pen, width, height, ratio, invalidate: () => {}, draw: () => {} } satisfies Surface;
-    const look = { ...chart.lookOf(direction), palette: light, chosen: false };
+    const onPage = chart.lookOf(direction);
+    const look = { ...onPage, title: onPage.title + chart.range(), palette: light, chosen: false };
     if (plotBox(surface, look).width > 0) chart.paintOn(surface, direction, look);
   });
   return canvas;

@@ -2,7 +2,7 @@
 import * as api from "./api.ts";
 import { Asked } from "./asked.ts";
 import { h, select } from "./dom.ts";
-import { plain } from "./format.ts";
+import { plain, unitText } from "./format.ts";
 import { Plot } from "./plot.ts";
 import { Spectrogram } from "./spectrogram.ts";
 import type { Design } from "./state.ts";
@@ -65,15 +65,15 @@ export class Spectra implements ViewPart {
     this.spectrum_.show({
       x: spectrum.frequency,
       xTitle: "frequency [Hz]",
-      yTitle: spectrum.unit,
+      yTitle: unitText(spectrum.unit),
       curves: [{ label: "level", colour: 0, values: spectrum.level }],
     });
     const peak = peakOf(answer);
-    if (peak) this.spectrum_.describe(`highest at ${plain(peak.frequency)} Hz, ${plain(peak.level, 3)} ${spectrum.unit}`);
+    if (peak) this.spectrum_.describe(`highest at ${plain(peak.frequency)} Hz, ${plain(peak.level, 3)} ${unitText(spectrum.unit)}`);
     this.level_.show({
       x: level.time,
       xTitle: "time [s]",
-      yTitle: `dB re ${level.reference}`,
+      yTitle: unitText(level.unit),
       curves: [{ label: "level", colour: 1, values: level.decibels }],
     });
   }

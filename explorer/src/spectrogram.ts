@@ -49,7 +49,7 @@ export class Spectrogram {
     const { content_: content, picture_: picture } = this;
     if (!content || !picture) return;
     const { pen, width, height } = s;
-    const box = { left: 58, top: 6, width: width - 58 - 46, height: height - 46 };
+    const box = { left: 66, top: 6, width: width - 66 - 46, height: height - 46 };
     if (box.width < 20 || box.height < 20) return;
     pen.imageSmoothingEnabled = true;
     pen.drawImage(picture, box.left, box.top, box.width, box.height);

@@ -117,16 +117,19 @@ function readSet(parts: readonly string[]): Record<string, string> {
   return set;
 }
 
-/** The state as a fragment, without "#"; what equals the defaults is left out, but the preset and the axes. */
-export function toFragment(state: State, defaults: State): string {
+/** Most characters of a fragment: a whole case and one it is compared with take some 4000. */
+export const longestFragment = 8000;
+
+/** The state as a fragment, without "#"; what a page begins with is left out, but the preset and the axes. */
+export function toFragment(state: State): string {
   const parts = [`preset=${designText(state.design, "&")}`, `x=${axisText(state.x)}`, `y=${axisText(state.y)}`];
   const add = (name: string, value: string, usual: string): void => {
     if (value !== usual) parts.push(`${name}=${encode(value)}`);
   };
-  add("figure", state.figure, defaults.figure);
-  add("direction", state.direction, defaults.direction);
-  add("view", state.view, defaults.view);
-  add("theme", state.theme, defaults.theme);
+  add("figure", state.figure, "category");
+  add("direction", state.direction, "going");
+  add("view", state.view, "response");
+  add("theme", state.theme, "auto");
   if (state.span) parts.push(`span=${state.span[0]}:${state.span[1]}`);
   if (state.other) parts.push(`other=${otherText(state.other)}`);
   return parts.join("&");
@@ -134,7 +137,7 @@ export function toFragment(state: State, defaults: State): string {
 
 /** The state that a fragment says; what it does not say, or says wrongly, is as in the defaults. */
 export function fromFragment(fragment: string, defaults: State): State {
-  const parts = fragment.replace(/^#/, "").split("&");
+  const parts = fragment.length > longestFragment + 1 ? [] : fragment.replace(/^#/, "").split("&");
   const named = new Map<string, string>();
   for (const part of parts) {
     const at = part.indexOf("=");
@@ -153,7 +156,7 @@ export function fromFragment(fragment: string, defaults: State): State {
   return {
     design,
     ...(x.parameter === y.parameter ? { x: defaults.x, y: defaults.y } : { x, y }),
-    figure: decode(named.get("figure") ?? "") || defaults.figure,
+    figure: decode(named.get("figure") ?? "") || (named.has("preset") ? "category" : defaults.figure),
     direction: word("direction", ["going", "coming"], defaults.direction),
     view: word("view", views, defaults.view),
     span: from !== undefined && to !== undefined && from < to ? [from, to] : null,

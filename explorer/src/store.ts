@@ -26,7 +26,7 @@ export class Store {
 
   /** The fragment, with its "#", that brings this state back. */
   link(): string {
-    return "#" + toFragment(this.current_, this.defaults_);
+    return "#" + toFragment(this.current_);
   }
 
   listen(listener: Listener): void {

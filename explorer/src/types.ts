@@ -51,6 +51,8 @@ export interface Preset {
   name: string;
   title: string;
   case: Case;
+  /** That of its file, should it have one, with the quantity it draws. */
+  chart?: { x: Axis; y: Axis; figure: string };
 }
 
 export interface Figure {
@@ -184,7 +186,7 @@ export interface Stability {
 }
 
 export interface Analysis {
-  level: { time: number[]; decibels: (number | null)[]; reference: string };
+  level: { time: number[]; decibels: (number | null)[]; unit: string };
   spectrum: { frequency: number[]; level: (number | null)[]; unit: string };
   spectrogram: { time: number[]; frequency: number[]; rows: number; columns: number; level: string };
   verdict: { category: Category | null; reasons: string[] };

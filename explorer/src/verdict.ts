@@ -1,6 +1,6 @@
 /** The verdict on the present design: a chip per phase, announced to screen readers. */
 import { h, setText } from "./dom.ts";
-import { percent, quantity } from "./format.ts";
+import { level, percent, quantity } from "./format.ts";
 import { paintSwatch } from "./theme.ts";
 import type { Direction, PhaseResult, Simulation } from "./types.ts";
 
@@ -57,7 +57,7 @@ export class VerdictBar {
       this.element.dataset[result.phase] = result.verdict.category;
       return this.chip_(result, direction, chosen);
     });
-    this.element.replaceChildren(...chips);
+    this.element.replaceChildren(...chips, h("small", { class: "muted", id: "level-note" }, "dB re 1 nm/s: vibration, not sound pressure"));
     this.element.setAttribute("aria-busy", "false");
     setText(this.live_, simulation.phases.map(spoken).join("; "));
   }
@@ -73,7 +73,7 @@ export class VerdictBar {
         class: "chip",
         "data-phase": result.phase,
         "aria-pressed": String(direction === chosen),
-        title: `${verdict.reasons.join("\n")}\n(click: regard this direction)`,
+        title: `${verdict.reasons.join("\n")}\njoint: its velocity level, dB re 1 nm/s; a vibration, not a sound pressure\n(click: regard this direction)`,
         onclick: () => this.choose_(direction),
       },
       swatch,
@@ -88,8 +88,8 @@ export class VerdictBar {
 
 function detail(result: PhaseResult): string {
   const { verdict } = result;
-  if (verdict.category === "none") return `${verdict.quiet_because} · ${quantity(verdict.levels.plate.level, "dB", 3)}`;
-  return `${quantity(verdict.frequency, "Hz")} · ${quantity(verdict.levels.plate.level, "dB", 3)}`;
+  const what = verdict.category === "none" ? (verdict.quiet_because ?? "") : quantity(verdict.frequency, "Hz");
+  return `${what} · joint ${level(verdict.levels.joint.level)}`;
 }
 
 function rates(result: PhaseResult): HTMLElement {

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { at, moved, nearest, share, stretched, ticks, zoomed } from "../../src/scale.ts";
+import { at, holds, moved, nearest, share, stretched, ticks, widened, zoomed } from "../../src/scale.ts";
 import { cellAt, place, shareAt } from "../../src/map.ts";
 import { random } from "./random.mjs";
 
@@ -70,4 +70,24 @@ test("the middle of a cell is its value, and a click on it finds it", () => {
     assert.deepEqual(cellAt(box, data, box.left + part * box.width, box.top + (1 - part) * box.height), { ix: k, iy: k });
   });
   assert.equal(cellAt(box, data, 10, 100), null);
+});
+
+test("an axis is widened until it holds the design, and no further than its quantity goes", () => {
+  const next = random(9);
+  for (let round = 0; round < 2000; ++round) {
+    const scale = round % 2 ? "log" : "linear";
+    const from = scale === "log" ? 10 ** (next() * 4 - 2) : next() * 10;
+    const before = { ...axis, scale, from, to: from * (1.1 + 10 * next()) };
+    const value = 10 ** (next() * 8 - 4);
+    const limits = { low: 0, high: next() < 0.5 ? null : 10 ** 4 };
+    const after = widened(before, value, limits);
+    assert.ok(holds(after, value), `${value} in ${JSON.stringify(after)}`);
+    assert.ok(after.from <= before.from && after.to >= before.to && after.from >= 0);
+    if (holds(before, value)) assert.deepEqual(after, before);
+  }
+});
+
+test("an axis widened to zero is linear, one to a limit ends there", () => {
+  assert.deepEqual(widened({ ...axis, from: 500 }, 0, { low: 0, high: null }), { ...axis, scale: "linear", from: 0 });
+  assert.deepEqual(widened({ ...axis, from: 2, to: 89, scale: "linear" }, 99, { low: 0, high: 100 }).to, 100);
 });

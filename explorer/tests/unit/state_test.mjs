@@ -37,13 +37,23 @@ test("a state comes back from its fragment, whatever it holds", () => {
       other: pick([null, { library: 7 }, { design: { preset: "creak", set }, direction: "coming" }]),
       theme: pick(["auto", "dark"]),
     };
-    assert.deepEqual(fromFragment(toFragment(state, defaults), defaults), state);
+    assert.deepEqual(fromFragment(toFragment(state), defaults), state);
   }
 });
 
 test("an empty or spoilt fragment gives the defaults", () => {
   for (const text of ["", "#", "#x=1:2:3", "#x=contact.preload:9:1:64:log", "#x=contact.preload:0:1:64:log", "#y=contact.preload:1:2:64:linear", "#view=nothing&theme=pink", "#span=3:1", "#other=library:x", "#preset", "#%E0%A4%A&=&&=="])
     assert.deepEqual(fromFragment(text, defaults), defaults, text);
+});
+
+test("a fragment that no page makes so long is left alone", () => {
+  assert.deepEqual(fromFragment(`#preset=creak&contact.preload=${"1".repeat(9000)}`, defaults), defaults);
+});
+
+test("what a link leaves out is as on a page without a file", () => {
+  const own = { ...defaults, figure: "frequency" };
+  assert.equal(fromFragment("#preset=squeal", own).figure, "category");
+  assert.equal(fromFragment("", own).figure, "frequency");
 });
 
 test("axes of absurd size or of equal parameters are refused", () => {
@@ -54,7 +64,7 @@ test("axes of absurd size or of equal parameters are refused", () => {
 
 test("the fragment stays readable", () => {
   const state = { ...defaults, design: { preset: "squeal", set: { "contact.preload": "12.5" } } };
-  assert.equal(toFragment(state, defaults), "preset=squeal&contact.preload=12.5&x=contact.preload:2:4000:64:log&y=contact.kinetic_friction:0:0.8:64:linear");
+  assert.equal(toFragment(state), "preset=squeal&contact.preload=12.5&x=contact.preload:2:4000:64:log&y=contact.kinetic_friction:0:0.8:64:linear");
 });
 
 test("a key that is no key of a field never reaches the design", () => {

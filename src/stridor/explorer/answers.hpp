@@ -33,6 +33,15 @@ Response motion(const World& world, const Json& body, const std::stop_token& sto
 Response stability(const World& world, const Json& body, const std::stop_token& stop);
 Response toml(const World& world, const Json& body, const std::stop_token& stop);
 
+// answers_share.cpp
+
+/// "stridor.explorer.value/1": a text with a unit as the number it is for a quantity, as `--set` would take it.
+Response value(const World& world, const Json& body, const std::stop_token& stop);
+
+/// "stridor.explorer.share/1": a case as one of the paper's with all that differs in it, so that it is the same case on
+/// a machine that has none of its files.
+Response share(const World& world, const Json& body, const std::stop_token& stop);
+
 // answers_chart.cpp
 Response chart(const World& world, const Json& body, const std::stop_token& stop);
 

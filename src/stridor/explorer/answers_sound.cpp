@@ -135,7 +135,7 @@ Response analysis_of(signal::Source& source) {
                         {"level",
                          {{"time", multiples(instants, sound.level.interval, 1)},
                           {"decibels", rounded(sound.level.decibels)},
-                          {"reference", unit}}},
+                          {"unit", unit}}},
                         {"spectrum",
                          {{"frequency", multiples(lines.size(), sound.spectrum.spacing, 0)},
                           {"level", rounded(levels_of(lines, reference))},

@@ -153,4 +153,15 @@ Json default_chart() {
         {"refine", 3}};
 }
 
+Json chart_of(const sweep::Study& study) {
+    const auto axis = [](const sweep::Axis& a) {
+        return Json{{"parameter", a.parameter},
+                    {"from", a.from},
+                    {"to", a.to},
+                    {"points", std::min(a.points, most_chart_points)},
+                    {"scale", sweep::scale_names[static_cast<std::size_t>(a.scale)]}};
+    };
+    return {{"x", axis(study.x)}, {"y", axis(study.y)}, {"figure", study.quantities.front()}};
+}
+
 }  // namespace stridor::explorer

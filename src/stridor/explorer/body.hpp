@@ -41,4 +41,7 @@ sweep::Study study_in(const World& world, const Json& body);
 /// A chart with its default axes: preload over kinetic friction, as in Figure 8, linear.
 Json default_chart();
 
+/// The axes of a file's chart and the first quantity it draws, with as many points as may be explored.
+Json chart_of(const sweep::Study& study);
+
 }  // namespace stridor::explorer

@@ -33,6 +33,10 @@ const Preset& preset_named(const World& world, std::string_view name) {
     const auto found = std::find_if(world.presets.begin(), world.presets.end(),
                                     [&](const Preset& preset) { return preset.name == name; });
     if (found != world.presets.end()) return *found;
+    if (name == "file")
+        throw Error(ErrorKind::input,
+                    {"the case of this link is a file that is not here", "the link leans on the machine it came from",
+                     "Ask for one made by Share, Copy link: that one holds the whole case."});
     throw Error(ErrorKind::input,
                 {"there is no preset \"" + std::string(name) + "\"", "", "GET /api/start lists them."});
 }

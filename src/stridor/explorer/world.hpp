@@ -2,8 +2,10 @@
 
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_document.hpp"
+#include "stridor/sweep/study.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +20,7 @@ struct Preset {
     std::vector<std::string> overrides{};  // "section.key=value", over the file's values
     std::string samples_file{};            // of its sampled drive, as it was read when the program started
     io::SampledMotion samples{};           // what stood in it
+    std::optional<sweep::Study> study{};   // the chart of its file, should it have one
 };
 
 /// What the explorer's answers are made from; it never changes.

@@ -277,7 +277,7 @@ TEST(Api, AnswersEveryMalformedBodyWithAnError) {
                                           std::string(100000, '['),
                                           std::string(1000, '\0')};
     for (const char* path : {"/api/simulate", "/api/motion", "/api/chart", "/api/stability", "/api/toml", "/api/sound",
-                             "/api/analysis", "/api/advice", "/api/report"})
+                             "/api/analysis", "/api/advice", "/api/report", "/api/value", "/api/share"})
         for (const std::string& body : bodies)
             refusal(post(path, body), 400);
 }
@@ -290,7 +290,7 @@ RC_GTEST_PROP(Api, SurvivesEveryChangeOfABody, ()) {
         const auto at = static_cast<std::size_t>(*rc::gen::inRange<int>(0, static_cast<int>(body.size())));
         body[at] = static_cast<char>(*rc::gen::inRange(1, 256));
     }
-    for (const char* path : {"/api/toml", "/api/stability", "/api/chart"}) {
+    for (const char* path : {"/api/toml", "/api/stability", "/api/chart", "/api/share"}) {
         const Response response = post(path, body);
         RC_ASSERT(response.status == 200 || response.status == 400);
     }

@@ -87,7 +87,7 @@ TEST_F(FilesTest, NoByteAroundAnyKeyOpensAFile) {
 
 TEST_F(FilesTest, NoAnswerOpensOne) {
     for (const char* path : {"/api/simulate", "/api/motion", "/api/chart", "/api/stability", "/api/toml", "/api/sound",
-                             "/api/analysis", "/api/advice", "/api/report"})
+                             "/api/analysis", "/api/advice", "/api/report", "/api/share"})
         for (const char* key :
              {"drive.file", " drive.file", "drive.file ", "drive.file\n", "\rdrive.file", "drive.file\r\n",
               "\"drive.file\"", "\"drive\".\"file\"", "drive.'file'", "drive", "drive={file", "file"})
