@@ -199,12 +199,15 @@ TEST(Advice, StopsWhenAsked) {
 TEST(Advice, TellsItsProgress) {
     AdviceOptions options;
     options.over = {{"contact.kinetic_friction", 0.5, 0.7}};
-    std::size_t last = 0;
-    options.progress = [&](AdviceStage, std::size_t runs) {
-        EXPECT_GE(runs, last);
-        last = runs;
+    AdviceProgress last;
+    options.progress = [&](const AdviceProgress& progress) {
+        EXPECT_GE(progress.runs, last.runs);
+        EXPECT_GE(progress.share, last.share);
+        EXPECT_LE(progress.share, 1.0);
+        last = progress;
     };
-    EXPECT_EQ(advise(brief(squeal), options).runs, last);
+    EXPECT_EQ(advise(brief(squeal), options).runs, last.runs);
+    EXPECT_GT(last.share, 0.5);
 }
 
 TEST(IsQuiet, IsNotWhatCouldNotBeComputedOrDecided) {
