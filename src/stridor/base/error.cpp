@@ -1,12 +1,15 @@
 #include "stridor/base/error.hpp"
 
+#include "stridor/base/check.hpp"
+
 #include <utility>
 
 namespace stridor::base {
 
 namespace {
 
-std::string sentence(const Problem& problem, const std::optional<Place>& place) {
+std::string sentence(const Complaint& complaint) {
+    const auto& [problem, place] = complaint;
     std::string text = problem.what;
     if (!problem.why.empty()) text += " (" + problem.why + ")";
     if (!problem.suggestion.empty()) text += ". " + problem.suggestion;
@@ -14,13 +17,24 @@ std::string sentence(const Problem& problem, const std::optional<Place>& place) 
     return text;
 }
 
+std::string sentences(const std::vector<Complaint>& complaints) {
+    std::string text;
+    for (const Complaint& complaint : complaints)
+        text += (text.empty() ? "" : "\n") + sentence(complaint);
+    return text;
+}
+
 }  // namespace
 
 Error::Error(ErrorKind kind, Problem problem, std::optional<Place> place)
-    : std::runtime_error(sentence(problem, place)),
+    : Error(std::vector{Complaint{std::move(problem), std::move(place)}}, kind) {}
+
+Error::Error(std::vector<Complaint> complaints, ErrorKind kind)
+    : std::runtime_error(sentences(complaints)),
       kind_(kind),
-      problem_(std::move(problem)),
-      place_(std::move(place)) {}
+      complaints_(std::move(complaints)) {
+    STRIDOR_EXPECT(!complaints_.empty());
+}
 
 int exit_code(ErrorKind kind) {
     switch (kind) {

@@ -3,6 +3,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace stridor::base {
 
@@ -29,21 +31,35 @@ struct Problem {
     std::string suggestion;  // "Swap them?"; may be empty
 };
 
-/// An error a user, a file or the machine caused, thrown at the edges and never inside stepping.
+/// A problem and where it stands.
+struct Complaint {
+    Problem problem;
+    std::optional<Place> place{};
+};
+
+/// An error a user, a file or the machine caused, thrown at the edges and never inside stepping. One that is about a whole
+/// file may carry several complaints.
 ///
-/// `what()` reads *problem (why). suggestion? [file:line:column]*.
+/// `what()` reads *problem (why). suggestion? [file:line:column]*, a line per complaint.
 class Error : public std::runtime_error {
 public:
     Error(ErrorKind kind, Problem problem, std::optional<Place> place = std::nullopt);
 
+    /// Several complaints of one kind, in the order in which they are told; one at least.
+    static Error of(ErrorKind kind, std::vector<Complaint> complaints) { return {std::move(complaints), kind}; }
+
     ErrorKind kind() const { return kind_; }
-    const Problem& problem() const { return problem_; }
-    const std::optional<Place>& place() const { return place_; }
+    const std::vector<Complaint>& complaints() const { return complaints_; }
+
+    /// Of the first complaint.
+    const Problem& problem() const { return complaints_.front().problem; }
+    const std::optional<Place>& place() const { return complaints_.front().place; }
 
 private:
+    Error(std::vector<Complaint> complaints, ErrorKind kind);
+
     ErrorKind kind_;
-    Problem problem_;
-    std::optional<Place> place_;
+    std::vector<Complaint> complaints_;
 };
 
 /// The program's exit code for an error of this kind: 2, 3, 4 or 5.

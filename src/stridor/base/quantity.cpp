@@ -29,12 +29,19 @@ constexpr std::array symbols{
     Symbol{"%", {{}, 0.01}, false},
     Symbol{"m", {{0, 1, 0, 0}, 1.0}, true},
     Symbol{"g", {{1, 0, 0, 0}, 1e-3}, true},
+    Symbol{"t", {{1, 0, 0, 0}, 1e3}, false},
     Symbol{"s", {{0, 0, 1, 0}, 1.0}, true},
     Symbol{"min", {{0, 0, 1, 0}, 60.0}, false},
+    Symbol{"h", {{0, 0, 1, 0}, 3600.0}, false},
     Symbol{"N", {{1, 1, -2, 0}, 1.0}, true},
+    Symbol{"daN", {{1, 1, -2, 0}, 10.0}, false},
+    // products that people write without a sign between
+    Symbol{"Ns", {{1, 1, -1, 0}, 1.0}, true},
+    Symbol{"Nm", {{1, 2, -2, 0}, 1.0}, true},
     Symbol{"Pa", {{1, -1, -2, 0}, 1.0}, true},
     Symbol{"J", {{1, 2, -2, 0}, 1.0}, true},
     Symbol{"Hz", {{0, 0, -1, 0}, 1.0}, true},
+    Symbol{"rpm", {{0, 0, -1, 0}, 1.0 / 60.0}, false},
     Symbol{"A", {{0, 0, 0, 0, 1}, 1.0}, true},
     Symbol{"V", {{1, 2, -3, 0, -1}, 1.0}, true},
     Symbol{"deg", {{0, 0, 0, 1}, 1.0}, false},
@@ -74,17 +81,6 @@ constexpr std::array names{
     Name{{1, 2, -3, 0, -1}, "a voltage (V)"},
     Name{{0, 0, 0, 0, 0, 1}, "a temperature (degC)"},
 };
-
-Error bad_unit(std::string_view symbol) {
-    std::vector<std::string_view> known;
-    for (const Symbol& entry : symbols)
-        known.push_back(entry.name);
-    const std::string_view near = nearest_name(symbol, known);
-    std::string help =
-        near.empty() ? std::string("Known: m, kg, s, min, N, Pa, J, Hz, A, V, deg, rad, degC, %, with G M k c m u n.")
-                     : "Did you mean \"" + std::string(near) + "\"?";
-    return {ErrorKind::input, {"unknown unit \"" + std::string(symbol) + "\"", "", std::move(help)}};
-}
 
 /// A unit, or the part of its text that is unknown.
 struct Attempt {
@@ -173,7 +169,10 @@ std::optional<int> decimal_exponent(double ratio) {
 // number times ratio; a decimal ratio moves the numeral's own exponent, so that "0.1 us" reads as 1e-07 to the last bit
 double scaled(std::string_view numeral, double number, double ratio) {
     const std::optional<int> shift = decimal_exponent(ratio);
-    if (!shift || *shift == 0) return shift ? number : number * ratio;
+    // 1/60 has no exact double, 60 has
+    const double inverse = 1.0 / ratio;
+    if (!shift) return inverse == std::round(inverse) ? number / inverse : number * ratio;
+    if (*shift == 0) return number;
     const std::size_t mark = numeral.find_first_of("eE");
     int exponent = 0;
     if (mark != std::string_view::npos) {
@@ -184,6 +183,86 @@ double scaled(std::string_view numeral, double number, double ratio) {
     double value = number * ratio;  // stays where the moved numeral leaves double precision
     std::from_chars(moved.data(), moved.data() + moved.size(), value);
     return value;
+}
+
+// how people spell units out, or shorten them otherwise
+struct Spelling {
+    std::string_view text;
+    std::string_view symbol;
+};
+constexpr std::array spellings{
+    Spelling{"newton", "N"}, Spelling{"newtons", "N"},    Spelling{"metre", "m"},    Spelling{"meter", "m"},
+    Spelling{"sec", "s"},    Spelling{"second", "s"},     Spelling{"seconds", "s"},  Spelling{"minutes", "min"},
+    Spelling{"hour", "h"},   Spelling{"hours", "h"},      Spelling{"degree", "deg"}, Spelling{"degrees", "deg"},
+    Spelling{"hertz", "Hz"}, Spelling{"percent", "%"},    Spelling{"gram", "g"},     Spelling{"kilogram", "kg"},
+    Spelling{"C", "degC"},   Spelling{"celsius", "degC"},
+};
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    return result;
+}
+
+// every symbol with every prefix it takes
+std::vector<std::string> all_symbols() {
+    std::vector<std::string> all;
+    for (const Symbol& symbol : symbols)
+        all.emplace_back(symbol.name);
+    for (const Symbol& symbol : symbols)
+        for (const auto& [prefix, factor] : prefixes)
+            if (symbol.takes_prefix) all.push_back(std::string(prefix) + std::string(symbol.name));
+    return all;
+}
+
+// what `text`, a unit with an unknown part, is with that part replaced: the same in other letters, a word for it, or one
+// that differs by one letter; of the dimension that is wanted, if one is
+std::string similar_unit(std::string_view text, std::string_view unknown, const Dimension* wanted) {
+    if (unknown.empty()) return {};
+    const auto at = static_cast<std::size_t>(unknown.data() - text.data());
+    const auto repaired = [&](std::string_view symbol) {
+        return std::string(text.substr(0, at)) + std::string(symbol) + std::string(text.substr(at + unknown.size()));
+    };
+    const auto fits = [&](std::string_view symbol) {
+        const std::optional<Unit> unit = try_unit(repaired(symbol)).unit;
+        return unit && (wanted == nullptr || unit->dimension == *wanted);
+    };
+    if (fits(lower(unknown))) return repaired(lower(unknown));  // mm for MM, which Mm is, too
+    const std::vector<std::string> all = all_symbols();
+    for (const std::string& symbol : all)
+        if (lower(symbol) == lower(unknown) && fits(symbol)) return repaired(symbol);
+    for (const Spelling& spelling : spellings)
+        if (lower(spelling.text) == lower(unknown) && fits(spelling.symbol)) return repaired(spelling.symbol);
+    if (unknown.size() < 3) return {};  // one letter of two is another unit
+    std::vector<std::string_view> fitting;
+    for (const std::string& symbol : all)
+        if (symbol.size() > 1 && fits(symbol)) fitting.push_back(symbol);
+    const std::string_view near = nearest_name(unknown, fitting, 1);
+    return near.empty() ? std::string() : repaired(near);
+}
+
+Error bad_unit(std::string_view text, std::string_view unknown, std::string_view wanted) {
+    const std::optional<Unit> unit = wanted.empty() ? std::nullopt : try_unit(wanted).unit;
+    const std::string near = similar_unit(text, unknown, unit ? &unit->dimension : nullptr);
+    const std::string known =
+        "Known: m, g, t, s, min, h, N, daN, Pa, J, Hz, rpm, A, V, deg, rad, degC, %, with G M k c m u n.";
+    const bool is_plain = wanted.empty() || wanted == "1";
+    std::string help = !near.empty() ? "Did you mean \"" + near + "\"?"
+                       : is_plain    ? known
+                                     : "Give it in " + std::string(wanted) + ". " + known;
+    return {ErrorKind::input, {"unknown unit \"" + std::string(unknown) + "\"", "", std::move(help)}};
+}
+
+// "0,5 mm" as it should be written, if that is all that is wrong with it
+std::string with_point(std::string_view text) {
+    std::string repaired(text);
+    const std::size_t comma = repaired.find(',');
+    if (comma == std::string::npos) return {};
+    repaired[comma] = '.';
+    const bool is_one = repaired.find_first_of(",.", comma + 1) == std::string::npos && repaired.find('.') == comma &&
+                        repaired.find_first_of("0123456789", comma) == comma + 1;
+    return is_one ? repaired : std::string();
 }
 
 }  // namespace
@@ -206,7 +285,7 @@ std::optional<Unit> find_unit(std::string_view text) {
 
 Unit parse_unit(std::string_view text) {
     const Attempt attempt = try_unit(text);
-    if (!attempt.unit) throw bad_unit(attempt.unknown);
+    if (!attempt.unit) throw bad_unit(text, attempt.unknown, "");
     return *attempt.unit;
 }
 
@@ -224,11 +303,16 @@ double parse_quantity(std::string_view text, std::string_view unit) {
         throw Error(ErrorKind::input,
                     {quoted + " is not a number", "", "Write a number, with or without a unit: \"4 mm\"."});
     const std::string_view rest = trimmed(digits.substr(static_cast<std::size_t>(result.ptr - digits.data())));
-    if (rest.starts_with(','))
+    if (rest.starts_with(',')) {
+        const std::string repaired = with_point(given);
         throw Error(ErrorKind::input,
-                    {quoted + " has a decimal comma", "numbers are written with a point", "Write 0.5, not 0,5."});
+                    {quoted + " has a comma", "numbers are written with a decimal point and no other marks",
+                     "Write " + (repaired.empty() ? "1234.5, not 1,234.5" : "\"" + repaired + "\"") + "."});
+    }
     const Unit wanted = parse_unit(unit);
-    const Unit found = rest.empty() ? wanted : parse_unit(rest);
+    const Attempt attempt = rest.empty() ? Attempt{wanted, {}} : try_unit(rest);
+    if (!attempt.unit) throw bad_unit(rest, attempt.unknown, unit);
+    const Unit found = *attempt.unit;
     if (!(found.dimension == wanted.dimension))
         throw Error(ErrorKind::input,
                     {quoted + " is " + describe(found.dimension), "expected " + describe(wanted.dimension),

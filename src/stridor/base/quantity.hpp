@@ -27,9 +27,10 @@ struct Unit {
 /// "a force (N)", "a length (m)", "a plain number", or the exponents where the field has no word for it.
 std::string describe(Dimension dimension);
 
-/// Reads a unit such as "N", "kN/mm", "N*s/m", "N s/m", "m/s^2", "deg", "%" or "1".
+/// Reads a unit such as "N", "kN/mm", "N*s/m", "N s/m", "Ns/m", "m/s^2", "rpm", "deg", "%" or "1".
 ///
-/// Throws `Error` (input) naming the symbol it does not know, with the nearest known one.
+/// Throws `Error` (input) naming the symbol it does not know, with the same unit in other letters ("n": N) or one that is
+/// a letter away, if there is any.
 Unit parse_unit(std::string_view text);
 
 /// The same without an error: nothing for what is no unit.
@@ -38,7 +39,8 @@ std::optional<Unit> find_unit(std::string_view text);
 /// Reads a number, with or without a unit, into the SI value of a quantity that is measured in `unit`.
 ///
 /// "20" and "20 N" both read as 20 for unit "N"; "4 mm" as 0.004 for unit "m". Throws `Error` (input) that names both
-/// dimensions when they differ, and for anything that is not one finite number with at most one unit.
+/// dimensions when they differ, and for anything that is not one finite number with at most one unit. It suggests units
+/// of the wanted dimension only.
 double parse_quantity(std::string_view text, std::string_view unit);
 
 }  // namespace stridor::base

@@ -38,9 +38,10 @@ std::string shortest(double value) {
     return {buffer.data(), result.ptr};
 }
 
-std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates) {
+std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates,
+                              std::size_t most_edits) {
     std::string_view best;
-    std::size_t fewest = 3;
+    std::size_t fewest = most_edits + 1;
     for (const std::string_view candidate : candidates) {
         // each character too many is an edit
         const std::size_t longer = std::max(name.size(), candidate.size());
@@ -52,6 +53,39 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
         }
     }
     return best;
+}
+
+std::size_t character_count(std::string_view text) {
+    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+    return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues));
+}
+
+std::string wrapped(std::string_view text, const Wrapping& wrapping) {
+    std::string result;
+    std::size_t column = wrapping.first;
+    bool is_start = true;  // of a line
+    const auto begin_line = [&] {
+        result += "\n" + std::string(wrapping.indent, ' ');
+        column = wrapping.indent;
+        is_start = true;
+    };
+    for (std::size_t from = 0; from < text.size();) {
+        if (text[from] == '\n') begin_line();
+        if (text[from] == '\n' || text[from] == ' ') {
+            ++from;
+            continue;
+        }
+        const std::size_t end = std::min(text.find_first_of(" \n", from), text.size());
+        const std::string_view word = text.substr(from, end - from);
+        const std::size_t width = character_count(word);
+        if (!is_start && column + 1 + width > wrapping.columns) begin_line();
+        if (!is_start) result += ' ';
+        column += width + (is_start ? 0 : 1);
+        result += word;
+        is_start = false;
+        from = end;
+    }
+    return result;
 }
 
 std::size_t nesting(std::string_view text) {

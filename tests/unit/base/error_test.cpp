@@ -29,6 +29,16 @@ TEST(Error, LeavesOutWhatIsEmpty) {
     EXPECT_FALSE(Error(ErrorKind::io, {}).place().has_value());
 }
 
+TEST(Error, MayCarrySeveralComplaints) {
+    const Error error = Error::of(ErrorKind::input, {{{"a is unknown", "", ""}, Place{"case.toml", 3, 1, ""}},
+                                                     {{"b is missing", "it has no default", ""}, std::nullopt}});
+    EXPECT_STREQ(error.what(), "a is unknown [case.toml:3:1]\nb is missing (it has no default)");
+    EXPECT_EQ(error.problem().what, "a is unknown");
+    EXPECT_EQ(error.place()->line, 3);
+    EXPECT_EQ(error.complaints().size(), 2U);
+    EXPECT_EQ(Error(ErrorKind::io, {"the disk is full", "", ""}).complaints().size(), 1U);
+}
+
 TEST(Place, IsDescribedAsFarAsItIsKnown) {
     EXPECT_EQ(describe({"case.toml", 3, 7, ""}), "case.toml:3:7");
     EXPECT_EQ(describe({"case.toml", 3, 0, ""}), "case.toml:3");

@@ -46,6 +46,26 @@ TEST(Quantity, WithAUnitIsConvertedToSiAndDegrees) {
     EXPECT_DOUBLE_EQ(parse_quantity("1 mrad", "deg"), 0.05729577951308232);
 }
 
+TEST(Quantity, MayBeInUnitsOfTheWorkshop) {
+    EXPECT_EQ(parse_quantity("60 rpm", "Hz"), 1.0);
+    EXPECT_EQ(parse_quantity("720 rpm", "Hz"), 12.0);
+    EXPECT_EQ(parse_quantity("60 1/min", "Hz"), 1.0);
+    EXPECT_EQ(parse_quantity("2 daN", "N"), 20.0);
+    EXPECT_EQ(parse_quantity("0.4 daN/mm", "N/m"), 4000.0);
+    EXPECT_EQ(parse_quantity("1.5 t", "kg"), 1500.0);
+    EXPECT_EQ(parse_quantity("1 h", "s"), 3600.0);
+    EXPECT_EQ(parse_quantity("36 km/h", "m/s"), 10.0);
+    EXPECT_EQ(parse_quantity("3 Ns/m", "N*s/m"), 3.0);
+    EXPECT_EQ(parse_quantity("3 Ns/mm", "N*s/m"), 3000.0);
+    EXPECT_EQ(parse_quantity("2 kNm", "J"), 2000.0);
+}
+
+// n whole parts of a unit that has no exact double read as the nearest one
+RC_GTEST_PROP(Quantity, TurnsPerMinuteAreDividedExactly, ()) {
+    const int turns = *support::whole_between(1, 100000);
+    RC_ASSERT(parse_quantity(std::to_string(turns) + " rpm", "Hz") == static_cast<double>(turns) / 60.0);
+}
+
 TEST(Quantity, MayBeElectric) {
     EXPECT_EQ(parse_quantity("250 mV", "V"), 0.25);
     EXPECT_EQ(parse_unit("V*A*s").dimension, parse_unit("J").dimension);
@@ -129,7 +149,24 @@ TEST(QuantityError, NamesBothDimensionsWhenTheyDiffer) {
 
 TEST(QuantityError, SuggestsTheNearestUnit) {
     EXPECT_TRUE(refusal("20 degg", "deg").says("Did you mean \"deg\"?"));
-    EXPECT_TRUE(refusal("20 furlongs", "m").says("Known: m, kg"));
+    EXPECT_TRUE(refusal("20 furlongs", "m").says("Give it in m. Known: m, g"));
+    EXPECT_TRUE(refusal("20 N*s/mmm", "N*s/m").says("Did you mean \"N*s/mm\"?"));
+}
+
+TEST(QuantityError, SuggestsTheSameInOtherLettersFirst) {
+    EXPECT_TRUE(refusal("8 n", "N").says("Did you mean \"N\"?"));
+    EXPECT_TRUE(refusal("8 KN", "N").says("Did you mean \"kN\"?"));
+    EXPECT_TRUE(refusal("8 MM", "m").says("Did you mean \"mm\"?"));
+    EXPECT_TRUE(refusal("8 n s/m", "N*s/m").says("Did you mean \"N s/m\"?"));
+    EXPECT_TRUE(refusal("8 hz", "Hz").says("Did you mean \"Hz\"?"));
+    EXPECT_TRUE(refusal("8 Newton", "N").says("Did you mean \"N\"?"));
+    EXPECT_TRUE(refusal("8 Seconds", "s").says("Did you mean \"s\"?"));
+}
+
+TEST(QuantityError, SuggestsNothingOfAnotherDimension) {
+    for (const auto& [text, unit] : {std::pair{"8 n", "s"}, {"8 x", "N"}, {"8 rpn", "deg"}, {"8 radd", "Hz"}})
+        EXPECT_FALSE(refusal(text, unit).says("Did you mean")) << text;
+    EXPECT_TRUE(refusal("720 rpm", "deg").says("a frequency (Hz)"));
 }
 
 TEST(QuantityError, RefusesWhatIsNoNumber) {
@@ -144,8 +181,10 @@ TEST(QuantityError, RefusesWhatIsNotFinite) {
 }
 
 TEST(QuantityError, ExplainsADecimalComma) {
-    EXPECT_TRUE(refusal("0,5", "1").says("decimal comma"));
-    EXPECT_TRUE(refusal("0,5 N", "N").says("Write 0.5, not 0,5."));
+    EXPECT_TRUE(refusal("0,5", "1").says("Write \"0.5\"."));
+    EXPECT_TRUE(refusal("-12,25 mm", "m").says("Write \"-12.25 mm\"."));
+    for (const char* text : {"1,234.5 N", "1,234,567 N", "0, 5 N", "1.5,3 N", "3,N"})
+        EXPECT_TRUE(refusal(text, "N").says("Write 1234.5, not 1,234.5.")) << text;
 }
 
 TEST(QuantityError, RefusesBrokenUnits) {
