@@ -82,9 +82,7 @@ auto named(const char* option, const std::string& text, Read read) {
     try {
         return read();
     } catch (const Error& error) {
-        base::Place place;
-        place.file = std::string(option) + " " + text;
-        throw Error(error.kind(), error.problem(), place);
+        throw Error(error.kind(), error.problem(), base::Place{option, 0, 0, text});
     }
 }
 

@@ -1,8 +1,10 @@
 #include "commands.hpp"
 #include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_document.hpp"
+#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
+
+#include <utility>
 
 namespace stridor::app {
 
@@ -19,8 +21,15 @@ void add_no_early_option(CLI::App& command, CaseOptions& options) {
         "simulate to the end, even once the rest is proven (run.early_ending=never)");
 }
 
+io::TomlSource load_source(const std::string& path, std::vector<std::string> overrides) {
+    io::TomlSource source = io::load_toml(path, std::move(overrides));
+    for (const base::Complaint& warning : io::case_warnings(io::parse_toml(source)))
+        say_warning(warning);
+    return source;
+}
+
 parameters::Case load_case(const CaseOptions& options) {
-    return io::read_case(io::load_toml(options.file, options.overrides));
+    return io::read_case(load_source(options.file, options.overrides));
 }
 
 }  // namespace stridor::app

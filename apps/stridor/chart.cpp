@@ -76,7 +76,7 @@ std::string outside_text(const sweep::Study& study) {
 }
 
 void chart(const ChartOptions& options) {
-    sweep::Study study = io::read_study(io::load_toml(options.input.file, options.input.overrides), options.axes);
+    sweep::Study study = io::read_study(load_source(options.input.file, options.input.overrides), options.axes);
     if (options.preview) study = sweep::preview(std::move(study));
     const std::string name =
         std::filesystem::path(options.input.file).stem().string() + (options.preview ? "-preview" : "");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/io/toml_document.hpp"
 #include "stridor/parameters/case.hpp"
 
 #include <string>
@@ -43,6 +44,9 @@ void add_case_options(CLI::App& command, CaseOptions& options);
 
 /// Adds `--no-early`, short for --set run.early_ending=never.
 void add_no_early_option(CLI::App& command, CaseOptions& options);
+
+/// Loads a case or chart file with its overrides, and says on stderr which of its keys mean nothing for its case.
+io::TomlSource load_source(const std::string& path, std::vector<std::string> overrides = {});
 
 /// Reads the case the options name.
 parameters::Case load_case(const CaseOptions& options);

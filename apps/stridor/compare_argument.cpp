@@ -57,13 +57,13 @@ Asked asked_entry(const std::string& text, const std::string& number, const Libr
 }
 
 Asked asked_case(const std::string& path) {
-    const parameters::Case c = io::read_case(path);
+    const parameters::Case c = io::read_case(load_source(path));
     const std::string stem = std::filesystem::path(path).stem().string();
     return {path, stem, "simulation", SimulatedSound{path, c, {}}};
 }
 
 Asked asked_cell(const std::string& text, const std::string& path, const std::string& cell) {
-    const sweep::Study study = io::read_study(path);
+    const sweep::Study study = io::read_study(load_source(path));
     const CellChoice choice = parse_cell(cell);
     const sweep::CellPlace place = nearest_cell(study, choice);
     SimulatedSound simulated{text, sweep::case_at(study, place), {}};

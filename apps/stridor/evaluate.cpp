@@ -124,7 +124,7 @@ std::vector<io::HeardChart> charts_of(const EvaluateOptions& options) {
                  [](const std::string& assignment) { return !is_threshold(assignment); });
     std::vector<io::HeardChart> charts;
     for (const std::string& file : options.files)
-        charts.push_back({file, io::PlaneSet::file, io::read_study(file, overrides), {}});
+        charts.push_back({file, io::PlaneSet::file, io::read_study(load_source(file, overrides)), {}});
     if (!charts.empty() || !options.recordings.empty()) return charts;
     return built_in_charts(options.planes, overrides);
 }

@@ -60,7 +60,7 @@ explorer::World world_of(const ExploreOptions& options) {
     else if (!std::filesystem::exists(world.library, ignored))
         world.library.clear();
     if (options.file.empty() || explorer::is_link(options.file)) return world;
-    const io::TomlSource source = io::load_toml(options.file, options.overrides);
+    const io::TomlSource source = load_source(options.file, options.overrides);
     explorer::Preset preset{"file", source.text, source.name, options.overrides};
     const io::SamplesReader keep = [&](const std::string& path) {
         preset.samples_file = path;

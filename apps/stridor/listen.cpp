@@ -104,7 +104,7 @@ Choice chosen_cell(const ListenOptions& options, io::TomlSource source) {
 }
 
 Choice choose(const ListenOptions& options) {
-    io::TomlSource source = io::load_toml(options.input.file, options.input.overrides);
+    io::TomlSource source = load_source(options.input.file, options.input.overrides);
     if (!options.cell.empty()) return chosen_cell(options, std::move(source));
     if (!options.seconds.empty()) set_duration(source, io::read_case(source), seconds_of(options));
     return {io::read_case(source), {}};

@@ -234,7 +234,7 @@ void write_folder(const MatchOptions& options, const io::MatchReport& report) {
 void match(const MatchOptions& options) {
     io::MatchReport report;
     report.chart = options.chart.file;
-    report.study = io::read_study(io::load_toml(options.chart.file, options.chart.overrides));
+    report.study = io::read_study(load_source(options.chart.file, options.chart.overrides));
     report.recording = load_recording(options.recording, options.library);
     require_sound(report.recording);
     require_level(options, report.recording);

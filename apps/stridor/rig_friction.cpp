@@ -126,7 +126,7 @@ double rounded(double value) {
 
 // the case with the measured coefficients
 std::string changed_case(const FrictionOptions& options, const io::FrictionTest& test, const FrictionTrace& trace) {
-    parameters::Case c = io::read_case(options.into);
+    parameters::Case c = io::read_case(load_source(options.into));
     const double mu_d = rounded(trace.all.kinetic_friction.value);
     double mu_s = rounded(trace.all.static_friction.value);
     if (!std::isfinite(mu_d)) refuse("the trace shows no kinetic coefficient", "nothing slides in it", "");

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <charconv>
+#include <algorithm>
 #include <memory>
 
 namespace stridor::app {
@@ -66,12 +66,14 @@ std::string table(const analysis::StabilityScan& scan) {
     text += "\n";
     for (const analysis::DirectionScan& direction : scan.directions)
         text += boundary_lines(scan, direction);
+    const std::string name = scan.key.substr(scan.key.find('.') + 1);
+    const std::size_t width = std::max<std::size_t>(12, name.size());
     for (const analysis::DirectionScan& direction : scan.directions) {
-        text += fmt::format("\n{:<8}{:>12}  {:<11}modes (frequency, growth)\n",
-                            parameters::direction_names[static_cast<std::size_t>(direction.direction)],
-                            scan.key.substr(scan.key.find('.') + 1).substr(0, 12), "kind");
+        text += fmt::format("\n{:<8}{:>{}}  {:<11}modes (frequency, growth)\n",
+                            parameters::direction_names[static_cast<std::size_t>(direction.direction)], name, width,
+                            "kind");
         for (const analysis::StabilityPoint& point : direction.path.points)
-            text += fmt::format("{:<8}{:>12.6g}  {:<11}{}\n", "", point.value, kind_name(point.stability.kind),
+            text += fmt::format("{:<8}{:>{}.6g}  {:<11}{}\n", "", point.value, width, kind_name(point.stability.kind),
                                 modes_text(point.stability));
     }
     return text;

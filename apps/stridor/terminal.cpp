@@ -1,6 +1,7 @@
 #include "terminal.hpp"
 
 #include "stridor/base/escapes.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/io/atomic_file.hpp"
 
 #include <fcntl.h>
@@ -82,9 +83,15 @@ std::size_t width_before(const base::Place& place) {
     return width;
 }
 
+// prose as a terminal of any width can show it; what goes to files and other programs keeps its lines
+std::string for_terminal(const std::string& text, std::size_t first) {
+    if (!has_terminal()) return text;
+    return base::wrapped(text, {static_cast<std::size_t>(terminal_columns()), first, 4});
+}
+
 // the line as the user wrote it, with its number and a caret where both are known (an override has neither)
 void say_source_line(const base::Place& place) {
-    if (place.line <= 0) return say("    " + place.source_line);
+    if (place.line <= 0) return say("    " + place.file + " " + place.source_line);
     say(fmt::format("{:5} | {}", place.line, place.source_line));
     if (place.column <= 0) return;
     say(fmt::format("{:5} | {}^", "", std::string(width_before(place), ' ')));
@@ -92,13 +99,39 @@ void say_source_line(const base::Place& place) {
 
 }  // namespace
 
-void say_error(const Error& error) {
-    const base::Problem& problem = error.problem();
-    const std::string where = error.place() ? base::describe(*error.place()) + ": " : std::string("stridor: ");
+namespace {
+
+constexpr std::size_t most_complaints = 20;  // more fill the screen, and often come from the same slip
+
+// "case.toml:3:1: error: what (why)"; the line of an override, which has no number, stands below
+void say_complaint(const base::Complaint& complaint, std::string_view kind, Style style) {
+    const auto& [problem, place] = complaint;
+    const bool is_option = place && place->line <= 0 && !place->source_line.empty();
+    const std::string where = place && !is_option ? base::describe(*place) : std::string("stridor");
     const std::string why = problem.why.empty() ? "" : " (" + problem.why + ")";
-    say(where + styled("error:", Style::red, STDERR_FILENO) + " " + problem.what + why);
-    if (error.place() && !error.place()->source_line.empty()) say_source_line(*error.place());
-    if (!problem.suggestion.empty()) say("help: " + problem.suggestion);
+    const std::string head = where + ": " + std::string(kind) + ": ";
+    say(where + ": " + styled(std::string(kind) + ":", style, STDERR_FILENO) + " " +
+        for_terminal(problem.what + why, base::character_count(head)));
+}
+
+}  // namespace
+
+void say_error(const Error& error) {
+    const std::vector<base::Complaint>& complaints = error.complaints();
+    for (std::size_t k = 0; k < std::min(complaints.size(), most_complaints); ++k) {
+        const auto& [problem, place] = complaints[k];
+        say_complaint(complaints[k], "error", Style::red);
+        if (place && !place->source_line.empty()) say_source_line(*place);
+        if (!problem.suggestion.empty()) say("help: " + for_terminal(problem.suggestion, 6));
+    }
+    if (complaints.size() > most_complaints)
+        say(fmt::format("stridor: and {} more errors", complaints.size() - most_complaints));
+    else if (complaints.size() > 1)
+        say(fmt::format("stridor: {} errors", complaints.size()));
+}
+
+void say_warning(const base::Complaint& warning) {
+    say_complaint(warning, "warning", Style::bold);
 }
 
 void open_standard_streams() {
@@ -112,10 +145,15 @@ bool has_terminal() {
     return isatty(STDERR_FILENO) == 1;
 }
 
-int terminal_columns() {
+int terminal_columns(int file_descriptor) {
+    constexpr int least = 20;
+    if (const char* told = std::getenv("COLUMNS"); told != nullptr) {
+        const long columns = std::strtol(told, nullptr, 10);
+        if (columns > 0) return static_cast<int>(std::clamp(columns, long{least}, 1000L));
+    }
     winsize size{};
-    const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-    return is_known ? size.ws_col : 80;
+    const bool is_known = ioctl(file_descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return is_known ? std::max<int>(size.ws_col, least) : 80;
 }
 
 std::string styled(std::string_view text, Style style, int file_descriptor) {

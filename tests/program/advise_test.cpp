@@ -123,7 +123,7 @@ TEST_F(Advise, RefusesWhatMakesNoSense) {
     expect_refused({"--over", "preload=10"}, {"--over preload=10", "KEY=FROM:TO"});
     expect_refused({"--over", "preload=1:2:3"}, {"KEY=FROM:TO"});
     expect_refused({"--over", "preload=50:5"}, {"Swap them?"});
-    expect_refused({"--over", "prelod"}, {"Did you mean preload?"});
+    expect_refused({"--over", "prelod"}, {"Did you mean contact.preload?"});
     expect_refused({"--over", "mass=0.1:1"}, {"joint.mass or plate.mass"});
     expect_refused({"--over", "preload=3 mm:5 mm"}, {"force"});
     expect_refused({"--over", "preload=nan:5"}, {"nan"});

@@ -110,6 +110,41 @@ TEST(BadInput, AnOverrideIsHeldToTheSameRules) {
     expect_refused(simulate(text, {"--set", "contact.preload"}), 2, {"contact.preload"});
 }
 
+TEST(BadInput, AllThatIsWrongIsToldInOneRun) {
+    std::string text = squeal_with("preload =", "preload = \"20,5 N\"");
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        const std::size_t place = text.find("\n" + from) + 1;
+        text.replace(place, text.find('\n', place) - place, to);
+    };
+    replace("incidence_angle =", "incidence_angle = \"720 rpm\"");
+    replace("damping =", "dampening = 1");
+    replace("quiet_slip =", "quiet_slip = 2");
+    expect_refused(simulate(text), 2,
+                   {"Write \"20.5 N\"", "a frequency (Hz)", "unknown key plate.dampening", "verdict.quiet_slip = 2",
+                    "Did you mean plate.damping?", "4 errors"});
+}
+
+// an init file changed by hand from one kind of drive to another is mended in one run
+TEST(BadInput, AChangedKindOfDriveIsMendedInOneRun) {
+    const std::string text = squeal_with("kind =", "kind = \"constant\"");
+    expect_refused(simulate(text), 2,
+                   {"missing key drive.velocity", "Write for example velocity = \"0.1 m/s\" in [drive]",
+                    "warning: drive.amplitude", "warning: verdict.settling"});
+    std::string mended = text;
+    mended.replace(mended.find("#velocity"), 1, "");
+    const Finished finished = simulate(mended);
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_NE(finished.err.find("warning: drive.frequency means nothing for this case"), std::string::npos);
+    EXPECT_EQ(finished.err.find("error"), std::string::npos) << finished.err;
+}
+
+TEST(BadInput, ManyErrorsAreCounted) {
+    std::string text = "[joint]\n";
+    for (int k = 0; k < 30; ++k)
+        text += "nonsense_" + std::to_string(k) + " = 1\n";
+    expect_refused(simulate(text), 2, {"nonsense_19", "and 11 more errors"});
+}
+
 TEST(BadInput, AnUnknownCommandOrOptionIsAUsageError) {
     expect_refused(run({"simulat", "x"}), 2, {"--help"});
     expect_refused(run({"simulate", "--colour"}), 2, {"--help"});

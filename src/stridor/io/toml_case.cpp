@@ -1,12 +1,13 @@
 #include "stridor/io/toml_case.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/io/complaints.hpp"
+#include "stridor/io/toml_case_keys.hpp"
 #include "stridor/parameters/check.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,62 +22,6 @@ using parameters::Choice;
 using parameters::Field;
 using parameters::Quantity;
 
-constexpr std::string_view chart_section = "chart";
-
-bool is_chart_key(std::string_view key) {
-    return key == chart_section || (key.starts_with(chart_section) && key[chart_section.size()] == '.');
-}
-
-std::vector<std::string_view> section_names() {
-    std::vector<std::string_view> names;
-    for (const Field& field : parameters::fields())
-        if (!field.section.empty() && (names.empty() || names.back() != field.section)) names.push_back(field.section);
-    names.push_back(chart_section);
-    return names;
-}
-
-bool is_section(std::string_view key) {
-    const std::vector<std::string_view> names = section_names();
-    return std::find(names.begin(), names.end(), key) != names.end();
-}
-
-// a key in another section, or without any: "preload" is contact.preload
-std::string same_name_elsewhere(std::string_view key) {
-    const std::string_view name = key.substr(key.rfind('.') == std::string_view::npos ? 0 : key.rfind('.') + 1);
-    for (const Field& field : parameters::fields())
-        if (field.name == name) return parameters::key_of(field);
-    return {};
-}
-
-Error unknown_key(const TomlEntry& entry) {
-    const bool is_table = std::holds_alternative<TomlTable>(entry.value);
-    const std::vector<std::string_view> sections = section_names();
-    std::string near;
-    if (is_table) {
-        const std::string_view section = base::nearest_name(entry.key, sections);
-        near = section.empty() ? "" : "[" + std::string(section) + "]";
-    } else {
-        near = parameters::nearest_key(entry.key);
-        if (near.empty()) near = same_name_elsewhere(entry.key);
-    }
-    const std::string what = is_table ? "unknown section [" + entry.key + "]" : "unknown key " + entry.key;
-    return {ErrorKind::input, {what, "", near.empty() ? "" : "Did you mean " + near + "?"}, entry.key_place};
-}
-
-void check_known(const TomlDocument& document) {
-    for (const TomlEntry& entry : document.entries) {
-        if (is_chart_key(entry.key)) continue;
-        if (is_section(entry.key)) {
-            if (std::holds_alternative<TomlTable>(entry.value)) continue;
-            throw Error(ErrorKind::input,
-                        {entry.key + " is " + std::string(type_name(entry.value)),
-                         "expected a section: [" + entry.key + "] with its keys", ""},
-                        entry.key_place);
-        }
-        if (parameters::find_field(entry.key) == nullptr) throw unknown_key(entry);
-    }
-}
-
 std::string expected(const Field& field) {
     if (const auto* quantity = std::get_if<Quantity>(&field.kind))
         return quantity->unit == "1" ? std::string("expected a number")
@@ -89,81 +34,89 @@ std::string expected(const Field& field) {
     return names.empty() ? std::string("expected text") : "expected one of " + names;
 }
 
-void assign(Case& c, const Field& field, const TomlEntry& entry) {
-    try {
-        if (const auto* text = std::get_if<std::string>(&entry.value))
-            return parameters::set_from_text(c, field, *text);
-        const auto* number = std::get_if<double>(&entry.value);
-        const bool takes_number = std::holds_alternative<Quantity>(field.kind);
-        if (number != nullptr && takes_number) return parameters::set_quantity(c, field, *number);
-    } catch (const Error& error) {
-        throw located(error, entry.key, entry.value_place);
-    }
-    throw Error(ErrorKind::input, {entry.key + " is " + std::string(type_name(entry.value)), expected(field), ""},
-                entry.value_place);
-}
-
 enum class Pass { choices, the_rest };
 enum class Layer { file, everything };
 
-// choices first: they decide which other keys belong
-void assign_all(Case& c, const TomlDocument& document, Pass pass, Layer layer) {
-    for (const TomlEntry& entry : document.entries) {
-        const Field* field = parameters::find_field(entry.key);
-        if (field == nullptr || (layer == Layer::file && entry.origin != TomlOrigin::file)) continue;
-        const bool is_choice = std::holds_alternative<Choice>(field->kind);
-        const bool decides = layer == Layer::file || document.find(entry.key) == &entry;
-        if (decides && is_choice == (pass == Pass::choices)) assign(c, *field, entry);
-    }
+// a list or table that stands for a value has complaints of its own for what is in it
+bool has_inner(const TomlDocument& document, const TomlEntry& entry) {
+    return std::holds_alternative<TomlTable>(entry.value) &&
+           std::any_of(document.entries.begin(), document.entries.end(),
+                       [&](const TomlEntry& other) { return other.key.starts_with(entry.key + "."); });
 }
 
-void check_complete(const Case& c, const TomlDocument& document) {
-    const bool knows_drive = document.find("drive.kind") != nullptr;
-    std::string missing;
-    int count = 0;
-    for (const Field& field : parameters::fields()) {
-        const std::string key = parameters::key_of(field);
-        const bool is_known = field.section != "drive" || field.name == "kind" || knows_drive;
-        if (!is_known || !is_required(field) || !field.belongs(c) || document.find(key) != nullptr) continue;
-        missing += (count++ == 0 ? "" : ", ") + key;
-    }
-    if (count == 0) return;
-    throw Error(ErrorKind::input,
-                {(count == 1 ? "missing key " : "missing keys ") + missing,
-                 count == 1 ? "it has no sensible default" : "they have no sensible defaults",
-                 "`stridor init` prints complete cases to start from."},
-                base::Place{document.name, 0, 0, ""});
-}
+/// A document on its way to a case, with what is wrong with it so far.
+class CaseReading {
+public:
+    explicit CaseReading(const TomlDocument& document) : document_(&document) {}
 
-// the choices that would give a key a meaning: drive.kind = "constant"
-std::string where_it_belongs(const Case& c, const Field& field) {
-    std::string homes;
-    for (const Field& other : parameters::fields()) {
-        const auto* choice = std::get_if<Choice>(&other.kind);
-        if (choice == nullptr) continue;
-        for (std::size_t index = 0; index < choice->names.size(); ++index) {
-            Case changed = c;
-            choice->set(changed, static_cast<int>(index));
-            if (!field.belongs(changed)) continue;
-            homes += (homes.empty() ? "" : " or ") + parameters::key_of(other) + " = \"" +
-                     std::string(choice->names[index]) + "\"";
+    /// Chooses the kinds, which decide what else belongs, and looks whether all keys are there and in their place.
+    void read_kinds() {
+        const std::vector<std::string> meant = check_known(*document_, complaints_);
+        unread_.insert(unread_.end(), meant.begin(), meant.end());
+        assign_all(of_file_, Pass::choices, Layer::file);
+        assign_all(c_, Pass::choices, Layer::everything);
+        const std::vector<std::string> missing = check_complete(c_, *document_, unread_, complaints_);
+        unread_.insert(unread_.end(), missing.begin(), missing.end());
+        if (knows_kinds()) check_belonging(of_file_, c_, *document_, complaints_);
+    }
+
+    void read_values() {
+        assign_all(c_, Pass::the_rest, Layer::everything);
+        // a window nobody wrote is the default one or the whole run, whichever is shorter
+        if (document_->find("run.window") == nullptr) c_.run.window = std::min(c_.run.window, c_.run.duration);
+    }
+
+    /// What contradicts each other, as far as it is known.
+    void check_findings() {
+        for (const parameters::Finding& finding : parameters::findings(c_)) {
+            if (!is_sound(finding)) continue;
+            const TomlEntry* entry = document_->find(finding.key);
+            complaints_.add({ErrorKind::input, finding.problem,
+                             entry != nullptr ? entry->value_place : base::Place{document_->name, 0, 0, ""}});
         }
     }
-    return homes;
-}
 
-// a key of the file is held against the file's own choices, an override against those that count in the end
-void check_belonging(const Case& of_file, const Case& c, const TomlDocument& document) {
-    for (const TomlEntry& entry : document.entries) {
-        const Field* field = parameters::find_field(entry.key);
-        const Case& judge = entry.origin == TomlOrigin::file ? of_file : c;
-        if (field == nullptr || field->belongs(judge)) continue;
-        throw Error(ErrorKind::input,
-                    {entry.key + " means nothing for this case", "it belongs to " + where_it_belongs(judge, *field),
-                     "Remove it, or change the other key."},
-                    entry.key_place);
+    const Case& of_file() const { return of_file_; }
+    Case& result() { return c_; }
+    const Complaints& complaints() const { return complaints_; }
+
+private:
+    void assign_all(Case& c, Pass pass, Layer layer) {
+        for (const TomlEntry& entry : document_->entries) {
+            const Field* field = parameters::find_field(entry.key);
+            if (field == nullptr || (layer == Layer::file && entry.origin != TomlOrigin::file)) continue;
+            const bool is_choice = std::holds_alternative<Choice>(field->kind);
+            const bool decides = layer == Layer::file || document_->find(entry.key) == &entry;
+            if (!decides || is_choice != (pass == Pass::choices)) continue;
+            if (has_inner(*document_, entry) || !complaints_.keep([&] { assign(c, *field, entry); }))
+                unread_.push_back(entry.key);
+        }
     }
-}
+
+    bool is_unread(std::string_view key) const {
+        return std::find(unread_.begin(), unread_.end(), key) != unread_.end();
+    }
+
+    bool knows_kinds() const {
+        return std::none_of(unread_.begin(), unread_.end(), [](const std::string& key) {
+            const Field* field = parameters::find_field(key);
+            return field != nullptr && std::holds_alternative<Choice>(field->kind);
+        });
+    }
+
+    // does it rest on values that were read?
+    bool is_sound(const parameters::Finding& finding) const {
+        if (finding.others.empty()) return complaints_.empty();
+        return !is_unread(finding.key) && std::none_of(finding.others.begin(), finding.others.end(),
+                                                       [&](std::string_view key) { return is_unread(key); });
+    }
+
+    const TomlDocument* document_;
+    Complaints complaints_;
+    std::vector<std::string> unread_;  // keys whose values are not known
+    Case of_file_;                     // the kinds that the file chooses
+    Case c_;
+};
 
 void read_samples(Case& c, const TomlDocument& document, const SamplesReader& samples) {
     if (c.drive.kind != parameters::DriveKind::sampled) return;
@@ -181,17 +134,6 @@ void read_samples(Case& c, const TomlDocument& document, const SamplesReader& sa
     }
 }
 
-void check_consistent(const Case& c, const TomlDocument& document) {
-    const std::vector<parameters::Finding> found = parameters::findings(c);
-    if (found.empty()) return;
-    base::Problem problem = found.front().problem;
-    for (std::size_t k = 1; k < found.size(); ++k)
-        problem.suggestion += (problem.suggestion.empty() ? "Also: " : " Also: ") + found[k].problem.what + ".";
-    const TomlEntry* entry = document.find(found.front().key);
-    throw Error(ErrorKind::input, std::move(problem),
-                entry != nullptr ? entry->value_place : base::Place{document.name, 0, 0, ""});
-}
-
 }  // namespace
 
 bool is_required(const parameters::Field& field) {
@@ -200,25 +142,52 @@ bool is_required(const parameters::Field& field) {
            parameters::key_of(field) != "contact.impact";
 }
 
+void assign(Case& c, const Field& field, const TomlEntry& entry) {
+    try {
+        if (const auto* text = std::get_if<std::string>(&entry.value))
+            return parameters::set_from_text(c, field, *text);
+        const auto* number = std::get_if<double>(&entry.value);
+        const bool takes_number = std::holds_alternative<Quantity>(field.kind);
+        if (number != nullptr && takes_number) return parameters::set_quantity(c, field, *number);
+    } catch (const Error& error) {
+        throw located(error, entry.key, entry.value_place);
+    }
+    throw Error(ErrorKind::input, {entry.key + " is " + std::string(type_name(entry.value)), expected(field), ""},
+                entry.value_place);
+}
+
+std::vector<base::Complaint> case_warnings(const TomlDocument& document) {
+    CaseReading reading(document);
+    reading.read_kinds();
+    std::vector<base::Complaint> warnings;
+    for (const TomlEntry& entry : document.entries) {
+        const Field* field = parameters::find_field(entry.key);
+        if (field == nullptr || !is_idle(reading.of_file(), *field, entry)) continue;
+        warnings.push_back({{entry.key + " means nothing for this case and is left out",
+                             "it belongs to " + parameters::home_of(reading.of_file(), *field), ""},
+                            entry.key_place});
+    }
+    return warnings;
+}
+
 parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples) {
-    check_known(document);
-    Case of_file;
-    assign_all(of_file, document, Pass::choices, Layer::file);
-    Case c;
-    assign_all(c, document, Pass::choices, Layer::everything);
-    check_complete(c, document);
-    check_belonging(of_file, c, document);
-    assign_all(c, document, Pass::the_rest, Layer::everything);
-    // a window nobody wrote is the default one or the whole run, whichever is shorter
-    if (document.find("run.window") == nullptr) c.run.window = std::min(c.run.window, c.run.duration);
-    read_samples(c, document, samples);
-    return c;
+    CaseReading reading(document);
+    reading.read_kinds();
+    reading.read_values();
+    reading.complaints().throw_any();
+    read_samples(reading.result(), document, samples);
+    return reading.result();
 }
 
 parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples) {
-    Case c = read_base_case(document, samples);
-    check_consistent(c, document);
-    return c;
+    CaseReading reading(document);
+    reading.read_kinds();
+    reading.read_values();
+    // what a sampled drive moves is known only when its file is read
+    if (reading.complaints().empty()) read_samples(reading.result(), document, samples);
+    reading.check_findings();
+    reading.complaints().throw_any();
+    return reading.result();
 }
 
 parameters::Case read_case(const TomlSource& source) {

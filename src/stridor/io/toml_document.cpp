@@ -3,6 +3,8 @@
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/atomic_file.hpp"
+#include "stridor/io/complaints.hpp"
+#include "stridor/parameters/field_name.hpp"
 
 #include <toml++/toml.h>
 
@@ -90,6 +92,45 @@ Error parse_error(const toml::parse_error& error, const Places& places) {
     base::Place place = places.at(error.source().begin);
     if (message.find("cannot redefine") != std::string::npos) return duplicate_error(message, std::move(place));
     return {ErrorKind::input, {message, "the file is not valid TOML", advice(message)}, std::move(place)};
+}
+
+// The parser stops at the first error. A line that says no more than "key = value" may be left out to find the next one;
+// without any other line what follows would be taken for something else.
+bool leave_out_line(std::string& text, std::size_t line) {
+    std::size_t from = 0;
+    for (std::size_t k = 1; k < line; ++k) {
+        from = text.find('\n', from);
+        if (from++ == std::string::npos) return false;
+    }
+    const auto count = [&](char c) {
+        return std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(from), c);
+    };
+    if (count('[') != count(']') || count('{') != count('}')) return false;  // it may stand in a list
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::string_view whole = base::trimmed(std::string_view(text).substr(from, end - from));
+    const bool is_setting =
+        !whole.empty() && whole.front() != '[' && whole.front() != '#' && whole.find('=') != std::string_view::npos &&
+        whole.find_first_of("[]{}") == std::string_view::npos && whole.find("\"\"\"") == std::string_view::npos &&
+        whole.find("'''") == std::string_view::npos;
+    if (is_setting) text[from] = '#';
+    return is_setting;
+}
+
+toml::table parsed(const std::string& text, const Places& places) {
+    constexpr int most_errors = 50;
+    Complaints complaints;
+    std::string remaining = text;
+    for (int k = 0; k < most_errors; ++k)
+        try {
+            toml::table table = toml::parse(std::string_view(remaining));
+            complaints.throw_any();
+            return table;
+        } catch (const toml::parse_error& error) {
+            complaints.add(parse_error(error, places));
+            if (!leave_out_line(remaining, error.source().begin.line)) break;
+        }
+    complaints.throw_any();
+    return {};
 }
 
 TomlValue array_value(const toml::array& array) {
@@ -187,11 +228,7 @@ TomlDocument parse_toml(const TomlSource& source) {
     check_depth(source);
     const Places places(source.text, source.name);
     TomlDocument document{source.name, {}};
-    try {
-        collect(toml::parse(std::string_view(source.text)), "", 1, places, document.entries);
-    } catch (const toml::parse_error& error) {
-        throw parse_error(error, places);
-    }
+    collect(parsed(source.text, places), "", 1, places, document.entries);
     // the parser sorts by name; people read from top to bottom
     const auto position = [](const TomlEntry& entry) {
         return std::tuple(entry.key_place.line, entry.key_place.column);
@@ -202,6 +239,20 @@ TomlDocument parse_toml(const TomlSource& source) {
         document.entries.push_back(parse_override(text));
     return document;
 }
+
+namespace {
+
+// "mu_d" is contact.kinetic_friction; what no field is called, as a key of a chart, stays what it is
+std::string full_key(const std::string& name, const base::Place& place) {
+    if (parameters::fields_called(name).empty()) return name;
+    try {
+        return parameters::key_of(parameters::field_named(name));
+    } catch (const Error& error) {
+        throw Error(error.kind(), error.problem(), place);
+    }
+}
+
+}  // namespace
 
 TomlEntry parse_override(const std::string& text) {
     const base::Place place{"--set", 0, 0, text};
@@ -222,7 +273,7 @@ TomlEntry parse_override(const std::string& text) {
     std::string_view value = base::trimmed(std::string_view(text).substr(equals + 1));
     // quotes that the shell left alone: --set 'drive.kind="constant"'
     if (value.size() >= 2 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
-    return {key, std::string(value), TomlOrigin::override, place, place};
+    return {full_key(key, place), std::string(value), TomlOrigin::override, place, place};
 }
 
 std::string_view type_name(const TomlValue& value) {

@@ -3,8 +3,9 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/axis_text.hpp"
+#include "stridor/io/complaints.hpp"
 #include "stridor/io/toml_case.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/field_name.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
@@ -35,17 +36,17 @@ Error wrong_type(const TomlEntry& entry, const std::string& expected) {
             entry.value_place};
 }
 
-void check_chart_keys(const TomlDocument& document) {
+void check_chart_keys(const TomlDocument& document, Complaints& complaints) {
     for (const TomlEntry& entry : document.entries) {
         if (!entry.key.starts_with("chart.")) continue;
         const bool is_axis = entry.key == "chart.x" || entry.key == "chart.y";
         if (is_axis && !std::holds_alternative<TomlTable>(entry.value))
-            throw wrong_type(entry, "an axis: { parameter, from, to, points, scale }");
+            complaints.add(wrong_type(entry, "an axis: { parameter, from, to, points, scale }"));
         if (std::find(chart_keys.begin(), chart_keys.end(), entry.key) != chart_keys.end()) continue;
         const std::string_view near = base::nearest_name(entry.key, chart_keys);
-        throw Error(ErrorKind::input,
-                    {"unknown key " + entry.key, "", near.empty() ? "" : "Did you mean " + std::string(near) + "?"},
-                    entry.key_place);
+        complaints.add({ErrorKind::input,
+                        {"unknown key " + entry.key, "", near.empty() ? "" : "Did you mean " + std::string(near) + "?"},
+                        entry.key_place});
     }
 }
 
@@ -119,17 +120,12 @@ std::size_t name_of(const std::string& text, const TomlEntry& entry, std::span<c
 }
 
 const parameters::Field& axis_field(const TomlEntry& entry) {
-    const std::string key = text_of(entry, "the key of a quantity such as \"contact.preload\"");
-    const parameters::Field* field = parameters::find_field(key);
-    if (field != nullptr && std::holds_alternative<parameters::Quantity>(field->kind)) return *field;
-    const std::vector<std::string> keys = parameters::quantity_keys();
-    const std::vector<std::string_view> views(keys.begin(), keys.end());
-    const std::string_view near = base::nearest_name(key, views);
-    throw Error(ErrorKind::input,
-                {entry.key + " = \"" + key + "\" is no quantity",
-                 field != nullptr ? "it has names or text instead of numbers" : "there is no such key",
-                 near.empty() || field != nullptr ? "" : "Did you mean \"" + std::string(near) + "\"?"},
-                entry.value_place);
+    const std::string name = text_of(entry, "the key of a quantity such as \"contact.preload\"");
+    try {
+        return parameters::quantity_named(name);
+    } catch (const Error& error) {
+        throw located(error, entry.key, entry.value_place);
+    }
 }
 
 // a whole number of things from 0 to the most there may be
@@ -143,16 +139,22 @@ int count_of(const TomlEntry& entry, int most, const std::string& things) {
                 entry.value_place);
 }
 
-sweep::Axis read_axis(const TomlDocument& document, const std::string& prefix) {
-    const parameters::Field& field = axis_field(*document.find(prefix + ".parameter"));
-    const std::string_view unit = parameters::unit_of(field);
+// what of an axis is there and right
+sweep::Axis read_axis(const TomlDocument& document, const std::string& prefix, Complaints& complaints) {
     sweep::Axis axis;
-    axis.parameter = parameters::key_of(field);
-    axis.from = number_of(*document.find(prefix + ".from"), unit);
-    axis.to = number_of(*document.find(prefix + ".to"), unit);
-    axis.points = count_of(*document.find(prefix + ".points"), sweep::most_points, "points");
-    if (const TomlEntry* scale = document.find(prefix + ".scale"))
-        axis.scale = static_cast<sweep::Scale>(name_of(text_of(*scale, "text"), *scale, sweep::scale_names));
+    const auto read = [&](std::string_view name, auto&& part) {
+        const TomlEntry* entry = document.find(prefix + "." + std::string(name));
+        return entry != nullptr && complaints.keep([&] { part(*entry); });
+    };
+    const bool has_unit =
+        read("parameter", [&](const TomlEntry& entry) { axis.parameter = parameters::key_of(axis_field(entry)); });
+    const std::string unit(parameters::unit_of(axis.parameter));
+    if (has_unit) read("from", [&](const TomlEntry& entry) { axis.from = number_of(entry, unit); });
+    if (has_unit) read("to", [&](const TomlEntry& entry) { axis.to = number_of(entry, unit); });
+    read("points", [&](const TomlEntry& entry) { axis.points = count_of(entry, sweep::most_points, "points"); });
+    read("scale", [&](const TomlEntry& entry) {
+        axis.scale = static_cast<sweep::Scale>(name_of(text_of(entry, "text"), entry, sweep::scale_names));
+    });
     return axis;
 }
 
@@ -200,24 +202,35 @@ const TomlEntry* culprit(const TomlDocument& document, const std::string& what) 
 }  // namespace
 
 sweep::Study read_study(const TomlSource& source, const AxisTexts& axes) {
-    const TomlDocument document = parse_toml(source);
+    return read_study(parse_toml(source), axes);
+}
+
+sweep::Study read_study(const TomlDocument& document, const AxisTexts& axes) {
+    Complaints complaints;
     sweep::Study study;
-    check_chart_keys(document);
-    check_chart_complete(document, axes);
-    study.base = read_base_case(document, read_sampled_file);
+    check_chart_keys(document, complaints);
+    if (complaints.empty()) complaints.keep([&] { check_chart_complete(document, axes); });
+    const bool has_case = complaints.keep([&] { study.base = read_base_case(document, read_sampled_file); });
     const bool is_over_x = is_over_x_alone(document, axes);
-    const auto axis = [&](const std::string& text, const std::string& name) {
-        if (text.empty()) return read_axis(document, "chart." + name);
-        return read_axis_text(study.base, text, is_over_x ? usual_points_alone : usual_points, "--" + name);
+    const auto axis = [&](const std::string& text, const std::string& name, sweep::Axis& into) {
+        if (text.empty())
+            into = read_axis(document, "chart." + name, complaints);
+        else if (has_case)
+            complaints.keep([&] {
+                into = read_axis_text(study.base, text, is_over_x ? usual_points_alone : usual_points, "--" + name);
+            });
     };
-    study.x = axis(axes.x, "x");
-    study.y = is_over_x ? sweep::resting_axis(study.base, study.x) : axis(axes.y, "y");
-    read_names(document, "chart.directions", parameters::direction_names, study.directions);
-    read_names(document, "chart.starts", sweep::start_names(), study.starts);
+    axis(axes.x, "x", study.x);
+    if (!is_over_x) axis(axes.y, "y", study.y);
+    complaints.keep([&] { read_names(document, "chart.directions", parameters::direction_names, study.directions); });
+    complaints.keep([&] { read_names(document, "chart.starts", sweep::start_names(), study.starts); });
     // a chart's file may be looked at along one axis: what it says of areas means nothing then
     if (const TomlEntry* entry = document.find("chart.refine"); entry != nullptr && !is_over_x)
-        study.refine = count_of(*entry, sweep::most_refinement, "halvings");
-    if (const TomlEntry* entry = document.find("chart.quantities")) study.quantities = list_of(*entry);
+        complaints.keep([&] { study.refine = count_of(*entry, sweep::most_refinement, "halvings"); });
+    if (const TomlEntry* entry = document.find("chart.quantities"))
+        complaints.keep([&] { study.quantities = list_of(*entry); });
+    complaints.throw_any();
+    if (is_over_x) study.y = sweep::resting_axis(study.base, study.x);
     try {
         sweep::check(study);
     } catch (const Error& error) {

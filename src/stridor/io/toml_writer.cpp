@@ -78,8 +78,9 @@ std::string names_text(std::span<const std::string_view> names) {
     return text;
 }
 
-std::string comment(const Field& field) {
-    std::string text = "# " + std::string(field.sentence);
+// `when`: the choice that gives it a meaning, if this case does not
+std::string comment(const Field& field, const std::string& when = {}) {
+    std::string text = (when.empty() ? "# " : "# with " + when + ": ") + std::string(field.sentence);
     if (!field.symbol.empty()) text += " (" + std::string(field.symbol) + ")";
     const std::string values = describe_values(field);
     const bool is_quantity = std::holds_alternative<Quantity>(field.kind);
@@ -124,15 +125,21 @@ std::string describe_values(const parameters::Field& field) {
     return "text";
 }
 
+std::string toml_line(const Case& c, const Field& field) {
+    const bool is_unknown_file = parameters::names_file(field) && parameters::value_text(c, field).empty();
+    return std::string(field.name) + " = " + (is_unknown_file ? quoted("velocity.csv") : value_of(c, field));
+}
+
 std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
     std::string text = heading(options);
     std::string_view section;
     for (const Field& field : parameters::fields()) {
-        if (!field.belongs(c)) continue;
+        const bool is_used = field.belongs(c);
+        if (!is_used && options.comments == Comments::none) continue;
         if (field.section != section) text += (text.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
         section = field.section;
-        if (options.comments == Comments::full) text += comment(field);
-        text += std::string(field.name) + " = " + value_of(c, field) + "\n";
+        if (options.comments == Comments::full) text += comment(field, is_used ? "" : parameters::home_of(c, field));
+        text += (is_used ? "" : "#") + toml_line(c, field) + "\n";
     }
     return text;
 }

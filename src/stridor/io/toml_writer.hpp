@@ -11,8 +11,9 @@ namespace stridor::io {
 enum class Comments { none, full };
 
 struct TomlOptions {
-    Comments comments = Comments::full;  // full: above each key what it is, its symbol, unit and range
-    std::string heading;                 // lines put at the top as comments; may be empty
+    // full: above each key what it is, its symbol, unit and range; and the keys of other kinds, ready to be uncommented
+    Comments comments = Comments::full;
+    std::string heading;  // lines put at the top as comments; may be empty
 };
 
 /// A case as a TOML file, generated from the field table: every key that belongs to it, quantities with their units.
@@ -22,6 +23,9 @@ std::string case_toml(const parameters::Case& c, const TomlOptions& options = {}
 
 /// A chart: the case's sections and [chart]. Reading it back gives the same `sweep::canonical_text`.
 std::string study_toml(const sweep::Study& study, const TomlOptions& options = {});
+
+/// One key with a value as a file has it: "preload = "20 N"". A file's name that is not known yet is "velocity.csv".
+std::string toml_line(const parameters::Case& c, const parameters::Field& field);
 
 /// Which values a field takes, in words: "N, above 0", "\"rest\", \"stuck\" or \"sliding\"", "text".
 std::string describe_values(const parameters::Field& field);

@@ -22,7 +22,8 @@ void check_contact(const Case& c, std::vector<Finding>& found) {
     found.push_back(
         {"contact.kinetic_friction",
          {"mu_d = " + shortest(c.contact.kinetic_friction) + " exceeds mu_s = " + shortest(c.contact.static_friction),
-          "kinetic friction may not be larger than static", "Swap them?"}});
+          "kinetic friction may not be larger than static", "Swap them?"},
+         {"contact.static_friction"}});
 }
 
 // V is linear between samples: it is zero from one to the next if it is so at both
@@ -86,7 +87,8 @@ void check_drive(const Case& c, std::vector<Finding>& found) {
     if (stands_still)
         found.push_back({"drive.velocity",
                          {"drive.velocity = 0 moves nothing", "a contact at rest has nothing to judge",
-                          "Give it a sign: going is positive."}});
+                          "Give it a sign: going is positive."},
+                         {"drive.kind"}});
     // a window of one and a half periods holds a complete going and a complete coming phase wherever it starts
     const double shortest_window = 1.5 / c.drive.frequency;
     const bool is_short = c.drive.kind == DriveKind::sinusoidal && c.run.window < shortest_window * (1.0 - 1e-9);
@@ -95,7 +97,8 @@ void check_drive(const Case& c, std::vector<Finding>& found) {
             {"run.window",
              {"run.window = " + shortest(c.run.window) + " s is shorter than one and a half periods of the drive",
               "it may hold no complete going or coming phase",
-              "Give run.window and run.duration at least " + shortest(shortest_window) + " s."}});
+              "Give run.window and run.duration at least " + shortest(shortest_window) + " s."},
+             {"run.duration", "drive.kind", "drive.frequency"}});
 }
 
 void check_run(const Case& c, std::vector<Finding>& found) {
@@ -109,20 +112,24 @@ void check_run(const Case& c, std::vector<Finding>& found) {
         found.push_back({"run.window",
                          {"run.window = " + shortest(c.run.window) +
                               " s is longer than run.duration = " + shortest(c.run.duration) + " s",
-                          "the window is the last part of the simulated time", "Make it at most the duration."}});
+                          "the window is the last part of the simulated time", "Make it at most the duration."},
+                         {"run.duration"}});
     if (c.run.engine != Engine::beta_2) return;
     if (c.contact.impact != ImpactLaw::plastic)
         found.push_back({"contact.impact",
                          {"the beta_2 engine knows plastic impacts only", "its impacts are what its steps make of them",
-                          "Set run.engine = \"exact\"?"}});
+                          "Set run.engine = \"exact\"?"},
+                         {"run.engine"}});
     if (c.run.step > c.run.duration)
         found.push_back(
             {"run.step",
-             {"run.step = " + shortest(c.run.step) + " s is longer than run.duration", "", "Use about 1 us."}});
+             {"run.step = " + shortest(c.run.step) + " s is longer than run.duration", "", "Use about 1 us."},
+             {"run.duration", "run.engine"}});
     if (c.run.duration / c.run.step > 1e12)
         found.push_back(
             {"run.step",
-             {"run.duration / run.step asks for more than 1e12 steps", "that would take hours", "Use a larger step."}});
+             {"run.duration / run.step asks for more than 1e12 steps", "that would take hours", "Use a larger step."},
+             {"run.duration", "run.engine"}});
     // of a phase the part between settling and reversal is judged
     const double judged = c.drive.kind == DriveKind::sinusoidal
                               ? 0.5 / c.drive.frequency * (1.0 - c.verdict.settling - c.verdict.reversal)
@@ -139,7 +146,8 @@ void check_verdict(const Case& c, std::vector<Finding>& found) {
     found.push_back({"verdict.settling",
                      {"verdict.settling + verdict.reversal = " + shortest(c.verdict.settling + c.verdict.reversal) +
                           " leaves nothing to judge",
-                      "together they cut the whole phase", "Make their sum less than 1."}});
+                      "together they cut the whole phase", "Make their sum less than 1."},
+                     {"verdict.reversal", "drive.kind"}});
 }
 
 }  // namespace

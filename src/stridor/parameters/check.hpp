@@ -4,6 +4,7 @@
 #include "stridor/parameters/case.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stridor::parameters {
@@ -12,6 +13,7 @@ namespace stridor::parameters {
 struct Finding {
     std::string key;  // "contact.kinetic_friction"
     base::Problem problem;
+    std::vector<std::string_view> others{};  // keys it depends on besides; empty: it may depend on any
 };
 
 /// Everything that is wrong with a case beyond the range of each single value: values that contradict each other.

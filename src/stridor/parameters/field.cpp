@@ -243,6 +243,21 @@ std::string_view unit_of(std::string_view key) {
     return field == nullptr ? std::string_view("1") : unit_of(*field);
 }
 
+std::string home_of(const Case& c, const Field& field) {
+    std::string homes;
+    for (const Field& other : table) {
+        const auto* choice = std::get_if<Choice>(&other.kind);
+        if (choice == nullptr) continue;
+        for (std::size_t index = 0; index < choice->names.size(); ++index) {
+            Case changed = c;
+            choice->set(changed, static_cast<int>(index));
+            if (!field.belongs(changed)) continue;
+            homes += (homes.empty() ? "" : " or ") + key_of(other) + " = \"" + std::string(choice->names[index]) + "\"";
+        }
+    }
+    return homes;
+}
+
 bool names_file(const Field& field) {
     const auto* text = std::get_if<Text>(&field.kind);
     return text != nullptr && text->means == Text::Means::file;

@@ -90,6 +90,10 @@ std::string nearest_key(std::string_view key);
 std::string_view unit_of(const Field& field);
 std::string_view unit_of(std::string_view key);
 
+/// The choices that would give a field a meaning: "drive.kind = "sinusoidal" or drive.kind = "sampled""; empty if none
+/// alone does.
+std::string home_of(const Case& c, const Field& field);
+
 /// Is its value the name of a file that is opened?
 bool names_file(const Field& field);
 

@@ -5,6 +5,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/check.hpp"
+#include "stridor/parameters/field_name.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,26 +28,11 @@ double octaves(const DesignParameter& parameter) {
     return base::logarithm_2(parameter.to / parameter.from);
 }
 
-bool is_called(const Field& field, std::string_view name) {
-    return parameters::key_of(field) == name || field.name == name || (!name.empty() && field.symbol == name);
-}
-
 std::vector<const Field*> quantities_of(const Case& c) {
     std::vector<const Field*> found;
     for (const Field& field : parameters::fields())
         if (std::holds_alternative<Quantity>(field.kind) && field.belongs(c)) found.push_back(&field);
     return found;
-}
-
-std::string did_you_mean(const Case& c, std::string_view name) {
-    std::vector<std::string> names;
-    for (const Field* field : quantities_of(c)) {
-        names.push_back(parameters::key_of(*field));
-        names.emplace_back(field->name);
-    }
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    const std::string_view near = base::nearest_name(name, views);
-    return near.empty() ? "`stridor check FILE` lists the keys of a case." : "Did you mean " + std::string(near) + "?";
 }
 
 // wide enough for the case's own value
@@ -120,24 +106,12 @@ double share_of(const DesignParameter& parameter, double value) {
 }
 
 const Field& quantity_named(const Case& c, std::string_view name) {
-    if (const Field* field = parameters::find_field(name);
-        field != nullptr && std::holds_alternative<Quantity>(field->kind)) {
-        if (field->belongs(c)) return *field;
+    const Field& field = parameters::quantity_named(name);
+    if (!field.belongs(c))
         refuse("\"" + std::string(name) + "\" changes nothing",
-               "this case, with its kind of drive and start, does not use it", did_you_mean(c, name));
-    }
-    std::vector<const Field*> called;
-    for (const Field* field : quantities_of(c))
-        if (is_called(*field, name)) called.push_back(field);
-    if (called.size() == 1) return *called.front();
-    if (called.empty())
-        refuse("\"" + std::string(name) + "\" is no quantity of this case", "only quantities can be varied",
-               did_you_mean(c, name));
-    std::string keys;
-    for (const Field* field : called)
-        keys += (keys.empty() ? "" : " or ") + parameters::key_of(*field);
-    refuse("\"" + std::string(name) + "\" has several meanings", "a short name has to be the only one of its kind",
-           "Write " + keys + ".");
+               "this case, with its kind of drive and start, does not use it",
+               "`stridor check FILE` lists what it uses.");
+    return field;
 }
 
 DesignSpace design_space(const Case& c, std::span<const AskedRange> asked) {

@@ -48,14 +48,12 @@ struct DesignSpace {
 
 /// A range that a user asks for by name; without ends the usual one.
 struct AskedRange {
-    std::string name;  // a key, or what `quantity_named` makes one of
+    std::string name;  // in any spelling of `quantity_named`
     std::optional<double> from{};
     std::optional<double> to{};
 };
 
-/// The field that a user names by its key ("contact.preload"), or, where only one quantity of this case is meant, by the
-/// last word of it ("preload") or its symbol ("F"). Throws `Error` (input) if there is none or there are several, or if it
-/// changes nothing in this case.
+/// `parameters::quantity_named`, which also throws `Error` (input) if the field changes nothing in this case.
 const parameters::Field& quantity_named(const parameters::Case& c, std::string_view name);
 
 /// The space of the ranges asked for, all of them free, or, if there are none, of all quantities that have a usual range

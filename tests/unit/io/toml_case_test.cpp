@@ -75,7 +75,7 @@ TEST(TomlCase, SuggestsTheKeyThatWasMeant) {
 TEST(TomlCase, NamesBothDimensionsOfAWrongUnit) {
     expect_error(refusal_with("\"20 N\"", "\"20 mm\""),
                  "contact.preload = \"20 mm\" is a length (m) (expected a force (N))", "case.toml:17:11");
-    expect_error(refusal_with("\"20 N\"", "\"20 Nm\""), "contact.preload: unknown unit \"Nm\"", "case.toml:17:11");
+    expect_error(refusal_with("\"20 N\"", "\"20 Nx\""), "contact.preload: unknown unit \"Nx\"", "case.toml:17:11");
     expect_error(refusal_with("\"20 N\"", "\"much\""), "contact.preload = \"much\" is not a number", "case.toml:17:11");
     expect_error(refusal(squeal_toml(), {"contact.preload=5 mm"}), "contact.preload = \"5 mm\" is a length", "--set");
 }
@@ -122,9 +122,86 @@ TEST(TomlCase, PointsAtValuesThatContradictEachOther) {
     expect_error(error, "mu_d = 0.9 exceeds mu_s = 0.8", "case.toml:19:20");
     EXPECT_EQ(error->problem().suggestion, "Swap them?");
     expect_error(refusal(squeal_toml(), {"contact.kinetic_friction=0.9"}), "mu_d = 0.9 exceeds", "--set");
-    expect_error(refusal(squeal_toml(), {"contact.kinetic_friction=0.9", "run.window=3"}), "Also: run.window = 3",
-                 "--set");
     expect_error(refusal(minimal, {"run.duration=0.5", "run.window=1"}), "run.window = 1 s is longer", "--set");
+}
+
+std::vector<std::string> places_of(const Error& error) {
+    std::vector<std::string> places;
+    for (const base::Complaint& complaint : error.complaints())
+        places.push_back(base::describe(*complaint.place));
+    return places;
+}
+
+TEST(TomlCase, TellsAllThatIsWrongAtOnceFromTopToBottom) {
+    std::string text = replaced(squeal_toml(), "mass = \"0.1 kg\"", "mass = \"0,1 kg\"");  // line 4
+    text = replaced(text, "flexural_damping", "flexural_dampin");                          // line 8
+    text = replaced(text, "preload = \"20 N\"\n", "");                                     // shifts what follows
+    text = replaced(text, "static_friction = 0.8", "static_friction = true");              // line 17
+    text = replaced(text, "quiet_slip = 0.98", "quiet_slip = 2");
+    text = replaced(text, "window = \"1 s\"", "window = \"2 s\"");
+    const auto error = refusal(text, {"contact.impact=plastik"});
+    ASSERT_TRUE(error);
+    EXPECT_EQ(places_of(*error), (std::vector<std::string>{"case.toml:4:8", "case.toml:8:1", "case.toml:17:19",
+                                                           "case.toml:28:10", "case.toml:36:14", "case.toml", "--set"}))
+        << error->what();
+}
+
+TEST(TomlCase, TellsEveryLineThatIsNotToml) {
+    std::string text = replaced(squeal_toml(), "mass = \"0.1 kg\"", "mass = 0.1 kg");
+    text = replaced(text, "preload = \"20 N\"", "preload = 20 N");
+    text = replaced(text, "static_friction = 0.8", "static_friction = 0,8");
+    text = replaced(text, "kinetic_friction = 0.6", "kinetic_friction = 0.6\nkinetic_friction = 0.5");
+    const auto error = refusal(text);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(places_of(*error),
+              (std::vector<std::string>{"case.toml:4:12", "case.toml:17:14", "case.toml:18:20", "case.toml:20:1"}))
+        << error->what();
+    // without its section what follows would be misplaced
+    EXPECT_EQ(refusal(replaced(squeal_toml(), "[plate]", "[plate"))->complaints().size(), 1U);
+    EXPECT_EQ(refusal(replaced(squeal_toml(), "preload = \"20 N\"", "preload = [20\nx = 1"))->complaints().size(), 1U);
+}
+
+// a friction coefficient that could not be read contradicts none
+TEST(TomlCase, FindsNoContradictionInWhatItCouldNotRead) {
+    std::string text = replaced(squeal_toml(), "kinetic_friction = 0.6", "kinetic_friction = 0.9");
+    EXPECT_EQ(refusal(replaced(text, "preload = \"20 N\"", "preload = 0"))->complaints().size(), 2U);
+    EXPECT_EQ(refusal(replaced(text, "static_friction = 0.8", "static_friction = \"0,8\""))->complaints().size(), 1U);
+    EXPECT_EQ(refusal(replaced(text, "static_friction = 0.8\n", ""))->complaints().size(), 1U);
+}
+
+TEST(TomlCase, HearsOfAMisspeltKeyOnceAndNotThatItIsMissing) {
+    EXPECT_EQ(refusal_with("preload", "prelaod")->complaints().size(), 1U);
+    EXPECT_EQ(refusal_with("[contact]", "[contac]")->complaints().size(), 1U);
+    EXPECT_EQ(refusal_with("preload = \"20 N\"", "preload.x = 1")->complaints().size(), 1U);
+    EXPECT_EQ(refusal_with("\"sinusoidal\"", "\"sinsoidal\"")->complaints().size(), 1U);
+}
+
+// what an init file has to say after its kind was changed by hand
+TEST(TomlCase, KeysThatAChangedKindLeavesBehindAreWarnings) {
+    const std::string text =
+        replaced(squeal_toml(), "kind = \"sinusoidal\"", "kind = \"constant\"\nvelocity = \"0.2 m/s\"");
+    EXPECT_EQ(read(text).drive.velocity, 0.2);
+    std::vector<std::string> keys;
+    for (const base::Complaint& warning : case_warnings(parse_toml({text, "case.toml", {}})))
+        keys.push_back(warning.problem.what.substr(0, warning.problem.what.find(' ')));
+    EXPECT_EQ(keys,
+              (std::vector<std::string>{"drive.amplitude", "drive.frequency", "verdict.settling", "verdict.reversal"}));
+    EXPECT_EQ(parameters::canonical_text(read(text)),
+              parameters::canonical_text(read(squeal_toml(), {"drive.kind=constant", "drive.velocity=0.2"})));
+    expect_error(refusal(replaced(text, "0.004 m", "0.005 m")), "drive.amplitude means nothing for this case",
+                 "case.toml:25:1");
+    expect_error(refusal(replaced(text, "velocity = \"0.2 m/s\"\n", "")), "Write for example velocity = \"0.1 m/s\"",
+                 "case.toml");
+    EXPECT_TRUE(case_warnings(parse_toml({squeal_toml(), "case.toml", {}})).empty());
+    // an override that has no effect is no remainder
+    expect_error(refusal(text, {"drive.amplitude=0.004"}), "drive.amplitude means nothing", "--set");
+}
+
+TEST(TomlCase, TakesOverridesInAnySpelling) {
+    EXPECT_EQ(read(minimal, {"mu_d=0.3"}).contact.kinetic_friction, 0.3);
+    EXPECT_EQ(read(minimal, {"preload=30", "contact.preload=40", "F=50"}).contact.preload, 50.0);
+    expect_error(refusal(minimal, {"mass=1"}), "Write joint.mass or plate.mass.", "--set");
+    expect_error(refusal(minimal, {"mu_d=much"}), "contact.kinetic_friction = \"much\" is not a number", "--set");
 }
 
 TEST(TomlCase, AWindowNobodyWroteIsNeverLongerThanTheRun) {

@@ -149,7 +149,7 @@ TEST(TomlStudy, AUnitAtTheLastEndIsThatOfBoth) {
 }
 
 TEST(TomlStudy, PointsAtWhatAnAxisGetsWrong) {
-    expect_error(refusal_with("contact.preload", "contact.prelaod"), "Did you mean \"contact.preload\"?",
+    expect_error(refusal_with("contact.preload", "contact.prelaod"), "Did you mean contact.preload?",
                  "chart.toml:2:19");
     expect_error(refusal_with("contact.preload", "drive.kind"), "chart.x.parameter = \"drive.kind\" is no quantity",
                  "chart.toml:2:19");
@@ -169,6 +169,25 @@ TEST(TomlStudy, PointsAtWhatAnAxisGetsWrong) {
     expect_error(refusal_with("contact.kinetic_friction", "contact.preload"), "chart.x and chart.y are both",
                  "chart.toml:2:5");
     expect_error(refusal("[chart]\nx = 5\n"), "chart.x is a number (expected an axis", "chart.toml:2:5");
+}
+
+TEST(TomlStudy, TakesAxesInAnySpellingAndKeepsTheFullKey) {
+    const Study study = read(replaced(replaced(axes, "contact.preload", "F"), "contact.kinetic_friction", "mu_d"));
+    EXPECT_EQ(study.x.parameter, "contact.preload");
+    EXPECT_EQ(study.y.parameter, "contact.kinetic_friction");
+    EXPECT_EQ(sweep::canonical_text(study), sweep::canonical_text(read(axes)));
+    EXPECT_EQ(study_toml(study), study_toml(read(axes)));
+    EXPECT_EQ(sweep::canonical_text(read(axes, {"mu_s=0.9", "chart.x.parameter=preload"})),
+              sweep::canonical_text(read(axes, {"contact.static_friction=0.9"})));
+    expect_error(refusal_with("contact.preload", "mass"), "Write joint.mass or plate.mass.", "chart.toml:2:19");
+}
+
+TEST(TomlStudy, TellsAllThatIsWrongAtOnce) {
+    std::string text = replaced(axes, "contact.preload", "contact.prelaod");
+    text = replaced(text, "points = 8", "points = 2.5");
+    const auto error = refusal(text + "directions = [\"gonig\"]\n", {"contact.preload=20 mm"});
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->complaints().size(), 4U) << error->what();
 }
 
 TEST(TomlStudy, PointsAtUnknownDirectionsAndQuantities) {

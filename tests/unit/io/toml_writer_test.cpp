@@ -93,8 +93,25 @@ TEST(TomlWriter, ExplainsEveryKeyWithSymbolUnitAndRange) {
     const std::string text = case_toml(parameters::paper_case(parameters::PaperCase::squeal));
     for (const Field& field : parameters::fields())
         EXPECT_EQ(text.find("# " + std::string(field.sentence)) != std::string::npos, field.belongs({})) << field.name;
+    for (const Field& field : parameters::fields())
+        EXPECT_NE(text.find(std::string(field.sentence)), std::string::npos) << field.name;
     EXPECT_NE(text.find("# mass of the joint (m1) [kg, above 0]\nmass = \"0.1 kg\"\n"), std::string::npos) << text;
     EXPECT_NE(text.find("# how the motion starts: \"rest\", \"stuck\" or \"sliding\"\n"), std::string::npos) << text;
+}
+
+// one letter less makes a key of another kind, a few more comment out those of this one
+TEST(TomlWriter, ShowsTheKeysOfOtherKindsReadyToBeUncommented) {
+    const std::string text = case_toml(parameters::paper_case(parameters::PaperCase::squeal));
+    EXPECT_NE(
+        text.find("# with drive.kind = \"constant\": velocity of the plate; going if positive, coming if negative "
+                  "(V) [m/s]\n#velocity = \"0.1 m/s\"\n"),
+        std::string::npos)
+        << text;
+    const std::string constant = replaced(replaced(text, "kind = \"sinusoidal\"", "kind = \"constant\""),
+                                          "#velocity = \"0.1", "velocity = \"0.3");
+    EXPECT_EQ(read_case(TomlSource{constant, "constant.toml", {}}).drive.velocity, 0.3);
+    const std::string stepped = replaced(replaced(text, "engine = \"exact\"", "engine = \"beta_2\""), "#step", "step");
+    EXPECT_EQ(read_case(TomlSource{stepped, "stepped.toml", {}}).run.step, 1e-7);
 }
 
 TEST(TomlWriter, PutsTheHeadingOnTop) {
