@@ -92,13 +92,14 @@ void put_verdicts(NetcdfDataset& file, const sweep::SweepResult& result, std::sp
         return cell.status == sweep::Status::done ? static_cast<int>(cell.category) : -1;
     };
     file.flags("category", dimensions, numbers_of(result, category), classification::category_names,
-               {"", "category of the motion; missing where the cell is not done"});
+               {"", "category of the motion; -1 where the cell is not done"}, "not_done");
     const auto quiet = [&](std::size_t index) {
         const sweep::CellVerdict& cell = result.cells[index];
         return cell.status == sweep::Status::done ? static_cast<int>(cell.quiet) : -1;
     };
     file.flags("quiet_because", dimensions, numbers_of(result, quiet), classification::quiet_names,
-               {"", "is it quiet, and because the contact slides or sticks? Missing where the cell is not done"});
+               {"", "is it quiet, and because the contact slides or sticks? -1 where the cell is not done"},
+               "not_done");
     const auto status = [&](std::size_t index) { return result.cells[index].status; };
     file.flags("status", dimensions, numbers_of(result, status), sweep::status_names, {"", "how the cell ended"});
     const auto source = [&](std::size_t index) { return sweep::is_inferred(result, index) ? 1 : 0; };
@@ -182,7 +183,7 @@ void put_starts(NetcdfDataset& file, const sweep::SweepResult& result, std::span
     file.words("start", with_start, names, {"", "how the motion starts"});
     with_start.insert(with_start.end(), dimensions.begin(), dimensions.end());
     file.flags("start_verdict", with_start, verdicts, sweep::verdict_words,
-               {"", "category, or status without one, from this start; missing where the cell was inferred"});
+               {"", "category, or status without one, from this start; -1 where the cell was inferred"}, "inferred");
     const auto agreement = [&](std::size_t index) { return result.cells[index].agreement; };
     file.flags("agreement", dimensions, numbers_of(result, agreement), sweep::agreement_names,
                {"", "do all starts lead to the same verdict?"});

@@ -100,16 +100,19 @@ int NetcdfDataset::words(const std::string& name, std::span<const int> dimension
 }
 
 int NetcdfDataset::flags(const std::string& name, std::span<const int> dimensions, std::span<const signed char> values,
-                         std::span<const std::string_view> names, const Description& description) {
+                         std::span<const std::string_view> names, const Description& description,
+                         std::string_view none) {
     const int number = define(name, NC_BYTE, dimensions, description);
-    constexpr signed char missing = -1;
-    check(nc_def_var_fill(id_, number, NC_FILL, &missing));
     std::vector<signed char> flag_values(names.size());
     std::iota(flag_values.begin(), flag_values.end(), static_cast<signed char>(0));
-    check(nc_put_att_schar(id_, number, "flag_values", NC_BYTE, flag_values.size(), flag_values.data()));
     std::string meanings;
     for (const std::string_view meaning : names)
         meanings += (meanings.empty() ? "" : " ") + std::string(meaning);
+    if (!none.empty()) {
+        flag_values.push_back(-1);
+        meanings += " " + std::string(none);
+    }
+    check(nc_put_att_schar(id_, number, "flag_values", NC_BYTE, flag_values.size(), flag_values.data()));
     attribute(number, "flag_meanings", meanings);
     check(nc_put_var_schar(id_, number, values.data()));
     return number;

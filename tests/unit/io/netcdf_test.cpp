@@ -70,6 +70,10 @@ public:
         check(nc_get_att_schar(id_, variable(variable_name), name.c_str(), values.data()));
         return values;
     }
+    bool has_attribute(const std::string& variable_name, const std::string& name) const {
+        int number = 0;
+        return nc_inq_attid(id_, variable(variable_name), name.c_str(), &number) == NC_NOERR;
+    }
     std::vector<std::string> words(const std::string& name, std::size_t size) const {
         std::vector<char*> pointers(size);
         check(nc_get_var_string(id_, variable(name), pointers.data()));
@@ -134,9 +138,10 @@ TEST(ChartNetcdf, KeepsCategoriesAsFlags) {
         const bool is_done = chart.cells[index].status == sweep::Status::done;
         EXPECT_EQ(categories[index], is_done ? static_cast<int>(chart.cells[index].category) : -1);
     }
-    EXPECT_EQ(file.text("category", "flag_meanings"), "none squeal squeak creak undecided");
-    EXPECT_EQ(file.byte_attribute("category", "flag_values"), (std::vector<signed char>{0, 1, 2, 3, 4}));
-    EXPECT_EQ(file.byte_attribute("category", "_FillValue"), std::vector<signed char>{-1});
+    EXPECT_EQ(file.text("category", "flag_meanings"), "none squeal squeak creak undecided not_done");
+    EXPECT_EQ(file.byte_attribute("category", "flag_values"), (std::vector<signed char>{0, 1, 2, 3, 4, -1}));
+    for (const char* name : {"category", "quiet_because", "status", "source"})
+        EXPECT_FALSE(file.has_attribute(name, "_FillValue")) << name << ": xarray would read numbers with a point";
     EXPECT_EQ(file.text("status", "flag_meanings"), "done invalid step_limit diverged failed");
     EXPECT_EQ(file.bytes("status", chart.cells.size())[1], 1);
 }
@@ -166,7 +171,7 @@ TEST(ChartNetcdf, KeepsTheVerdictOfEachStart) {
     EXPECT_EQ(file.words("start", 2), (std::vector<std::string>{"rest", "sliding"}));
     EXPECT_EQ(file.dimensions("start_verdict"), "start direction kinetic_friction preload");
     EXPECT_EQ(file.text("start_verdict", "flag_meanings"),
-              "none squeal squeak creak undecided invalid step_limit diverged failed");
+              "none squeal squeak creak undecided invalid step_limit diverged failed inferred");
     const std::vector<signed char> verdicts = file.bytes("start_verdict", 2 * size);
     EXPECT_EQ(verdicts[5], 0);
     EXPECT_EQ(verdicts[size + 5], 1);
