@@ -228,7 +228,7 @@ void add_list(CLI::App& library) {
         ->type_name("N");
     CLI::Option* json =
         command->add_flag("--json", options->json, "print one JSON document (schema stridor.library/1)");
-    command->add_flag("--csv", options->csv, "print CSV: names, units, a row per entry")->excludes(json);
+    command->add_flag("--csv", options->csv, "print CSV: names with units, a row per entry")->excludes(json);
     command->footer(
         "Examples:\n  stridor library list --where \"system = brake and preload > 10 N\" --sort -preload\n"
         "  stridor library list --search rubber --columns id,materials,level\n"

@@ -188,12 +188,13 @@ void require_result(const integration::Motion& motion, const parameters::Case& c
     }
 }
 
-void write_records(const SimulateOptions& options, const parameters::Case& c, const integration::Motion& motion) {
+void write_records(const SimulateOptions& options, const parameters::Case& c, const integration::Motion& motion,
+                   double interval) {
     if (!options.history.empty()) write_output(options.history, io::history_csv(c, motion.record.history));
     if (options.trace.ends_with(".nc"))
         io::write_trace_netcdf(options.trace, c, motion.record);
     else if (!options.trace.empty())
-        write_output(options.trace, io::trace_csv(c, motion.record.trace));
+        write_output(options.trace, io::trace_csv(c, motion.record.trace, interval));
     if (!options.figure.empty()) draw(time_history_scene(c, motion.record, options.zoom), options.figure);
 }
 
@@ -204,7 +205,7 @@ void simulate(const SimulateOptions& options) {
     const integration::Motion motion = integration::simulate(c, request, interrupt.token());
     require_result(motion, c);
     const std::vector<Verdict> verdicts = classification::classify_phases(motion.record.phases, c.verdict);
-    write_records(options, c, motion);
+    write_records(options, c, motion, request.trace.interval);
     print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"
                        : report(c, motion, verdicts));
     if (!options.json && has_terminal())

@@ -104,7 +104,7 @@ export class Share {
   }
 
   private async header_(): Promise<string[]> {
-    return [`# program: stridor ${this.start_.version}`, `# reproduce: ${await this.command_()}`];
+    return [`program: stridor ${this.start_.version}`, `reproduce: ${await this.command_()}`];
   }
 
   /** A link may say anything; only what the program knows goes into a command. */
@@ -140,11 +140,8 @@ function paintPicture(chart: Chart): HTMLCanvasElement | null {
 export function table(data: ChartData, figure: string, header: readonly string[]): string {
   const drawn = data.figure ? [figure] : [];
   const lines = [
-    ...header,
-    `# x: ${data.x.parameter}`,
-    `# y: ${data.y.parameter}`,
-    ["x", "y", "direction", "category", "quiet_because", "source", ...drawn].join(","),
-    [data.x.unit, data.y.unit, "-", "-", "-", "-", ...drawn.map(() => "1")].join(","),
+    "# " + [...header, `x: ${data.x.parameter}`, `y: ${data.y.parameter}`].join(" | "),
+    [`x [${data.x.unit}]`, `y [${data.y.unit}]`, "direction", "category", "quiet_because", "source", ...drawn].join(",").replaceAll(" [1]", ""),
   ];
   data.directions.forEach((direction, d) => {
     data.y.values.forEach((y, iy) => {

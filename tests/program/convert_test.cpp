@@ -59,7 +59,7 @@ TEST(Convert, ReadsAPipeAndWritesToOne) {
     const ScratchFolder folder;
     const Finished finished = run({"convert", "-", "-", "--format", "csv"}, folder.path(), "# rate: 2\n0.5\n-1\n");
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
-    EXPECT_NE(finished.out.find("\ntime,channel 1\ns,FS\n0,0.5\n0.5,-1\n"), std::string::npos) << finished.out;
+    EXPECT_NE(finished.out.find("\ntime [s],channel 1 [FS]\n0,0.5\n0.5,-1\n"), std::string::npos) << finished.out;
     EXPECT_NE(finished.err.find("standard input"), std::string::npos) << finished.err;
 }
 

@@ -1,8 +1,9 @@
 #include "stridor/io/csv.hpp"
 
-#include "stridor/base/version.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/io/csv_text.hpp"
 #include "stridor/io/dof_names.hpp"
+#include "stridor/io/time_grid.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/sweep/starts.hpp"
 
@@ -18,28 +19,24 @@
 namespace stridor::io {
 
 using csv_text::Column;
-using csv_text::comment;
-using csv_text::no_unit;
+using csv_text::Facts;
 using csv_text::Table;
 
 namespace {
 
 // canonical text has lines "key = value"
-std::string comments(const std::string& canonical) {
-    std::string result;
+void add_lines(Facts& facts, const std::string& canonical) {
     std::istringstream lines(canonical);
     for (std::string line; std::getline(lines, line);) {
         const std::size_t equals = std::min(line.find(" = "), line.size());
-        result += comment(line.substr(0, equals), line.substr(std::min(equals + 3, line.size())));
+        facts.emplace_back(line.substr(0, equals), line.substr(std::min(equals + 3, line.size())));
     }
-    return result;
 }
 
-std::string opening(std::string_view what, const parameters::Case& c) {
-    std::string text = comment("schema", "stridor." + std::string(what) + "/1");
-    text += comment("version", base::version()) + comment("commit", base::commit());
-    if (!c.title.empty()) text += comment("title", c.title);
-    return text;
+Facts opening(std::string_view what, const parameters::Case& c) {
+    Facts facts = csv_text::origin(what);
+    if (!c.title.empty()) facts.emplace_back("title", c.title);
+    return facts;
 }
 
 // slip, stick and separation stand first, whatever the order of the table
@@ -54,27 +51,29 @@ std::vector<sweep::CellFigure> figures_in_order() {
 }
 
 std::vector<Column> chart_columns(const sweep::Study& study, const std::vector<sweep::CellFigure>& figures) {
-    const std::string word_unit(no_unit);
     std::vector<Column> columns{{"x", std::string(parameters::unit_of(study.x.parameter))},
                                 {"y", std::string(parameters::unit_of(study.y.parameter))},
-                                {"direction", word_unit},
-                                {"status", word_unit},
-                                {"category", word_unit}};
+                                {"direction"},
+                                {"status"},
+                                {"category"}};
     for (const sweep::CellFigure& figure : figures)
         columns.push_back({std::string(figure.name), std::string(figure.unit)});
-    columns.push_back({"quiet_because", word_unit});
-    columns.push_back({"source", word_unit});
-    if (!study.starts.empty()) columns.push_back({"agreement", word_unit});
+    columns.push_back({"quiet_because"});
+    columns.push_back({"source"});
+    if (!study.starts.empty()) columns.push_back({"agreement"});
     for (const parameters::Initial start : study.starts)
-        columns.push_back({"start_" + std::string(sweep::start_names()[static_cast<std::size_t>(start)]), word_unit});
-    columns.push_back({"message", word_unit});
-    columns.push_back({"reproduce", word_unit});
+        columns.push_back({"start_" + std::string(sweep::start_names()[static_cast<std::size_t>(start)])});
+    columns.push_back({"message"});
+    columns.push_back({"reproduce"});
     return columns;
 }
 
-std::string chart_opening(std::string_view what, const sweep::Study& study) {
-    return opening(what, study.base) + comment("x", study.x.parameter) + comment("y", study.y.parameter) +
-           comments(sweep::canonical_text(study));
+Facts chart_opening(std::string_view what, const sweep::Study& study) {
+    Facts facts = opening(what, study.base);
+    facts.emplace_back("x", study.x.parameter);
+    facts.emplace_back("y", study.y.parameter);
+    add_lines(facts, sweep::canonical_text(study));
+    return facts;
 }
 
 /// The rows of a chart.
@@ -83,10 +82,7 @@ public:
     ChartTable(const sweep::SweepResult& result, const std::string& file, const Sink& sink)
         : result_(result),
           file_(file),
-          sink_(sink) {}
-
-    void header() {
-        table_.header(chart_columns(result_.study, figures_));
+          sink_(sink) {
         sink_(table_.take());
     }
 
@@ -121,7 +117,7 @@ private:
     const std::string& file_;
     const Sink& sink_;
     std::vector<sweep::CellFigure> figures_ = figures_in_order();
-    Table table_{chart_opening("chart", result_.study)};
+    Table table_{chart_opening("chart", result_.study), chart_columns(result_.study, figures_)};
 };
 
 std::vector<Column> trace_columns(const std::vector<std::string>& dofs) {
@@ -135,15 +131,21 @@ std::vector<Column> trace_columns(const std::vector<std::string>& dofs) {
     columns.push_back({"normal_force", "N"});
     columns.push_back({"friction_force", "N"});
     columns.push_back({"gap", "m"});
-    columns.push_back({"state", std::string(no_unit)});
+    columns.push_back({"state"});
     return columns;
+}
+
+// an engine samples at its own steps nearest to the asked ones; a single sample tells nothing of them
+double rate_of(const record::Trace& trace, double interval) {
+    if (trace.time.size() < 2 || !(trace.time.back() > trace.time.front())) return snapped_rate(interval, 1e-12).rate;
+    const time_grid::Precision exact{400, 17};
+    return time_grid::rate_of({trace.time, trace.time.back(), 1.0, exact}).rate;
 }
 
 }  // namespace
 
 void chart_csv(const sweep::SweepResult& result, const std::string& file, const Sink& sink) {
     ChartTable table(result, file, sink);
-    table.header();
     std::size_t next = 0;
     const auto put_inferred_until = [&](std::size_t end) {
         for (; next < end; ++next)
@@ -157,19 +159,17 @@ void chart_csv(const sweep::SweepResult& result, const std::string& file, const 
 }
 
 std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::Boundary>& boundaries) {
-    const std::string word_unit(no_unit);
     const std::string x_unit(parameters::unit_of(study.x.parameter));
     const std::string y_unit(parameters::unit_of(study.y.parameter));
-    Table table(chart_opening("boundaries", study));
-    table.header({{"line", "1"},
-                  {"direction", word_unit},
-                  {"first", word_unit},
-                  {"second", word_unit},
-                  {"form", word_unit},
-                  {"x", x_unit},
-                  {"y", y_unit},
-                  {"x_resolution", x_unit},
-                  {"y_resolution", y_unit}});
+    Table table(chart_opening("boundaries", study), {{"line"},
+                                                     {"direction"},
+                                                     {"first"},
+                                                     {"second"},
+                                                     {"form"},
+                                                     {"x", x_unit},
+                                                     {"y", y_unit},
+                                                     {"x_resolution", x_unit},
+                                                     {"y_resolution", y_unit}});
     for (std::size_t line = 0; line < boundaries.size(); ++line) {
         const sweep::Boundary& boundary = boundaries[line];
         for (const sweep::BoundaryVertex& vertex : boundary.vertices) {
@@ -186,9 +186,11 @@ std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::B
     return table.take();
 }
 
-std::string trace_csv(const parameters::Case& c, const record::Trace& trace) {
-    Table table(opening("trace", c) + comments(parameters::canonical_text(c)));
-    table.header(trace_columns(dof_names(trace.displacement.size())));
+std::string trace_csv(const parameters::Case& c, const record::Trace& trace, double interval) {
+    Facts facts = opening("trace", c);
+    facts.emplace_back("rate", base::shortest(rate_of(trace, interval)) + " Hz");
+    add_lines(facts, parameters::canonical_text(c));
+    Table table(facts, trace_columns(dof_names(trace.displacement.size())));
     for (std::size_t sample = 0; sample < trace.time.size(); ++sample) {
         table.number(trace.time[sample]);
         for (const auto* motion : {&trace.displacement, &trace.velocity, &trace.acceleration})
@@ -203,12 +205,9 @@ std::string trace_csv(const parameters::Case& c, const record::Trace& trace) {
 }
 
 std::string history_csv(const parameters::Case& c, const record::ContactHistory& history) {
-    Table table(opening("history", c) + comments(parameters::canonical_text(c)));
-    table.header({{"state", std::string(no_unit)},
-                  {"from", "s"},
-                  {"to", "s"},
-                  {"slip_velocity", "m/s"},
-                  {"gap_velocity", "m/s"}});
+    Facts facts = opening("history", c);
+    add_lines(facts, parameters::canonical_text(c));
+    Table table(facts, {{"state"}, {"from", "s"}, {"to", "s"}, {"slip_velocity", "m/s"}, {"gap_velocity", "m/s"}});
     for (const record::ContactInterval& interval : history) {
         table.word(model::contact_state_names[model::index_of(interval.state)]);
         for (const double value : {interval.from, interval.to, interval.slip_velocity, interval.gap_velocity})

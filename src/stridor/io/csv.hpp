@@ -11,9 +11,10 @@
 #include <string_view>
 #include <vector>
 
-/// Tables as CSV text: first `# key: value` lines (schema, version, commit, title, the canonical text of the case), then a row
-/// of names, a row of units ("-" for words), then numbers in their shortest form that reads back as the same double. NaN is
-/// an empty field. Fields are quoted as RFC 4180 has it. Nothing in it changes between two runs of the same case.
+/// Tables as CSV text: a first line `# key: value | key: value ...` (schema, version, commit, title, the canonical text of
+/// the case), a row of names with units ("gap [m]"; none for words and numbers without dimension), then numbers in their
+/// shortest form that reads back as the same double. NaN is an empty field. Fields are quoted as RFC 4180 has it. Nothing in
+/// it changes between two runs of the same case.
 namespace stridor::io {
 
 /// Takes the next piece of a text.
@@ -31,8 +32,8 @@ void chart_csv(const sweep::SweepResult& result, const std::string& file, const 
 /// "stridor.boundaries/1": a row per vertex of each line, in order.
 std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::Boundary>& boundaries);
 
-/// "stridor.trace/1": a row per sample.
-std::string trace_csv(const parameters::Case& c, const record::Trace& trace);
+/// "stridor.trace/1": a row per sample. `interval` [s] is the one that was asked for; a trace of one sample has no other.
+std::string trace_csv(const parameters::Case& c, const record::Trace& trace, double interval);
 
 /// "stridor.history/1": a row per stay of the contact in one state.
 std::string history_csv(const parameters::Case& c, const record::ContactHistory& history);

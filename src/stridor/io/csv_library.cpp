@@ -1,6 +1,5 @@
 #include "stridor/io/csv_library.hpp"
 
-#include "stridor/base/version.hpp"
 #include "stridor/io/csv_text.hpp"
 #include "stridor/noise_library/field.hpp"
 
@@ -9,7 +8,6 @@
 namespace stridor::io {
 
 using csv_text::Column;
-using csv_text::comment;
 using csv_text::Table;
 using noise_library::Entry;
 using noise_library::Field;
@@ -19,18 +17,15 @@ std::string library_csv(std::span<const Entry> entries) {
     for (const Entry& entry : entries)
         for (const noise_library::Figure& figure : entry.figures)
             figures.emplace(figure.name, figure.unit);
-    std::vector<Column> columns{{"id", "1"}};
+    std::vector<Column> columns{{"id"}};
     for (const Field& field : noise_library::fields()) {
         const std::string_view unit = noise_library::unit_of(field);
-        if (!noise_library::is_document(field))
-            columns.push_back({std::string(field.name), std::string(unit.empty() ? csv_text::no_unit : unit)});
+        if (!noise_library::is_document(field)) columns.push_back({std::string(field.name), std::string(unit)});
     }
     for (const auto& [name, unit] : figures)
         columns.push_back({name, unit});
 
-    Table table(comment("schema", "stridor.library/1") + comment("version", base::version()) +
-                comment("commit", base::commit()));
-    table.header(columns);
+    Table table(csv_text::origin("library"), columns);
     for (const Entry& entry : entries) {
         table.number(static_cast<double>(entry.id));
         for (const Field& field : noise_library::fields()) {

@@ -10,8 +10,14 @@
 namespace stridor::io::csv_table {
 
 Dialect sniff(std::string_view line) {
+    std::string bare;  // without what is quoted
+    bool is_quoted = false;
+    for (const char c : line) {
+        if (c == '"') is_quoted = !is_quoted;
+        if (!is_quoted) bare += c;
+    }
     for (const char delimiter : {'\t', ';', ','})
-        if (line.find(delimiter) != std::string_view::npos) return {delimiter};
+        if (bare.find(delimiter) != std::string::npos) return {delimiter};
     return {};
 }
 
@@ -67,7 +73,8 @@ bool is_number_row(const std::vector<Field>& fields, Dialect dialect) {
 }
 
 Title title_of(std::string_view text) {
-    const std::size_t open = text.find_first_of("[(");
+    // "gap (front) [m]": what ends the title is its unit
+    const std::size_t open = text.ends_with(']') ? text.rfind('[') : text.find_first_of("[(");
     if (open == std::string_view::npos) return {std::string(text), ""};
     const std::size_t close = text.find_first_of("])", open);
     const std::size_t length = close == std::string_view::npos ? close : close - open - 1;

@@ -24,7 +24,7 @@ struct Field {
     int column = 1;  // [1] of its first character
 };
 
-/// Tab, semicolon or comma, whichever the line holds in this order; comma where it has none.
+/// Tab, semicolon or comma, whichever the line holds in this order, what is quoted left out; comma where it has none.
 Dialect sniff(std::string_view line);
 
 /// The fields of a row without their quotes and surrounding blanks.
@@ -42,7 +42,7 @@ std::optional<double> number_in(const std::string& field, Dialect dialect);
 /// Does any field hold a number?
 bool is_number_row(const std::vector<Field>& fields, Dialect dialect);
 
-/// "velocity [mm/s]" or "velocity (mm/s)" taken apart.
+/// "velocity [mm/s]" or "velocity (mm/s)" taken apart; "gap (front) [m]" is "gap (front)" in m.
 struct Title {
     std::string name;
     std::string unit;  // empty: none

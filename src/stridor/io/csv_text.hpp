@@ -1,12 +1,12 @@
 #pragma once
 
 // What all CSV texts share. Private to this folder.
+//
+// Line 1 begins with # and says what the table is, all in one line: "# schema: stridor.trace/1 | version: 0.1.0 | ...".
+// Line 2 holds the names, with their units: "gap [m]". Numbers begin in line 3, whatever the table. So one plain line reads
+// any of them: pandas and R skip what begins with #, Octave's dlmread and spreadsheets a known number of lines; no row of
+// units is taken for data.
 
-#include "stridor/base/escapes.hpp"
-#include "stridor/base/text.hpp"
-
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,64 +14,46 @@
 
 namespace stridor::io::csv_text {
 
-inline constexpr std::string_view no_unit = "-";  // of a column of words
+/// What parts the facts of the first line.
+inline constexpr std::string_view fact_mark = " | ";
+
+/// One thing that a table says of itself: "contact.preload", "20 N".
+using Fact = std::pair<std::string, std::string>;
+using Facts = std::vector<Fact>;
 
 struct Column {
     std::string name;
-    std::string unit;
+    std::string unit{};  // empty or "1": words, or a number without dimension
 };
 
-// RFC 4180; a leading # is quoted too, so that it is not taken for a comment, and no text is taken for a formula
-inline std::string quoted(std::string_view words) {
-    const std::string text = base::spreadsheet_text(words);
-    const bool is_plain = text.find_first_of(",\"\r\n#") == std::string_view::npos;
-    if (is_plain) return text;
-    std::string result = "\"";
-    for (const char c : text)
-        result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + "\"";
-}
+/// The facts of a whole result: schema "stridor.WHAT/1", version, commit.
+Facts origin(std::string_view what);
 
-/// Rows of fields.
+/// The first line of a table: all of them. No fact may end the line, hold the mark or a quote, or look like a formula.
+std::string first_line(const Facts& facts);
+
+/// A text as a field, after RFC 4180; a # is quoted too, so that it is not taken for a comment, and no text is taken for a
+/// formula.
+std::string quoted(std::string_view words);
+
+/// Rows of fields behind the first line and the names.
 class Table {
 public:
-    explicit Table(std::string opening) : text_(std::move(opening)) {}
+    Table(const Facts& facts, const std::vector<Column>& columns);
 
     void word(std::string_view word) { field(quoted(word)); }
-    void number(double value) { field(std::isnan(value) ? std::string() : base::shortest(value)); }
-    void end_row() {
-        text_ += '\n';
-        is_first_ = true;
-    }
-
-    void header(const std::vector<Column>& columns) {
-        for (const Column& column : columns)
-            word(column.name);
-        end_row();
-        for (const Column& column : columns)
-            word(column.unit);
-        end_row();
-    }
+    /// NaN is an empty field.
+    void number(double value);
+    void end_row();
 
     /// What was written since it was taken last.
     std::string take() { return std::exchange(text_, {}); }
 
 private:
-    void field(const std::string& text) {
-        if (!is_first_) text_ += ',';
-        text_ += text;
-        is_first_ = false;
-    }
+    void field(std::string_view text);
 
     std::string text_;
     bool is_first_ = true;
 };
-
-inline std::string comment(std::string_view key, std::string_view value) {
-    std::string line = "# " + std::string(key) + ": " + std::string(value);
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    return base::spreadsheet_line(line) + "\n";
-}
 
 }  // namespace stridor::io::csv_text

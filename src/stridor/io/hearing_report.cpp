@@ -15,8 +15,6 @@ namespace {
 using classification::Category;
 using classification::Confusion;
 using csv_text::Column;
-using csv_text::comment;
-using csv_text::no_unit;
 using json_parts::Json;
 using json_parts::name_of;
 using signal::SoundFeatures;
@@ -131,24 +129,16 @@ Json recording_object(const HeardRecording& recording) {
 }
 
 std::vector<Column> columns() {
-    const std::string words(no_unit);
-    std::vector<Column> columns{{"chart", "1"},
-                                {"index", "1"},
-                                {"x", words},
-                                {"y", words},
-                                {"direction", words},
-                                {"status", words},
-                                {"contact_states", words},
-                                {"by_ear", words},
-                                {"agrees", "1"}};
+    std::vector<Column> columns{{"chart"},  {"index"},          {"x"},      {"y"},     {"direction"},
+                                {"status"}, {"contact_states"}, {"by_ear"}, {"agrees"}};
     for (const sweep::CellFigure& figure : sweep::cell_figures())
         columns.push_back({std::string(figure.name), std::string(figure.unit)});
     for (const SoundFigure& figure : sound_figures)
         columns.push_back({std::string(figure.name), std::string(figure.unit)});
     for (const sweep::Perturbation& perturbation : sweep::perturbations())
-        columns.push_back({std::string(perturbation.name), words});
-    columns.push_back({"reason", words});
-    columns.push_back({"plane", words});
+        columns.push_back({std::string(perturbation.name)});
+    columns.push_back({"reason"});
+    columns.push_back({"plane"});
     return columns;
 }
 
@@ -241,15 +231,13 @@ std::string hearing_json(const HearingReport& report) {
 }
 
 std::string hearing_csv(const HearingReport& report) {
-    std::string opening = comment("schema", "stridor.evaluate/1") + comment("version", base::version()) +
-                          comment("commit", base::commit());
+    csv_text::Facts facts = csv_text::origin("evaluate");
     for (std::size_t k = 0; k < report.charts.size(); ++k) {
         const sweep::Study& study = report.charts[k].study;
-        opening += comment("chart_" + std::to_string(k + 1),
+        facts.emplace_back("chart_" + std::to_string(k + 1),
                            study.base.title + "; x: " + study.x.parameter + ", y: " + study.y.parameter);
     }
-    csv_text::Table table(opening);
-    table.header(columns());
+    csv_text::Table table(facts, columns());
     std::string text = table.take();
     for (std::size_t k = 0; k < report.charts.size(); ++k)
         for (const HeardSound& sound : report.charts[k].sounds) {

@@ -227,13 +227,17 @@ RawSignal open_signal_csv(const SignalInput& input, std::optional<double> rate) 
     raw.metadata = header.metadata;
     raw.notes = signal_table::find_words(header, input);
     if (!rate) rate = header.rate;
-    const std::optional<std::size_t> time = signal_table::find_time(header, rate.has_value());
+    const std::optional<std::size_t> time = signal_table::find_time(header, rate || header.spoken_rate);
     const base::Place place{input.name, header.data_number, 0, ""};
     std::optional<time_grid::Times> times;
     if (time) {
         header.columns[*time].role = Role::time;
         times = times_of(input, header, *time);
     }
+    if (const std::size_t lines = header.prose_lines; lines > 0)
+        raw.notes.push_back(std::to_string(lines) + (lines == 1 ? " line" : " lines") +
+                            " of text above the table taken for metadata");
+    if (!times && !rate) rate = header.spoken_rate;
     if (times && !rate) {
         const SnappedRate snapped = rate_from(*times, place);
         rate = snapped.rate;

@@ -32,7 +32,9 @@ struct Header {
     csv_table::Dialect dialect;
     std::vector<Column> columns;
     std::vector<std::pair<std::string, std::string>> metadata;
-    std::optional<double> rate;  // [Hz] from a `# rate:` line
+    std::optional<double> rate;         // [Hz] from a `# rate:` line
+    std::optional<double> spoken_rate;  // [Hz] from the prose above the table; its times know better
+    std::size_t prose_lines = 0;        // [1] of text above the table
     bool has_names = false;
     std::uint64_t data_offset = 0;  // [bytes] of the first row of numbers
     int data_number = 1;            // [1] its line
@@ -44,7 +46,8 @@ bool is_table_line(std::string_view line);
 /// The next line of the table; its text lasts until the next is read.
 std::optional<Line> next_row(LineReader& lines);
 
-/// Reads up to the first row of numbers. Throws `Error` (input) with line and column for what is no table of signals.
+/// Reads up to the first row of numbers. Throws `Error` (input) with line and column for what is no table of signals, as the
+/// tables that Stridor writes of a chart.
 Header read_header(const SignalInput& input);
 
 /// Leaves out columns in which the first row has no number; returns what to tell the user.

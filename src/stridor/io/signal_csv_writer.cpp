@@ -1,13 +1,10 @@
 #include "stridor/io/signal_csv_writer.hpp"
 
-#include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/base/version.hpp"
 #include "stridor/io/atomic_file.hpp"
+#include "stridor/io/csv_text.hpp"
 
-#include <array>
-#include <charconv>
-#include <string_view>
+#include <algorithm>
 #include <vector>
 
 namespace stridor::io {
@@ -16,31 +13,26 @@ namespace {
 
 constexpr std::size_t block_frames = 1U << 12U;
 
-// RFC 4180, but on one line: names of channels have no line ends here
-std::string quoted(std::string_view text) {
-    std::string plain;
-    for (const char c : text)
-        plain += c == '\n' || c == '\r' || c == '"' ? ' ' : c;
-    plain = base::spreadsheet_text(plain);
-    return plain.find_first_of(",;\t#") == std::string::npos ? plain : "\"" + plain + "\"";
+// names of channels have no line ends and quotes here: the reader takes a row for a line
+std::string one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '"'; }, ' ');
+    return text;
 }
 
-std::string opening(const signal::Layout& layout) {
-    std::string text = "# schema: stridor.signal/1\n# version: " + std::string(base::version()) + "\n";
-    text += "# rate: " + base::shortest(layout.rate) + " Hz\ntime";
-    for (std::size_t channel = 0; channel < layout.channels.size(); ++channel) {
-        const std::string& name = layout.channels[channel].name;
-        text += "," + (name.empty() ? "channel " + std::to_string(channel + 1) : quoted(name));
-    }
-    text += "\ns";
-    for (const signal::Channel& channel : layout.channels)
-        text += "," + quoted(channel.unit);
-    return text + "\n";
+// a column without a unit is read as one of full scale, so that of a dimensionless signal says so
+std::string heading(const signal::Channel& channel, std::size_t number) {
+    const std::string name = channel.name.empty() ? "channel " + std::to_string(number) : channel.name;
+    return one_line(name + " [" + channel.unit + "]");
 }
 
-void append(std::string& text, double number) {
-    std::array<char, 32> buffer{};
-    text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr);
+csv_text::Table table_of(const signal::Layout& layout) {
+    csv_text::Facts facts = csv_text::origin("signal");
+    facts.emplace_back("rate", base::shortest(layout.rate) + " Hz");
+    std::vector<csv_text::Column> columns{{"time", "s"}};
+    for (std::size_t k = 0; k < layout.channels.size(); ++k)
+        columns.push_back({heading(layout.channels[k], k + 1)});
+    return csv_text::Table(facts, columns);
 }
 
 }  // namespace
@@ -49,21 +41,18 @@ std::uint64_t write_signal_csv(const std::string& path, signal::Source& source) 
     PiecewiseFile file(path);
     const signal::Layout& layout = source.layout();
     const std::size_t width = layout.channels.size();
-    file.write(opening(layout));
+    csv_text::Table table = table_of(layout);
+    file.write(table.take());
     std::vector<double> block(block_frames * width);
     std::uint64_t frames = 0;
-    std::string text;
     while (const std::size_t count = source.read(block)) {
-        text.clear();
         for (std::size_t frame = 0; frame < count; ++frame, ++frames) {
-            append(text, static_cast<double>(frames) / layout.rate);
-            for (std::size_t channel = 0; channel < width; ++channel) {
-                text += ',';
-                append(text, block[frame * width + channel]);
-            }
-            text += '\n';
+            table.number(static_cast<double>(frames) / layout.rate);
+            for (std::size_t channel = 0; channel < width; ++channel)
+                table.number(block[frame * width + channel]);
+            table.end_row();
         }
-        file.write(text);
+        file.write(table.take());
     }
     file.commit();
     return frames;

@@ -34,9 +34,9 @@ std::vector<std::string> split(const std::string& row) {
 }
 
 struct Table {
-    std::map<std::string, std::string> comments;
+    std::map<std::string, std::string> facts;
     std::vector<std::string> names;
-    std::vector<std::string> units;
+    std::vector<std::string> units;  // empty: none
     std::vector<std::vector<std::string>> rows;
 
     std::string at(std::size_t row, const std::string& name) const {
@@ -45,23 +45,43 @@ struct Table {
     }
 };
 
+// "# key: value | key: value"
+std::map<std::string, std::string> facts_in(const std::string& line) {
+    std::map<std::string, std::string> facts;
+    EXPECT_TRUE(line.starts_with("# ")) << line;
+    EXPECT_EQ(line.find('"'), std::string::npos) << "a quote would join it with the next line: " << line;
+    std::size_t begin = 2;
+    while (begin < line.size()) {
+        const std::size_t end = std::min(line.find(" | ", begin), line.size());
+        const std::string fact = line.substr(begin, end - begin);
+        const std::size_t colon = fact.find(": ");
+        facts[fact.substr(0, colon)] = fact.substr(colon + 2);
+        begin = end + 3;
+    }
+    return facts;
+}
+
+// "gap [m]"
+void take_apart(const std::string& heading, Table& table) {
+    const std::size_t bracket = heading.find(" [");
+    table.names.push_back(heading.substr(0, bracket));
+    const bool has_unit = bracket != std::string::npos;
+    table.units.push_back(has_unit ? heading.substr(bracket + 2, heading.size() - bracket - 3) : "");
+}
+
 Table parse(const std::string& text) {
     Table table;
     std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("# ")) {
-            const std::size_t colon = line.find(": ");
-            table.comments[line.substr(2, colon - 2)] = line.substr(colon + 2);
-        } else if (table.names.empty()) {
-            table.names = split(line);
-        } else if (table.units.empty()) {
-            table.units = split(line);
-        } else {
-            table.rows.push_back(split(line));
-            EXPECT_EQ(table.rows.back().size(), table.names.size()) << line;
-        }
+    std::string line;
+    std::getline(lines, line);
+    table.facts = facts_in(line);
+    std::getline(lines, line);
+    for (const std::string& heading : split(line))
+        take_apart(heading, table);
+    while (std::getline(lines, line)) {
+        table.rows.push_back(split(line));
+        EXPECT_EQ(table.rows.back().size(), table.names.size()) << line;
     }
-    EXPECT_EQ(table.units.size(), table.names.size());
     return table;
 }
 
@@ -85,8 +105,9 @@ TEST(ChartCsv, HasTheColumnsOfTheContract) {
     EXPECT_EQ(table.names.back(), "reproduce");
     EXPECT_EQ(table.names.size(), 5 + sweep::cell_figures().size() + 4);
     EXPECT_EQ(table.units[0], "N");
-    EXPECT_EQ(table.units[1], "1");
-    EXPECT_EQ(table.units[2], "-");
+    EXPECT_EQ(table.units[1], "");
+    EXPECT_EQ(table.units[2], "");
+    EXPECT_EQ(table.units[5], "") << "a share of 1";
 }
 
 TEST(ChartCsv, TellsComputedCellsFromInferredOnes) {
@@ -104,7 +125,7 @@ TEST(ChartCsv, HasAColumnPerStart) {
     EXPECT_EQ(table.at(5, "start_rest"), "none");
     EXPECT_EQ(table.at(5, "start_sliding"), "squeal");
     EXPECT_EQ(table.at(6, "start_sliding"), "invalid");
-    EXPECT_EQ(table.comments.at("chart.starts"), "rest sliding");
+    EXPECT_EQ(table.facts.at("chart.starts"), "rest sliding");
     EXPECT_NE(table.at(6, "reproduce").find("--set run.initial=rest"), std::string::npos) << "the first that failed";
 }
 
@@ -115,8 +136,8 @@ TEST(BoundariesCsv, HasARowPerVertex) {
     EXPECT_EQ(table.names, (std::vector<std::string>{"line", "direction", "first", "second", "form", "x", "y",
                                                      "x_resolution", "y_resolution"}));
     EXPECT_EQ(table.units[5], "N");
-    EXPECT_EQ(table.comments.at("schema"), "stridor.boundaries/1");
-    EXPECT_EQ(table.comments.at("y"), "contact.kinetic_friction");
+    EXPECT_EQ(table.facts.at("schema"), "stridor.boundaries/1");
+    EXPECT_EQ(table.facts.at("y"), "contact.kinetic_friction");
     std::size_t row = 0;
     for (std::size_t line = 0; line < boundaries.size(); ++line)
         for (const sweep::BoundaryVertex& vertex : boundaries[line].vertices) {
@@ -132,14 +153,14 @@ TEST(BoundariesCsv, HasARowPerVertex) {
 
 TEST(ChartCsv, SaysWhereItComesFrom) {
     const Table table = parse(csv_of(small_chart(), "c.toml"));
-    EXPECT_EQ(table.comments.at("schema"), "stridor.chart/1");
-    EXPECT_EQ(table.comments.at("version"), base::version());
-    EXPECT_EQ(table.comments.at("commit"), base::commit());
-    EXPECT_EQ(table.comments.at("x"), "contact.preload");
-    EXPECT_EQ(table.comments.at("y"), "contact.kinetic_friction");
-    EXPECT_EQ(table.comments.at("joint.mass"), "0.1 kg");
-    EXPECT_EQ(table.comments.at("run.engine"), "exact");
-    EXPECT_EQ(table.comments.at("chart.directions"), "going coming");
+    EXPECT_EQ(table.facts.at("schema"), "stridor.chart/1");
+    EXPECT_EQ(table.facts.at("version"), base::version());
+    EXPECT_EQ(table.facts.at("commit"), base::commit());
+    EXPECT_EQ(table.facts.at("x"), "contact.preload");
+    EXPECT_EQ(table.facts.at("y"), "contact.kinetic_friction");
+    EXPECT_EQ(table.facts.at("joint.mass"), "0.1 kg");
+    EXPECT_EQ(table.facts.at("run.engine"), "exact");
+    EXPECT_EQ(table.facts.at("chart.directions"), "going coming");
 }
 
 TEST(ChartCsv, HasARowPerCellInIndexOrderWithNumbersThatReadBack) {
@@ -170,10 +191,10 @@ TEST(ChartCsv, GivesCategoriesToDoneCellsAndCommandsToTheOthers) {
               sweep::reproduce_command(chart.study, sweep::place_of(chart.study, 6), "my chart.toml"));
 }
 
-TEST(ChartCsv, KeepsATitleOfSeveralLinesInOneComment) {
+TEST(ChartCsv, KeepsAnyTitleWithinItsFirstLine) {
     sweep::SweepResult chart = small_chart();
-    chart.study.base.title = "one\n2,3";
-    EXPECT_EQ(parse(csv_of(chart, "c.toml")).comments.at("title"), "one 2,3");
+    chart.study.base.title = "one\n2,3 | \"so\": x";
+    EXPECT_EQ(parse(csv_of(chart, "c.toml")).facts.at("title"), "one 2,3 / 'so': x");
 }
 
 TEST(TraceCsv, HoldsEverySampleOfARun) {
@@ -185,10 +206,11 @@ TEST(TraceCsv, HoldsEverySampleOfARun) {
     request.history = record::KeepHistory::yes;
     request.trace = {0.0, 0.01, 1e-3};
     const integration::Motion motion = integration::simulate(c, request);
-    const Table trace = parse(trace_csv(c, motion.record.trace));
+    const Table trace = parse(trace_csv(c, motion.record.trace, request.trace.interval));
     ASSERT_EQ(trace.rows.size(), motion.record.trace.time.size());
     ASSERT_GT(trace.rows.size(), 5U);
-    EXPECT_EQ(trace.comments.at("schema"), "stridor.trace/1");
+    EXPECT_EQ(trace.facts.at("schema"), "stridor.trace/1");
+    EXPECT_EQ(trace.facts.at("rate"), "1000 Hz");
     EXPECT_EQ(number(trace.at(5, "displacement_y2")), motion.record.trace.displacement[2][5]);
     EXPECT_EQ(number(trace.at(5, "friction_force")), motion.record.trace.friction_force[5]);
     EXPECT_EQ(trace.at(5, "state"), model::contact_state_names[model::index_of(motion.record.trace.state[5])]);

@@ -3,10 +3,13 @@
 #include "io_support.hpp"
 #include "signal_support.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/integration/simulate.hpp"
 #include "stridor/io/atomic_file.hpp"
+#include "stridor/io/csv.hpp"
 #include "stridor/io/line_reader.hpp"
 #include "stridor/io/open_signal.hpp"
 #include "stridor/io/signal_csv_writer.hpp"
+#include "stridor/parameters/paper_cases.hpp"
 #include "support/counter_random.hpp"
 
 #include <gtest/gtest.h>
@@ -32,6 +35,22 @@ void expect_force(const std::string& text, double rate = 2.0) {
     EXPECT_EQ(found[0].rate, rate) << text;
     EXPECT_EQ(found[0].samples, (std::vector<double>{0.5, -1.0, 2.0})) << text;
 }
+
+/// One frame at 100 Hz with given channels.
+class OneFrame final : public signal::Source {
+public:
+    explicit OneFrame(std::vector<signal::Channel> channels) { layout_ = {100.0, std::move(channels), {}}; }
+    const signal::Layout& layout() const override { return layout_; }
+    std::size_t read(std::span<double> frames) override {
+        if (std::exchange(is_read_, true)) return 0;
+        std::fill_n(frames.begin(), layout_.channels.size(), 1.0);
+        return 1;
+    }
+
+private:
+    signal::Layout layout_;
+    bool is_read_ = false;
+};
 
 TEST(SignalCsv, SniffsDelimiterDecimalMarkUnitsAndMark) {
     expect_force("time [s],force [N]\n0,0.5\n0.5,-1\n1,2\n");
@@ -138,12 +157,85 @@ TEST(SignalCsv, NamesOfChannelsAreNoFormulasAndComeBack) {
     write_signal_csv(path, *open_signal((scratch / "given.csv").string()));
     std::ifstream stream(path);
     const std::string text(std::istreambuf_iterator<char>(stream), {});
-    EXPECT_NE(text.find("\ntime,'=1+1,'+cmd|' /C calc'!A0,'-2+3,'@SUM A1,''=1,'plain',door\n"), std::string::npos)
+    EXPECT_NE(text.find("\ntime [s],'=1+1 [FS],'+cmd|' /C calc'!A0 [FS],'-2+3 [FS],'@SUM A1 [FS],''=1 [FS],'plain' "
+                        "[FS],door [FS]\n"),
+              std::string::npos)
         << text;
     EXPECT_NE(text.find("\n0,-0.1257,-0.1257,"), std::string::npos) << "numbers stay numbers";
     const auto file = open_signal(path);
     for (std::size_t k = 0; k < names.size(); ++k)
         EXPECT_EQ(file->layout().channels[k].name, names[k] == "''=1" ? "'=1" : names[k]);
+}
+
+TEST(SignalCsv, KeepsNamesAndUnitsOfWhatItWrote) {
+    const ScratchFolder scratch;
+    const std::string path = (scratch / "a.csv").string();
+    OneFrame source({{"acceleration (front) [z]", "m/s^2"}, {"a;b", "1"}, {"c\td, e", "FS"}, {"x#1", "N"}});
+    write_signal_csv(path, source);
+    const auto file = open_signal(path);
+    EXPECT_EQ(file->layout().rate, 100.0);
+    ASSERT_EQ(file->layout().channels.size(), source.layout().channels.size());
+    for (std::size_t k = 0; k < source.layout().channels.size(); ++k) {
+        EXPECT_EQ(file->layout().channels[k].name, source.layout().channels[k].name);
+        EXPECT_EQ(file->layout().channels[k].unit, source.layout().channels[k].unit);
+    }
+}
+
+TEST(SignalCsv, ReadsTheTablesOfBothGenerations) {
+    expect_force("# schema: stridor.signal/1\n# version: 0.1.0\n# rate: 2 Hz\ntime,force\ns,N\n0,0.5\n0.5,-1\n1,2\n");
+    expect_force("# schema: stridor.signal/1 | version: 0.1.0 | rate: 2 Hz\ntime [s],force [N]\n0,0.5\n0.5,-1\n1,2\n");
+    const auto facts = open_signal(input_of("# schema: stridor.trace/1 | rate: 2 Hz | a: b | c: d\nv\n1\n"))->facts();
+    EXPECT_EQ(facts.metadata, (std::vector<std::pair<std::string, std::string>>{
+                                  {"schema", "stridor.trace/1"}, {"a", "b"}, {"c", "d"}}));
+}
+
+TEST(SignalCsv, SaysThatAChartIsNoSignal) {
+    for (const char* what : {"chart", "boundaries", "history", "library", "evaluate"}) {
+        const std::string schema = "# schema: stridor." + std::string(what) + "/1";
+        expect_error(refusal(schema + "\n# version: 1\nx,y\nN,1\n1,2\n"), "holds no signal over time", "d.csv:1:1");
+        expect_error(refusal(schema + " | version: 1\nx [N],y\n1,2\n"), "holds no signal over time", "d.csv:1:1");
+    }
+}
+
+TEST(SignalCsv, FindsTheTableBelowProse) {
+    const std::string prose = "Measurement report\nDate;2024-05-03;12:00\nOperator: M\xC3\xBCller\n\n";
+    expect_force(prose + "time;force\ns;N\n0;0,5\n0,5;-1\n1;2\n");
+    expect_force(prose + "time [s];force [N]\n0;0,5\n0,5;-1\n1;2\n");
+    expect_force(prose + "time [s],force [N]\n0,0.5\n0.5,-1\n1,2\n");
+    expect_force(prose + "Zeit\tforce\ns\tmN\n0\t500\n0,5\t-1000\n1\t2000\n");
+    expect_force(prose + "0;0.5\n0.5;-1\n1;2\n");
+    expect_force("Test rig 3\ntime,force\n0,0.5\n0.5,-1\n1,2\n");
+    expect_force("operator;Smith\ntime;force\n0;0.5\n0.5;-1\n1;2\n");
+    // lists of channels, and keys with two numbers, come close to rows
+    expect_force("No;Name;Unit\n1;force;N\n2;way;mm\n\ntime;force\ns;N\n0;0.5\n0.5;-1\n1;2\n");
+    expect_force(
+        "LabVIEW Measurement\t\nSamples\t3\t3\t\nX0\t0.0\t0.0\t\nDelta_X\t0.5\t0.5\t\n***End_of_Header***\t\t\t\n"
+        "X_Value\tforce\tComment\n0.0\t0.5\n0.5\t-1.0\n1.0\t2.0\n");
+}
+
+TEST(SignalCsv, TakesRateAndMetadataFromProse) {
+    for (const char* rate : {"Sampling rate: 2 Hz", "Sampling frequency [kHz];0,002", "Abtastrate = 2"})
+        expect_force("Door seal\n" + std::string(rate) + "\nNormal load [N]: 20\n\nforce\n0,5\n-1\n2\n");
+    const auto file = open_signal(input_of("Door seal\nNormal load [N]: 20\nSampling rate: 9 Hz\nt;v\n0;1\n1;2\n"));
+    EXPECT_EQ(file->layout().rate, 1.0) << "times know better";
+    EXPECT_EQ(file->facts().metadata, (std::vector<std::pair<std::string, std::string>>{{"Normal load", "20 N"}}));
+    ASSERT_FALSE(file->facts().notes.empty());
+    EXPECT_EQ(file->facts().notes[0], "3 lines of text above the table taken for metadata");
+}
+
+TEST(TraceCsv, TellsItsRateWhateverItsLength) {
+    const parameters::Case c = parameters::paper_case(parameters::PaperCase::squeal);
+    for (const double interval : {20e-6, 1e-3, 1e-3 / 3.0})
+        for (const double to : {0.02, 0.02 + 1e-9, 0.021, 0.03}) {
+            record::Request request;
+            request.trace = {0.02, to, interval};
+            const integration::Motion motion = integration::simulate(c, request);
+            const std::string text = trace_csv(c, motion.record.trace, interval);
+            if (motion.record.trace.time.empty()) continue;
+            const auto file = open_signal(input_of(text));
+            EXPECT_NEAR(file->layout().rate * interval, 1.0, 1e-12) << interval << " s until " << to;
+            EXPECT_EQ(signal::read_all(*file)[0].samples.size(), motion.record.trace.time.size());
+        }
 }
 
 TEST(LineReader, TakesAnyLineEndsAcrossItsBlocks) {
