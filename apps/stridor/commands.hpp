@@ -19,6 +19,7 @@ void add_simulate(CLI::App& program);
 void add_stability(CLI::App& program);
 void add_advise(CLI::App& program);
 void add_chart(CLI::App& program);
+void add_report(CLI::App& program);
 void add_figure(CLI::App& program);
 void add_listen(CLI::App& program);
 void add_rig(CLI::App& program);

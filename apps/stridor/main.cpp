@@ -37,6 +37,7 @@ void build(CLI::App& program) {
     add_stability(program);
     add_advise(program);
     add_chart(program);
+    add_report(program);
     add_figure(program);
     add_listen(program);
     add_rig(program);

@@ -1,16 +1,12 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
-#include "stridor/classification/contact_rules.hpp"
 #include "stridor/explorer/answers.hpp"
 #include "stridor/io/json_advice.hpp"
 #include "stridor/io/toml_writer.hpp"
 #include "stridor/report/design_report.hpp"
 #include "stridor/sweep/advice.hpp"
-#include "stridor/sweep/keeper.hpp"
-#include "stridor/sweep/run.hpp"
 
 #include <array>
-#include <memory>
 #include <utility>
 
 namespace stridor::explorer {
@@ -63,15 +59,6 @@ std::string command_of(const World& world, const Json& body) {
     return text;
 }
 
-sweep::SweepResult swept(const World& world, const sweep::Study& study, const std::stop_token& stop) {
-    const auto keeper = std::make_shared<sweep::MemoryKeeper>(study);
-    sweep::RunOptions options;
-    options.threads = world.threads;
-    options.stop = stop;
-    sweep::run(study, *keeper, options);
-    return sweep::load(study, keeper);  // throws where it was stopped
-}
-
 }  // namespace
 
 Response advice(const World& world, const Json& body, const std::stop_token& stop) {
@@ -79,18 +66,9 @@ Response advice(const World& world, const Json& body, const std::stop_token& sto
 }
 
 Response report(const World& world, const Json& body, const std::stop_token& stop) {
-    constexpr double samples = 5e4;  // of the figure's trace
-    report::DesignResults results;
-    results.design = case_in(world, body);
+    report::DesignResults results = report::basic_results(case_in(world, body), stop);
     results.command = command_of(world, body);
-    record::Request request{record::KeepHistory::yes, {}};
-    request.trace.to = results.design.run.duration;
-    request.trace.interval = results.design.run.duration / samples;
-    results.motion = run_case(results.design, request, stop);
-    results.verdicts = classification::classify_phases(results.motion.record.phases, results.design.verdict);
-    if (body.contains("chart")) results.chart = swept(world, study_in(world, body), stop);
-    results.stability = analysis::scan_stability(
-        results.design, analysis::ScanRange{"contact.kinetic_friction", 0.0, results.design.contact.static_friction});
+    if (body.contains("chart")) results.chart = report::chart_in_memory(study_in(world, body), world.threads, stop);
     results.advice = sweep::advise(results.design, options_in(world, body, stop));
     Response response{200, "text/html; charset=utf-8", report::html(report::design_report(results))};
     response.headers = {{"Content-Disposition", "attachment; filename=\"stridor-report.html\""}};

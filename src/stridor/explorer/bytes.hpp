@@ -1,11 +1,11 @@
 #pragma once
 
+#include "stridor/base/base64.hpp"
+
 #include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 
 /// Arrays as bytes, little endian as every browser's typed arrays are, and as text for JSON.
 namespace stridor::explorer {
@@ -17,12 +17,9 @@ std::string bytes_of(std::span<const T> values) {
     return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
-/// Base64 (RFC 4648, section 4).
-std::string base64(std::string_view bytes);
-
 template <typename T>
 std::string base64_of(std::span<const T> values) {
-    return base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
+    return base::base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
 }
 
 }  // namespace stridor::explorer

@@ -1,14 +1,20 @@
 #include "stridor/report/design_report.hpp"
 
 #include "stridor/base/version.hpp"
+#include "stridor/chart/design_mark.hpp"
 #include "stridor/chart/gnuplot.hpp"
 #include "stridor/chart/noise_chart.hpp"
+#include "stridor/chart/palette.hpp"
 #include "stridor/chart/stability.hpp"
 #include "stridor/chart/time_history.hpp"
+#include "stridor/io/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/report/sketch.hpp"
+#include "stridor/report/verdict_words.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -28,7 +34,7 @@ std::string phase_name(const Verdict& verdict) {
 
 Section verdict_section(const DesignResults& results) {
     Section section{"Verdict"};
-    section.table.columns = {"phase",      "category",   "slip",      "stick",
+    section.table.columns = {"direction",  "category",   "slip",      "stick",
                              "separation", "regularity", "frequency", "joint level"};
     for (const Verdict& verdict : results.verdicts) {
         const analysis::Evidence& e = verdict.evidence;
@@ -38,20 +44,44 @@ Section verdict_section(const DesignResults& results) {
              number_or_dash(100.0 * e.rates.separation, "{:.1f} %"), number_or_dash(e.alternation.regularity, "{:.3f}"),
              number_or_dash(e.alternation.frequency, "{:.1f} Hz"),
              number_or_dash(e.levels.joint.decibels, "{:.1f} dB")});
-        std::string why = phase_name(verdict) + ": ";
+        std::string why = "Why " + phase_name(verdict) + ": ";
         for (std::size_t k = 0; k < verdict.reasons.size(); ++k)
             why += (k > 0 ? "; " : "") + verdict.reasons[k];
-        section.paragraphs.push_back(std::move(why));
+        section.paragraphs.push_back(why + ".");
     }
-    section.paragraphs.push_back("A category names a vibration pattern of the model. " +
-                                 std::string(analysis::level_note));
+    section.paragraphs.emplace_back("The shares in the table are of the whole window, reversals included. " +
+                                    std::string(analysis::level_note));
+    return section;
+}
+
+std::string heard_words(const DesignSound& sound) {
+    if (sound.wav.empty()) return "Nothing moves that could be heard.";
+    const classification::SoundSegment* loudest = sound.heard.loudest();
+    const std::string why =
+        loudest == nullptr || loudest->verdict.reasons.empty() ? "" : " (" + loudest->verdict.reasons.back() + ")";
+    if (sound.heard.category == classification::Category::none) return "By ear: no noise of its own" + why + ".";
+    return "By ear: " + std::string(classification::name(sound.heard.category)) + why + ".";
+}
+
+Section sound_section(const std::vector<DesignSound>& sounds) {
+    Section section{"What it sounds like"};
+    section.paragraphs.emplace_back(
+        "The motion of the joint along the plate, made audible. Each sound is as loud as its file allows, whatever its "
+        "level; the part itself radiates in its own way.");
+    for (const DesignSound& sound : sounds) {
+        const std::string label(parameters::direction_names[static_cast<std::size_t>(sound.direction)]);
+        if (sound.wav.empty())
+            section.paragraphs.push_back(label + ": " + heard_words(sound));
+        else
+            section.sounds.push_back({label, heard_words(sound), sound.wav});
+    }
     return section;
 }
 
 Section motion_section(const DesignResults& results) {
     constexpr double zoom = 0.02;  // [s]
     chart::TimeHistoryOptions options;
-    options.zoom = chart::telling_stretch(results.design, zoom);
+    options.zoom = chart::busiest_stretch(results.design, results.motion.record.history, zoom);
     return {"Motion",
             {},
             chart::render(chart::time_history(results.design, results.motion.record, options), chart::Format::svg),
@@ -59,14 +89,16 @@ Section motion_section(const DesignResults& results) {
 }
 
 Section chart_section(const sweep::SweepResult& result) {
-    return {"Noise chart",
-            {},
-            chart::render(chart::noise_chart(result), chart::Format::svg),
-            fmt::format(
-                "Category over {} and {}, {} by {} cells, of which {} were computed and the others taken from their "
-                "neighbours.",
-                result.study.x.parameter, result.study.y.parameter, result.study.x.points, result.study.y.points,
-                sweep::computed_count(result))};
+    chart::Scene scene = chart::noise_chart(result);
+    chart::mark_design(scene, result.study);
+    return {
+        "Where it is quiet",
+        {},
+        chart::render(scene, chart::Format::svg),
+        fmt::format("Category over {} and {}, {} by {} cells in each direction, each a run of its own. {}",
+                    result.study.x.parameter, result.study.y.parameter, result.study.x.points, result.study.y.points,
+                    sweep::holds_design(result.study) ? "The diamond is the design."
+                                                      : "The design lies outside of the chart.")};
 }
 
 Section stability_section(const analysis::StabilityScan& scan) {
@@ -79,33 +111,73 @@ Section stability_section(const analysis::StabilityScan& scan) {
             "Frequencies and growth rates of the sliding modes over " + scan.key + "."};
 }
 
+std::string measured(const std::string& key, double value) {
+    const std::string_view unit = parameters::unit_of(key);
+    return fmt::format("{:.4g}{}", value, unit == "1" ? "" : " " + std::string(unit));
+}
+
 std::string change_words(const sweep::DesignSpace& space, const sweep::DesignChange& change) {
     std::string text;
     for (const sweep::ParameterChange& each : change.set)
-        text += fmt::format("{}{} {:.4g} -> {:.6g}", text.empty() ? "" : ", ", space.parameters[each.parameter].key,
-                            each.from, each.to);
+        text += fmt::format("{}{} from {} to {}", text.empty() ? "" : ", ", space.parameters[each.parameter].key,
+                            measured(space.parameters[each.parameter].key, each.from),
+                            measured(space.parameters[each.parameter].key, each.to));
     return text;
 }
 
-Section advice_section(const sweep::Advice& advice) {
-    Section section{"What keeps it quiet"};
-    section.table.columns = {"distance", "change", "verified by"};
-    for (const sweep::DesignChange& change : advice.changes)
-        section.table.rows.push_back({fmt::format("{:.3f}", change.distance), change_words(advice.space, change),
-                                      fmt::format("{} runs, all quiet", change.runs)});
-    if (sweep::is_quiet(advice.present))
-        section.paragraphs.push_back("The design is quiet as it stands.");
+// the parameters whose verdict changes nearest, with where it does
+Table margin_table(const sweep::Advice& advice) {
+    constexpr std::size_t most_rows = 6;
+    std::vector<std::pair<double, std::size_t>> order;
+    for (const sweep::ParameterMargin& margin : advice.margins)
+        if (const sweep::VerdictChange* change = sweep::nearest_change(advice.space, margin))
+            order.emplace_back(std::abs(change->share - advice.space.origin[margin.parameter]), margin.parameter);
+    std::sort(order.begin(), order.end());
+    Table table{{"parameter", "now", "changes below", "changes above"}, {}};
+    for (std::size_t k = 0; k < std::min(most_rows, order.size()); ++k) {
+        const sweep::ParameterMargin& margin = advice.margins[order[k].second];
+        const std::string& key = advice.space.parameters[margin.parameter].key;
+        const auto words = [&](const sweep::ScanSide& side) {
+            if (!side.change) return std::string("-");
+            return measured(key, side.change->value) + " (" +
+                   std::string(sweep::word(sweep::overall(side.change->beyond))) + ")";
+        };
+        table.rows.push_back({key, measured(key, margin.value), words(margin.below), words(margin.above)});
+    }
+    return table;
+}
+
+std::vector<Section> advice_sections(const sweep::Advice& advice) {
+    Section change{"What to change"};
+    const bool is_quiet = sweep::is_quiet(advice.present);
+    if (is_quiet)
+        change.paragraphs.emplace_back("Nothing: the design is quiet as it stands.");
     else if (advice.changes.empty())
-        section.paragraphs.push_back("No change within the usual ranges was verified to be quiet.");
-    else
-        section.paragraphs.push_back(
-            "Changes that make every phase quiet, smallest first. Distance is the share of the "
-            "usual range that a designer has to go.");
+        change.paragraphs.emplace_back("No change within the usual ranges was verified to be quiet.");
+    else {
+        const sweep::DesignChange& best = advice.changes[advice.recommended.value_or(0)];
+        change.paragraphs.push_back("Advised: " + change_words(advice.space, best) +
+                                    fmt::format(". This was verified to be quiet by {} runs, from every start and with "
+                                                "1 % more and less of each value.",
+                                                best.runs));
+        change.paragraphs.emplace_back(
+            "All changes that were verified, smallest first. The distance is the share of its usual range that a "
+            "quantity has to go.");
+        change.table.columns = {"distance", "change", "verified by"};
+        for (const sweep::DesignChange& each : advice.changes)
+            change.table.rows.push_back({fmt::format("{:.3f}", each.distance), change_words(advice.space, each),
+                                         fmt::format("{} quiet runs", each.runs)});
+    }
+    Section margins{"How far it is from another verdict"};
+    margins.table = margin_table(advice);
+    margins.paragraphs.emplace_back(margins.table.rows.empty()
+                                        ? "No quantity alone changes the verdict within its usual range."
+                                        : "Each quantity alone, the nearest first. The loudest direction is named.");
     if (advice.chance)
-        section.paragraphs.push_back(fmt::format(
+        margins.paragraphs.push_back(fmt::format(
             "Chance of noise within tolerances: {:.2f} % ({:.2f} to {:.2f} %, 95 % confidence).",
             100.0 * advice.chance->noise.share, 100.0 * advice.chance->noise.low, 100.0 * advice.chance->noise.high));
-    return section;
+    return {std::move(change), std::move(margins)};
 }
 
 Section parameter_section(const parameters::Case& c) {
@@ -118,12 +190,22 @@ Section parameter_section(const parameters::Case& c) {
     return section;
 }
 
-std::string category_list(const std::vector<Verdict>& verdicts) {
-    std::string text;
-    for (const Verdict& verdict : verdicts)
-        text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", phase_name(verdict),
-                            classification::name(verdict.category));
-    return text;
+std::vector<Badge> badges(const std::vector<Verdict>& verdicts) {
+    std::vector<Badge> badges;
+    for (const Verdict& verdict : verdicts) {
+        const chart::Fill fill = chart::category_fill(verdict.category);
+        badges.push_back({phase_name(verdict), std::string(classification::name(verdict.category)),
+                          chart::hex(fill.colour), chart::hex(chart::text_colour_on(fill.colour))});
+    }
+    return badges;
+}
+
+Section origin_section(const DesignResults& results) {
+    Section section{"How to get this again"};
+    section.paragraphs.push_back(
+        fmt::format("Made by stridor {} ({}) with this command:", base::version(), base::commit()));
+    section.code = results.command;
+    return section;
 }
 
 }  // namespace
@@ -131,19 +213,37 @@ std::string category_list(const std::vector<Verdict>& verdicts) {
 Report design_report(const DesignResults& results) {
     Report report;
     report.title = results.design.title.empty() ? "Rubbing contact" : results.design.title;
-    report.subtitle = category_list(results.verdicts);
+    report.badges = badges(results.verdicts);
+    report.lead.push_back(summary(results.verdicts));
+    for (const Verdict& verdict : results.verdicts)
+        report.lead.push_back(plain_words(verdict));
+    report.sketch = sketch_svg(results.design);
+    report.sketch_caption =
+        "The model: a joint, pressed on a plate that moves under it, held at an angle by springs and dampers.";
     report.sections.push_back(verdict_section(results));
-    if (!results.motion.record.trace.time.empty()) report.sections.push_back(motion_section(results));
+    if (!results.sounds.empty())
+        report.sections.push_back(sound_section(results.sounds));
+    else if (!results.without_sound.empty())
+        report.sections.push_back({"What it sounds like", {results.without_sound}});
     if (results.chart) report.sections.push_back(chart_section(*results.chart));
+    if (results.advice)
+        for (Section& section : advice_sections(*results.advice))
+            report.sections.push_back(std::move(section));
+    else if (!results.without_advice.empty())
+        report.sections.push_back({"What to change", {results.without_advice}});
+    if (!results.motion.record.trace.time.empty()) report.sections.push_back(motion_section(results));
     if (results.stability && !results.stability->key.empty())
         report.sections.push_back(stability_section(*results.stability));
-    if (results.advice) report.sections.push_back(advice_section(*results.advice));
     report.sections.push_back(parameter_section(results.design));
-    Section origin{"Where this comes from"};
-    origin.paragraphs.push_back(
-        fmt::format("Made by stridor {} ({}). This prints the verdict again:", base::version(), base::commit()));
-    origin.code = results.command;
-    report.sections.push_back(std::move(origin));
+    Section file{"The case as a file"};
+    file.paragraphs.emplace_back("Everything above follows from these values.");
+    file.file = {"case.toml", io::case_toml(results.design, {io::Comments::none, {}})};
+    report.sections.push_back(std::move(file));
+    report.sections.push_back(origin_section(results));
+    report.foot =
+        "A category names a pattern of vibration of a small model (one joint, one plate, one point of contact), not a "
+        "sound pressure in a car. What the model does not hold, such as wear, temperature, several contacts and the "
+        "radiation of sound, is not in this verdict either.";
     return report;
 }
 

@@ -1,21 +1,71 @@
 #include "stridor/report/html.hpp"
 
+#include "stridor/base/base64.hpp"
+
 namespace stridor::report {
 
 namespace {
 
-constexpr std::string_view style = R"(
-:root { color-scheme: light dark; --ink: #1d2126; --paper: #ffffff; --line: #d5d9de; --soft: #5d6670; }
-@media (prefers-color-scheme: dark) { :root { --ink: #e4e7ea; --paper: #15181b; --line: #3a4148; --soft: #9aa4ae; } }
-body { font: 15px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.6rem; margin: 0; } h2 { font-size: 1.15rem; margin: 2rem 0 .5rem; border-top: 1px solid var(--line); padding-top: 1rem; }
-.subtitle, figcaption { color: var(--soft); }
-figure { margin: 1rem 0; } figure svg { width: 100%; height: auto; background: #ffffff; border-radius: 4px; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; display: block; overflow-x: auto; }
-th, td { text-align: left; padding: .2rem .9rem .2rem 0; border-bottom: 1px solid var(--line); }
-pre { overflow-x: auto; padding: .7rem; border: 1px solid var(--line); border-radius: 4px; font-size: 13px; }
-@media print { body { margin: 0; max-width: none; } h2 { break-after: avoid; } figure, table { break-inside: avoid; } }
-)";
+constexpr std::string_view style = R"css(
+:root { color-scheme: light dark; --ink: #1d2126; --paper: #ffffff; --line: #d5d9de; --soft: #5d6670;
+  --field: #f5f6f7; --link: #006699; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e4e7ea; --paper: #15181b; --line: #3a4148; --soft: #9aa4ae; --field: #1e2327; --link: #6bb8e0; }
+}
+* { box-sizing: border-box; }
+body { font: 16px/1.5 system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif; color: var(--ink);
+  background: var(--paper); max-width: 62rem; margin: 2.5rem auto; padding: 0 1.25rem; overflow-wrap: break-word; }
+h1 { font-size: 1.7rem; line-height: 1.25; margin: 0 0 1rem; }
+h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; border-top: 1px solid var(--line); padding-top: 1.1rem; }
+p { margin: .5rem 0; max-width: 46rem; }
+a { color: var(--link); }
+.overview { display: grid; grid-template-columns: minmax(0, 3fr) minmax(15rem, 2fr); gap: 2rem; align-items: start; }
+.badges { display: flex; flex-wrap: wrap; gap: .6rem; margin: 0 0 1rem; padding: 0; list-style: none; }
+.badges li { border-radius: 6px; padding: .35rem .8rem; font-size: 1.05rem; border: 1px solid var(--line);
+  print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+.badges span { margin-right: .5em; }
+.sketch { margin: 0; }
+.sketch svg { width: 100%; max-width: 24rem; height: auto; display: block; }
+figcaption, footer { color: var(--soft); font-size: .9rem; }
+figure { margin: 1rem 0; }
+.frame { overflow-x: auto; background: #ffffff; border-radius: 6px; border: 1px solid var(--line); }
+.frame svg { width: 100%; min-width: 38rem; height: auto; display: block;
+  print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+.scroll { overflow-x: auto; margin: .8rem 0; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .92rem; overflow-wrap: normal; }
+th, td { text-align: left; padding: .25rem 1.1rem .25rem 0; border-bottom: 1px solid var(--line);
+  vertical-align: top; }
+.short { white-space: nowrap; }
+th { color: var(--soft); font-weight: 600; }
+pre { overflow-x: auto; margin: .8rem 0; padding: .8rem 1rem; background: var(--field); border: 1px solid var(--line);
+  border-radius: 6px; font: 13px/1.45 ui-monospace, "DejaVu Sans Mono", monospace; }
+.file pre { max-height: 26rem; overflow-y: auto; }
+.sound { margin: .8rem 0; }
+.sound audio { display: block; width: 100%; max-width: 30rem; margin: .3rem 0; }
+footer { border-top: 1px solid var(--line); margin-top: 2.5rem; padding: .8rem 0 1.5rem; }
+@media (max-width: 44rem) {
+  body { margin-top: 1.25rem; padding: 0 .9rem; }
+  .overview { grid-template-columns: minmax(0, 1fr); gap: 1rem; }
+  h1 { font-size: 1.4rem; }
+}
+@page { size: A4; margin: 16mm 15mm; }
+@media print {
+  :root { color-scheme: light; --ink: #000000; --paper: #ffffff; --line: #c4c8cc; --soft: #444444; --field: #ffffff;
+    --link: #000000; }
+  body { margin: 0; padding: 0; max-width: none; font-size: 10.5pt; }
+  h1 { font-size: 17pt; }
+  h2 { font-size: 12.5pt; margin-top: 1.3rem; break-after: avoid; }
+  .overview { grid-template-columns: minmax(0, 3fr) 6.4cm; }
+  figure, .sound, .badges, tr { break-inside: avoid; }
+  .frame { overflow: visible; border: 0; }
+  .frame svg { min-width: 0; }
+  .scroll { overflow: visible; }
+  table { font-size: 8.5pt; }
+  pre, .file pre { max-height: none; overflow: visible; white-space: pre-wrap; font-size: 8pt; }
+  audio, .save { display: none !important; }
+  .heard::after { content: " (To be played in the HTML file.)"; }
+}
+)css";
 
 // the picture alone, without what makes it a file of its own
 std::string_view inner(std::string_view svg) {
@@ -24,22 +74,41 @@ std::string_view inner(std::string_view svg) {
 }
 
 std::string figure(const Section& section) {
-    return "<figure role=\"img\" aria-label=\"" + escaped(section.caption) + "\">\n" + std::string(inner(section.svg)) +
-           "\n<figcaption>" + escaped(section.caption) + "</figcaption></figure>\n";
+    return "<figure><div class=\"frame\" role=\"img\" tabindex=\"0\" aria-label=\"" + escaped(section.caption) +
+           "\">\n" + std::string(inner(section.svg)) + "\n</div><figcaption>" + escaped(section.caption) +
+           "</figcaption></figure>\n";
+}
+
+std::string data_address(std::string_view media_type, std::string_view bytes) {
+    return "data:" + std::string(media_type) + ";base64," + base::base64(bytes);
+}
+
+std::string sound(const Sound& sound) {
+    return "<div class=\"sound\"><b>" + escaped(sound.label) + "</b> <span class=\"heard\">" + escaped(sound.words) +
+           "</span><audio controls preload=\"metadata\" aria-label=\"" + escaped(sound.label) + "\" src=\"" +
+           data_address("audio/wav", sound.wav) + "\"></audio></div>\n";
+}
+
+std::string file(const TextFile& file) {
+    return "<div class=\"file\"><pre tabindex=\"0\">" + escaped(file.text) + "</pre><p class=\"save\"><a download=\"" +
+           escaped(file.name) + "\" href=\"" + data_address("application/toml", file.text) + "\">Save as " +
+           escaped(file.name) + "</a></p></div>\n";
 }
 
 std::string row(const std::vector<std::string>& cells, std::string_view tag) {
     std::string text = "<tr>";
+    constexpr std::size_t longest_word = 24;  // [1] characters; what is shorter stays on one line
     for (const std::string& cell : cells)
-        text += "<" + std::string(tag) + ">" + escaped(cell) + "</" + std::string(tag) + ">";
+        text += "<" + std::string(tag) + (cell.size() <= longest_word ? " class=\"short\">" : ">") + escaped(cell) +
+                "</" + std::string(tag) + ">";
     return text + "</tr>\n";
 }
 
 std::string table(const Table& table) {
-    std::string text = "<table><thead>" + row(table.columns, "th") + "</thead><tbody>\n";
+    std::string text = "<div class=\"scroll\"><table><thead>" + row(table.columns, "th") + "</thead><tbody>\n";
     for (const std::vector<std::string>& cells : table.rows)
         text += row(cells, "td");
-    return text + "</tbody></table>\n";
+    return text + "</tbody></table></div>\n";
 }
 
 std::string html(const Section& section) {
@@ -48,8 +117,26 @@ std::string html(const Section& section) {
         text += "<p>" + escaped(paragraph) + "</p>\n";
     if (!section.svg.empty()) text += figure(section);
     if (!section.table.rows.empty()) text += table(section.table);
+    for (const Sound& each : section.sounds)
+        text += sound(each);
     if (!section.code.empty()) text += "<pre>" + escaped(section.code) + "</pre>\n";
+    if (!section.file.text.empty()) text += file(section.file);
     return text + "</section>\n";
+}
+
+std::string overview(const Report& report) {
+    std::string text = "<div class=\"overview\"><div>\n<ul class=\"badges\">";
+    for (const Badge& badge : report.badges)
+        text += "<li style=\"background:" + badge.ground + ";color:" + badge.ink + "\"><span>" + escaped(badge.label) +
+                "</span><b>" + escaped(badge.word) + "</b></li>";
+    text += "</ul>\n";
+    for (const std::string& paragraph : report.lead)
+        text += "<p>" + escaped(paragraph) + "</p>\n";
+    text += "</div>\n";
+    if (!report.sketch.empty())
+        text += "<figure class=\"sketch\" role=\"img\" aria-label=\"" + escaped(report.sketch_caption) + "\">" +
+                report.sketch + "<figcaption>" + escaped(report.sketch_caption) + "</figcaption></figure>\n";
+    return text + "</div>\n";
 }
 
 }  // namespace
@@ -81,13 +168,14 @@ std::string html(const Report& report) {
     std::string text =
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src "
-        "data:\">\n"
+        "data:; media-src data:\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
         escaped(report.title) + "</title>\n<style>" + std::string(style) + "</style></head><body>\n<h1>" +
         escaped(report.title) + "</h1>\n";
-    if (!report.subtitle.empty()) text += "<p class=\"subtitle\">" + escaped(report.subtitle) + "</p>\n";
+    text += overview(report);
     for (const Section& section : report.sections)
         text += html(section);
+    if (!report.foot.empty()) text += "<footer>" + escaped(report.foot) + "</footer>\n";
     return text + "</body></html>\n";
 }
 

@@ -13,6 +13,27 @@ struct Table {
     std::vector<std::vector<std::string>> rows{};
 };
 
+/// A word on a ground of its own: what is to be seen first.
+struct Badge {
+    std::string label;   // "going"
+    std::string word;    // "squeal"
+    std::string ground;  // "#BB5566"
+    std::string ink;     // of the word, to be read on that ground
+};
+
+/// A sound that can be played where it stands.
+struct Sound {
+    std::string label;
+    std::string words;  // what is heard
+    std::string wav;    // the bytes of a WAV file
+};
+
+/// Text that can be read, copied and saved as a file.
+struct TextFile {
+    std::string name;  // "case.toml"
+    std::string text;
+};
+
 /// A heading with what stands below it, in this order; what is empty is left out.
 struct Section {
     std::string heading;
@@ -20,13 +41,19 @@ struct Section {
     std::string svg{};      // a figure, as gnuplot draws it
     std::string caption{};  // of the figure, and what it shows to who cannot see it
     Table table{};
-    std::string code{};  // commands or a file, as they stand
+    std::vector<Sound> sounds{};
+    std::string code{};  // commands, as they stand
+    TextFile file{};
 };
 
 struct Report {
     std::string title;
-    std::string subtitle{};
+    std::vector<Badge> badges{};
+    std::vector<std::string> lead{};  // paragraphs beside the sketch
+    std::string sketch{};             // SVG
+    std::string sketch_caption{};
     std::vector<Section> sections{};
+    std::string foot{};
 };
 
 /// Text with the characters that mean something to HTML written so that they do not.

@@ -296,15 +296,5 @@ RC_GTEST_PROP(Api, SurvivesEveryChangeOfABody, ()) {
     }
 }
 
-TEST(Bytes, AreEncodedAsTheStandardSays) {
-    // RFC 4648, section 10
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
-}
-
 }  // namespace
 }  // namespace stridor::explorer

@@ -1,6 +1,9 @@
-#include "stridor/explorer/bytes.hpp"
+#include "stridor/base/base64.hpp"
 
-namespace stridor::explorer {
+#include <cstddef>
+#include <cstdint>
+
+namespace stridor::base {
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -16,4 +19,4 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-}  // namespace stridor::explorer
+}  // namespace stridor::base

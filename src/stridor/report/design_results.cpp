@@ -1,0 +1,103 @@
+#include "stridor/report/design_results.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/classification/contact_rules.hpp"
+#include "stridor/io/wav.hpp"
+#include "stridor/sweep/evaluate.hpp"
+#include "stridor/sweep/keeper.hpp"
+#include "stridor/sweep/run.hpp"
+#include "stridor/sweep/run_sound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace stridor::report {
+
+namespace {
+
+using parameters::Case;
+using parameters::Direction;
+
+constexpr double trace_samples = 5e4;    // [1] of the figure's trace
+constexpr double normal_peak = 0.89125;  // [1] of full scale, where the largest sample of a sound lies: -1 dB
+
+std::vector<Direction> directions_of(const Case& c) {
+    if (c.drive.kind != parameters::DriveKind::constant) return {Direction::going, Direction::coming};
+    return {c.drive.velocity > 0.0 ? Direction::going : Direction::coming};
+}
+
+// the stretches up to the longest time that is heard
+std::vector<signal::Stretch> first_of(std::vector<signal::Stretch> stretches, double longest) {
+    double left = longest;
+    for (signal::Stretch& stretch : stretches) {
+        stretch.to = std::min(stretch.to, stretch.from + std::max(0.0, left));
+        left -= stretch.to - stretch.from;
+    }
+    std::erase_if(stretches, [](const signal::Stretch& stretch) { return !(stretch.to > stretch.from); });
+    return stretches;
+}
+
+std::optional<DesignSound> sound_of(const Case& c, Direction direction, const std::stop_token& stop) {
+    constexpr double shortest = 0.05;  // [s] what is shorter is a click
+    signal::AuralisationSettings settings;
+    settings.stretches = first_of(sweep::heard_stretches(c, direction), longest_sound);
+    if (settings.stretches.empty()) return std::nullopt;
+    integration::Workspace workspace;
+    const std::optional<sweep::RunSound> run = sweep::sound_of_run(c, settings, stop, workspace);
+    if (!run || run->parts.empty()) return std::nullopt;
+    const signal::Signal sound = sweep::joined(run->parts);
+    if (signal::duration(sound) < shortest) return std::nullopt;
+    DesignSound result{direction, sweep::judged(run->parts, {}).verdict, {}};
+    double peak = 0.0;
+    for (const double sample : sound.samples)
+        peak = std::max(peak, std::abs(sample));
+    if (peak > sweep::least_motion) result.wav = io::wav_bytes(sound, {peak / normal_peak, sound.unit});
+    return result;
+}
+
+integration::Motion motion_of(const Case& design, const std::stop_token& stop) {
+    record::Request request{record::KeepHistory::yes, {}};
+    request.trace.to = design.run.duration;
+    request.trace.interval = design.run.duration / trace_samples;
+    integration::Workspace workspace;
+    std::optional<sweep::Attempt> run = sweep::attempt(design, request, stop, workspace);
+    if (!run)
+        throw Error(ErrorKind::interrupted, {"stopped while simulating", "a report keeps nothing", "Run it again."});
+    if (run->status != sweep::Status::done)
+        throw Error(ErrorKind::numerical, {run->message, "this design has no motion to report on", ""});
+    return std::move(run->motion);
+}
+
+}  // namespace
+
+DesignResults basic_results(const Case& design, const std::stop_token& stop) {
+    DesignResults results;
+    results.design = design;
+    results.motion = motion_of(design, stop);
+    results.verdicts = classification::classify_phases(results.motion.record.phases, design.verdict);
+    try {
+        for (const Direction direction : directions_of(design))
+            if (std::optional<DesignSound> sound = sound_of(design, direction, stop))
+                results.sounds.push_back(std::move(*sound));
+    } catch (const Error& error) {
+        // steps too long to be heard are no reason to go without the rest
+        if (error.kind() != ErrorKind::input) throw;
+        results.without_sound = error.problem().what + " (" + error.problem().why + ").";
+    }
+    results.stability = analysis::scan_stability(
+        design, analysis::ScanRange{"contact.kinetic_friction", 0.0, design.contact.static_friction});
+    return results;
+}
+
+sweep::SweepResult chart_in_memory(const sweep::Study& study, int threads, const std::stop_token& stop) {
+    const auto keeper = std::make_shared<sweep::MemoryKeeper>(study);
+    sweep::RunOptions options;
+    options.threads = threads;
+    options.stop = stop;
+    sweep::run(study, *keeper, options);
+    return sweep::load(study, keeper);  // throws where it was stopped
+}
+
+}  // namespace stridor::report

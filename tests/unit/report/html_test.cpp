@@ -1,0 +1,43 @@
+#include "stridor/report/html.hpp"
+
+#include <gtest/gtest.h>
+
+namespace stridor::report {
+namespace {
+
+Report hostile() {
+    const std::string evil = "</pre><script>alert(1)</script>\"'&";
+    Report report{evil, {{evil, evil, "#000000", "#FFFFFF"}}, {evil}, "<svg></svg>", evil, {}, evil};
+    report.sections.push_back(
+        {evil, {evil}, "<?xml?><svg></svg>", evil, {{evil}, {{evil}}}, {{evil, evil, evil}}, evil, {evil, evil}});
+    return report;
+}
+
+TEST(Html, LetsNoTextBecomeMarkup) {
+    const std::string page = html(hostile());
+    EXPECT_EQ(page.find("<script"), std::string::npos);
+    EXPECT_EQ(page.find("</pre><"), page.find("</pre><p class=\"save\">"));
+    EXPECT_EQ(page.find("<?xml"), std::string::npos) << "a figure stands in the page without its own heading";
+}
+
+TEST(Html, MayLoadNothingButWhatItHolds) {
+    const std::string page = html(hostile());
+    EXPECT_NE(page.find("content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:; media-src data:\""),
+              std::string::npos);
+    EXPECT_EQ(page.find("http://"), std::string::npos);
+    EXPECT_EQ(page.find("https://"), std::string::npos);
+}
+
+TEST(Html, HoldsSoundsAndFilesWhole) {
+    Report report{"seal"};
+    report.sections.push_back(
+        {"file", {}, {}, {}, {}, {{"going", "squeal", "RIFFbytes"}}, {}, {"case.toml", "mu = 1\n"}});
+    const std::string page = html(report);
+    EXPECT_NE(page.find("src=\"data:audio/wav;base64,UklGRmJ5dGVz\""), std::string::npos);
+    EXPECT_NE(page.find("download=\"case.toml\" href=\"data:application/toml;base64,bXUgPSAxCg==\""),
+              std::string::npos);
+    EXPECT_NE(page.find("<pre tabindex=\"0\">mu = 1\n</pre>"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace stridor::report
