@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "chart_run.hpp"
 #include "commands.hpp"
 #include "figures.hpp"
@@ -126,10 +127,8 @@ void add_chart(CLI::App& program) {
             "POINTS 40, without SCALE what is usual for the quantity (linear or log)")
         ->type_name("KEY=FROM:TO[:POINTS[:SCALE]]");
     command->add_option("--y", options->axes.y, "the axis y, likewise")->type_name("KEY=FROM:TO[:POINTS[:SCALE]]");
-    command
-        ->add_option("--out", options->out,
-                     "folder for store, figures and tables (default: the file's name, with -preview for one)")
-        ->type_name("DIR");
+    add_output_folder(*command, options->out,
+                      "folder for store, figures and tables (default: the file's name, with -preview for one)");
     command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
         ->check(CLI::Range(0, 4096));
     command->add_flag("--preview", options->preview,

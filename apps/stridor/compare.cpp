@@ -1,5 +1,6 @@
 #include "compare.hpp"
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "compare_input.hpp"
 #include "figures.hpp"
@@ -169,9 +170,7 @@ void add_figure_compare(CLI::App& figure) {
                      "how long the stretch is that is drawn wave by wave, 1 ms to 2 s")
         ->type_name("TIME")
         ->capture_default_str();
-    command->add_option("-o,--output", options->output, "FILE.png or FILE.svg")
-        ->type_name("FILE")
-        ->capture_default_str();
+    add_output_file(*command, options->output, "FILE.png or FILE.svg")->capture_default_str();
     command->footer(std::string(sound_forms) +
                     "\nExample:\n  stridor figure compare vehicle.wav rig.uff squeal.toml --label vehicle --label rig "
                     "--label model -o figure-4.png");

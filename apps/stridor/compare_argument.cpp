@@ -73,14 +73,11 @@ Asked asked_cell(const std::string& text, const std::string& path, const std::st
     return {text, cell_name(study, place), "simulation", std::move(simulated)};
 }
 
-io::OpenOptions with_channel(const std::string& text, const std::string& number) {
-    std::size_t channel = 0;
-    const auto end = number.data() + number.size();
-    const auto parsed = std::from_chars(number.data(), end, channel);
-    if (parsed.ec != std::errc{} || parsed.ptr != end || channel < 1)
-        refuse("\"" + text + "\" names no channel", "channels are counted from 1", "For example rig.uff:channel=2.");
+io::OpenOptions with_channel(const std::string& text, const std::string& name) {
+    if (name.empty())
+        refuse("\"" + text + "\" names no channel", "it ends before its name", "For example rig.uff:channel=2.");
     io::OpenOptions open;
-    open.channel = channel;
+    open.channel_name = name;
     return open;
 }
 

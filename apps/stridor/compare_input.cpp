@@ -60,7 +60,7 @@ bool is_resampled(const Asked& asked, double rate) {
 std::unique_ptr<signal::Source> opened(const Recorded& recorded, double rate,
                                        std::optional<std::size_t> channel = std::nullopt) {
     io::OpenOptions open = recorded.open;
-    if (channel && !open.channel) open.channel = channel;
+    if (channel && open.channel_name.empty()) open.channel = channel;
     std::unique_ptr<signal::Source> source = io::open_signal(recorded.input, open);
     if (recorded.rate == rate) return source;
     return signal::resampled(std::move(source), rate);
@@ -259,7 +259,7 @@ std::vector<ComparedSound> load_sounds(const CompareOptions& options) {
 ComparedSound load_recording(const std::string& text, const LibraryOption& library) {
     if (text.ends_with(".toml") || text.find(".toml:") != std::string::npos)
         refuse("\"" + text + "\" is no recording", "it is a case or a chart",
-               "`stridor compare` lays simulations side by side; `stridor listen --out` makes a recording of one.");
+               "`stridor compare` lays simulations side by side; `stridor listen -o` makes a recording of one.");
     const Asked asked = asked_sound(text, library);
     return loaded(asked, std::get<Recorded>(asked.source).rate, {}, 0.05);
 }

@@ -44,15 +44,16 @@ void add_compare_options(CLI::App& command, CompareOptions& options);
 /// What a text with the form of an argument means: "FILE", "FILE:channel=2", "CASE.toml", "CHART.toml:x=..,y=..",
 /// "library:ID".
 inline constexpr const char* sound_forms =
-    "A sound is a recording (FILE, or FILE:channel=N), a case (CASE.toml), a cell of a chart (CHART.toml:x=20 N,y=0.6, "
-    "with\n,direction=coming where it has both), or an entry of the noise library (library:ID).";
+    "A sound is a recording (FILE, or FILE:channel=NAME|NUMBER), a case (CASE.toml), a cell of a chart "
+    "(CHART.toml:x=20 N,y=0.6, "
+    "with ,direction=coming where it has both), or an entry of the noise library (library:ID).";
 
 /// Opens, simulates, brings to one rate, analyses and judges the sounds; says on stderr what is noteworthy.
 ///
 /// Throws `Error` (input) for fewer than 2 or more than 8, or for what no sound can be made of.
 std::vector<classification::ComparedSound> load_sounds(const CompareOptions& options);
 
-/// The recording FILE or FILE:channel=N or library:ID alone, as it came. Throws `Error` (input) for a case or a chart.
+/// The recording FILE or FILE:channel=NAME or library:ID alone, as it came. Throws `Error` (input) for a case or a chart.
 classification::ComparedSound load_recording(const std::string& text, const LibraryOption& library);
 
 /// A simulated case as one of the sounds.

@@ -174,7 +174,8 @@ void add_explore(CLI::App& program) {
     command->add_option("--set", options->overrides, "override a key of the file (repeatable)")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    command->add_option("--port", options->address.port, "port to listen at (default: any free one)");
+    command->add_option("--port", options->address.port, "port to listen at (default: any free one)")
+        ->check(CLI::Range(0, 65535));
     command->add_flag("--no-browser", options->no_browser, "only print the link");
     command->add_option("--unix-socket", options->address.unix_socket, "listen at a socket in the file system instead")
         ->type_name("PATH");

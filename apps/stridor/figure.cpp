@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "chart_run.hpp"
 #include "commands.hpp"
 #include "compare.hpp"
@@ -104,9 +105,7 @@ CLI::App* add_one(CLI::App& figure, const char* name, const char* description,
                   const std::shared_ptr<OneFigureOptions>& options) {
     CLI::App* command = figure.add_subcommand(name, description);
     add_case_options(*command, options->input);
-    command->add_option("-o,--output", options->output, "FILE.png or FILE.svg")
-        ->type_name("FILE")
-        ->capture_default_str();
+    add_output_file(*command, options->output, "FILE.png or FILE.svg")->capture_default_str();
     return command;
 }
 
@@ -130,7 +129,7 @@ void add_figure(CLI::App& program) {
     auto paper = std::make_shared<PaperOptions>();
     CLI::App* all = figure->add_subcommand(
         "paper", "Figures 3, 5, 6, 7 and 8 of the paper from its own cases (a few seconds on two cores).");
-    all->add_option("--out", paper->out, "folder")->type_name("DIR")->capture_default_str();
+    add_output_folder(*all, paper->out, "folder")->capture_default_str();
     all->add_option("--threads", paper->threads, "number of threads (default: one per processor)")
         ->check(CLI::Range(0, 4096));
     all->callback([paper] { draw_paper(*paper); });
@@ -146,7 +145,7 @@ void add_figure(CLI::App& program) {
     add_figure_compare(*figure);
     figure->footer(
         "A time history (Figure 5) is drawn by `stridor simulate CASE --figure`, a chart (Figures 6, 8) by `stridor "
-        "chart`, modes by\n"
+        "chart`, modes by "
         "`stridor stability CASE --over ... --figure`.\n"
         "Examples:\n  stridor figure paper --out figures\n  stridor figure contact-states creak.toml -o creak.svg\n"
         "  stridor figure compare vehicle.wav rig.wav squeal.toml -o figure-4.png");

@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "stridor/io/case_schema.hpp"
 #include "stridor/io/toml_writer.hpp"
@@ -56,7 +57,7 @@ void add_init(CLI::App& program) {
             "schema: JSON Schema of case files")
         ->required()
         ->check(CLI::IsMember(kinds()));
-    command->add_option("-o,--output", options->output, "file to write (default: stdout)")->type_name("FILE");
+    add_output_file(*command, options->output, "file to write (default: stdout)");
     command->footer(
         "Examples:\n  stridor init squeal -o squeal.toml\n  stridor init quiet | stridor simulate -\n"
         "  stridor init weatherstrip | stridor chart - --out seal");

@@ -24,9 +24,10 @@ std::vector<io::FullScale> parsed_full_scales(const std::vector<std::string>& te
 
 void add_input_options(CLI::App& command, InputOptions& options) {
     add_full_scale_option(command, options.full_scales);
-    command.add_option("--channel", options.channel, "this channel alone, counted from 1")->check(CLI::PositiveNumber);
+    command.add_option("--channel", options.channel, "this channel alone: its name, or its number from 1")
+        ->type_name("NAME|NUMBER");
     command.add_option("--dataset", options.dataset, "this time history of a UFF file, counted from 1")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1'000'000));
     command.add_option("--rate", options.rate, "sampling rate of a CSV table that does not tell it")->type_name("HZ");
 }
 
@@ -36,7 +37,7 @@ io::OpenOptions open_options(const InputOptions& options) {
     if (!options.rate.empty()) open.rate = base::parse_quantity(options.rate, "Hz");
     if (open.rate && !(*open.rate > 0.0))
         throw Error(ErrorKind::input, {"\"" + options.rate + "\" is no sampling rate", "it must be positive", ""});
-    if (options.channel > 0) open.channel = options.channel;
+    open.channel_name = options.channel;
     if (options.dataset > 0) open.dataset = options.dataset;
     return open;
 }

@@ -15,7 +15,7 @@ namespace stridor::app {
 /// What the user of a command knows better than the recording.
 struct InputOptions {
     std::vector<std::string> full_scales;  // "2 Pa"
-    std::size_t channel = 0;               // from 1; 0: all
+    std::string channel;                   // name or number from 1; empty: all
     std::size_t dataset = 0;               // of a UFF file, from 1; 0: all
     std::string rate;                      // of a CSV table
 };

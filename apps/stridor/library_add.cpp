@@ -61,7 +61,7 @@ void add_hearing_options(CLI::App& command, HearingOptions& options) {
     command
         .add_option("--channel", options.channel,
                     "the sound among several channels: name or number (default: by unit, the loudest)")
-        ->type_name("NAME");
+        ->type_name("NAME|NUMBER");
     add_full_scale_option(command, options.full_scales);
 }
 

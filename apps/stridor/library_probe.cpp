@@ -8,6 +8,7 @@
 #include "stridor/classification/sound_rules.hpp"
 #include "stridor/io/json_verdict.hpp"
 #include "stridor/noise_library/field.hpp"
+#include "stridor/signal/channel_name.hpp"
 #include "terminal.hpp"
 
 #include <fmt/format.h>
@@ -98,14 +99,14 @@ io::OpenOptions open_options(const std::string& calibration, const std::vector<s
 
 // empty, and said why, where nothing is a sound
 std::vector<std::size_t> channels_to_hear(const signal::Layout& layout, const std::string& named, const Entry& entry) {
-    if (!named.empty()) return {named_channel(layout, named)};
+    if (!named.empty()) return {signal::channel_named(layout, named)};
     std::vector<std::size_t> places = audible_channels(layout);
     const auto without_verdict = [&](const std::string& why) {
         say("stridor: note: " + entry.file + " has no verdict: " + why);
         places.clear();
     };
     if (places.empty())
-        without_verdict("no channel is a sound or a vibration (" + channel_list(layout) +
+        without_verdict("no channel is a sound or a vibration (" + signal::channel_list(layout) +
                         "); --channel names one to listen to");
     else if (!(layout.rate >= lowest_rate && layout.rate <= highest_rate))
         without_verdict(fmt::format("at {:g} Hz it is no sound", layout.rate));

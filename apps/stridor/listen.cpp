@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "cell_choice.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -219,9 +220,9 @@ void require_destination(const ListenOptions& options) {
         if (find_player().empty())
             throw Error(ErrorKind::io,
                         {"no program to play a sound is installed", "none of " + known_players() + " is on the PATH",
-                         "Write a file with --out FILE.wav, or install one (Debian: alsa-utils)."});
+                         "Write a file with -o FILE.wav, or install one (Debian: alsa-utils)."});
     } else if (!options.out.ends_with(".wav")) {
-        refuse("--out " + options.out + " is no WAV file", "sounds are written as WAV only",
+        refuse("-o " + options.out + " is no WAV file", "sounds are written as WAV only",
                "Give it a name that ends in .wav.");
     }
 }
@@ -296,7 +297,7 @@ void add_listen(CLI::App& program) {
     command->add_option("--direction", options->direction, "only the going or the coming phases (default: everything)")
         ->check(CLI::IsMember({"going", "coming"}));
     command->add_flag("--judged", options->judged, "only the steady part the verdict is made from");
-    command->add_option("--out", options->out, "write FILE.wav instead of playing")->type_name("FILE");
+    add_output_file(*command, options->out, "write FILE.wav instead of playing");
     command->add_option("--of", options->of, "whose motion")
         ->check(CLI::IsMember({"joint", "plate"}))
         ->capture_default_str();
@@ -328,9 +329,9 @@ void add_listen(CLI::App& program) {
     command->add_flag("--json", options->json, "print what was made as JSON (schema stridor.listen/1)");
     command->footer(
         "The sound is the motion itself, in m/s or m/s^2: no sound pressure. The file says what its full scale is.\n"
-        "Examples:\n  stridor listen squeal.toml\n  stridor listen creak.toml --out creak.wav --quantity acceleration\n"
+        "Examples:\n  stridor listen squeal.toml\n  stridor listen creak.toml -o creak.wav --quantity acceleration\n"
         "  stridor listen pair.toml --cell \"x=20 N,y=0.6\" --direction going --seconds 3\n"
-        "  stridor listen squeal.toml --of plate --level absolute --full-scale \"0.5 m/s\" --out plate.wav");
+        "  stridor listen squeal.toml --of plate --level absolute --full-scale \"0.5 m/s\" -o plate.wav");
     command->callback([options] { listen(*options); });
 }
 

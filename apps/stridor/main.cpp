@@ -1,4 +1,6 @@
+#include "arguments.hpp"
 #include "commands.hpp"
+#include "help.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
 #include "terminal.hpp"
@@ -6,10 +8,14 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <new>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace stridor::app {
 
@@ -24,13 +30,14 @@ constexpr const char* footer =
     "  stridor stability squeal.toml --over contact.kinetic_friction=0:0.8\n"
     "  stridor init noise-chart -o pair.toml && stridor chart pair.toml --out pair\n"
     "\n"
-    "Exit codes: 0 done, 2 bad input or usage, 3 numerical failure, 4 interrupted (run the same command again),\n"
-    "5 a file, disk or other program failed. Data goes to stdout, messages to stderr.";
+    "`stridor help COMMAND` lists the options of a command.\n"
+    "Exit codes: 0 done, 2 bad input or usage, 3 numerical failure, 4 interrupted (run the same command again), 5 a "
+    "file, disk or other program failed. Data goes to stdout, messages to stderr.";
 
 void build(CLI::App& program) {
-    program.set_version_flag("--version", fmt::format("stridor {} ({})", base::version(), base::commit()));
+    program.formatter(std::make_shared<HelpFormatter>());
+    program.set_version_flag("-v,--version", fmt::format("stridor {} ({})", base::version(), base::commit()));
     program.require_subcommand(1);
-    program.footer(footer);
     add_init(program);
     add_check(program);
     add_simulate(program);
@@ -51,11 +58,14 @@ void build(CLI::App& program) {
     add_explore(program);
     add_verify(program);
     add_completion(program);
+    program.footer(footer);  // at last: commands take over what stands before them
 }
 
-void parse(CLI::App& program, int argc, char** argv) {
+void parse(CLI::App& program, std::vector<std::string> arguments) {
+    check_commands(program, arguments);
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the end
     try {
-        program.parse(argc, argv);
+        program.parse(std::move(arguments));
     } catch (const CLI::Success& asked) {  // --help, --version
         std::ostringstream text;
         program.exit(asked, text, text);
@@ -67,11 +77,10 @@ int run(int argc, char** argv) {
     CLI::App program("Predicts whether a rubbing contact squeals, squeaks, creaks or stays quiet.", "stridor");
     build(program);
     try {
-        parse(program, argc, argv);
+        parse(program, arguments_of(argc, argv));
         return 0;
     } catch (const CLI::ParseError& error) {
-        say(std::string("stridor: ") + styled("error:", Style::red, 2) + " " + error.what());
-        say("help: `stridor --help` lists the commands, `stridor COMMAND --help` their options.");
+        say_usage_error(program, error);
         return bad_usage;
     } catch (const Error& error) {
         say_error(error);

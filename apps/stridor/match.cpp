@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "cell_choice.hpp"
 #include "commands.hpp"
 #include "compare.hpp"
@@ -276,8 +277,7 @@ void add_match(CLI::App& program) {
         ->add_option("--store", options->store,
                      "chart.sqlite of this chart: cells it knows to be quiet or failed are left out")
         ->type_name("FILE");
-    command->add_option("--out", options->out, "folder for the best cells as WAV, a figure beside the recording, JSON")
-        ->type_name("DIR");
+    add_output_folder(*command, options->out, "folder for the best cells as WAV, a figure beside the recording, JSON");
     command->add_flag("--with-level", options->with_level,
                       "count the level, too; only for a recorded velocity or acceleration");
     command->add_option("--threads", options->threads, "number of threads (default: one per processor)")

@@ -57,7 +57,7 @@ void play(const std::string& player, const std::string& path) {
     if (result.exit_status != 0)
         throw Error(ErrorKind::io,
                     {fmt::format("{} could not play the sound", player), std::string(base::trimmed(result.messages)),
-                     "Write it with --out FILE.wav and play it elsewhere."});
+                     "Write it with -o FILE.wav and play it elsewhere."});
 }
 
 }  // namespace stridor::app

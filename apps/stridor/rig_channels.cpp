@@ -1,9 +1,5 @@
 #include "rig_channels.hpp"
 
-#include "stridor/base/error.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -78,22 +74,6 @@ std::vector<std::size_t> audible_channels(const signal::Layout& layout) {
     if (!velocities.empty() && !is_drive) return velocities;
     const bool is_only = layout.channels.size() == 1 && layout.channels.front().unit != "N";
     return is_only ? std::vector<std::size_t>{0} : std::vector<std::size_t>{};
-}
-
-std::size_t named_channel(const signal::Layout& layout, const std::string& name) {
-    for (std::size_t k = 0; k < layout.channels.size(); ++k)
-        if (layout.channels[k].name == name) return k;
-    for (std::size_t k = 0; k < layout.channels.size(); ++k)
-        if (std::to_string(k + 1) == name) return k;
-    throw Error(ErrorKind::input, {"there is no channel \"" + name + "\"", "the file has " + channel_list(layout), ""});
-}
-
-std::string channel_list(const signal::Layout& layout) {
-    std::string text;
-    for (std::size_t k = 0; k < layout.channels.size(); ++k)
-        text +=
-            fmt::format("{}{} \"{}\" [{}]", k > 0 ? ", " : "", k + 1, layout.channels[k].name, layout.channels[k].unit);
-    return text;
 }
 
 double usual_speed(std::span<const double> velocity) {

@@ -36,12 +36,6 @@ std::optional<FrictionChannels> friction_channels(const signal::Layout& layout);
 /// but the imposed one. A force is no sound.
 std::vector<std::size_t> audible_channels(const signal::Layout& layout);
 
-/// A channel by its name or its number from 1; throws `Error` (input) with those there are.
-std::size_t named_channel(const signal::Layout& layout, const std::string& name);
-
-/// 1 "force" [N], 2 "sound" [Pa]
-std::string channel_list(const signal::Layout& layout);
-
 /// The usual speed [m/s] of a measured velocity: its 95th percentile.
 double usual_speed(std::span<const double> velocity);
 

@@ -8,6 +8,7 @@
 #include "stridor/io/open_signal.hpp"
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_writer.hpp"
+#include "stridor/signal/channel_name.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -48,7 +49,7 @@ struct FrictionOptions {
 
 // by its name or its number from 1
 std::size_t channel_in(const signal::Layout& layout, const std::string& name, const std::string& unit) {
-    const std::size_t found = named_channel(layout, name);
+    const std::size_t found = signal::channel_named(layout, name);
     if (layout.channels[found].unit != unit)
         refuse("channel \"" + name + "\" is in " + layout.channels[found].unit, "it must be in " + unit,
                unit == "N" ? "If it is not calibrated, say --full-scale \"50 N\"." : "");
@@ -67,7 +68,7 @@ FrictionChannels channels_of(const signal::Layout& layout, const FrictionOptions
         refuse(
             forces.rubbing.empty() ? "no channel is a friction force in newtons"
                                    : "several channels may be the friction force",
-            "the file has " + channel_list(layout),
+            "the file has " + signal::channel_list(layout),
             forces.rubbing.empty() ? "If it is not calibrated, say --full-scale \"50 N\"." : "Name it with --channel.");
     channels.velocity = options.velocity_channel.empty() ? imposed_velocity(layout)
                                                          : channel_in(layout, options.velocity_channel, "m/s");
@@ -199,15 +200,15 @@ void add_rig_friction(CLI::App& rig) {
         ->required();
     command
         ->add_option("--channel", options->channel, "the friction force: name or number (default: the only one in N)")
-        ->type_name("NAME");
+        ->type_name("NAME|NUMBER");
     command
         ->add_option("--velocity-channel", options->velocity_channel,
                      "the imposed velocity (default: the only one in m/s)")
-        ->type_name("NAME");
+        ->type_name("NAME|NUMBER");
     command
         ->add_option("--normal-channel", options->normal_channel,
                      "the pressing force (default: the one that says so, else the preload)")
-        ->type_name("NAME");
+        ->type_name("NAME|NUMBER");
     command->add_option("--velocity", options->velocity, "nominal velocity of the test")->type_name("VELOCITY");
     command->add_option("--full-scale", options->full_scale, "what 1 in an uncalibrated file stands for")
         ->type_name("VALUE");

@@ -97,7 +97,7 @@ TEST(Compare, RefusesWhatIsNoSoundWithAReason) {
         {std::vector<std::string>(9, "cell.wav"), "9 sounds cannot"},
         {{"cell.wav", "nowhere.wav"}, "nowhere.wav"},
         {{"cell.wav", "library:x"}, "names no entry"},
-        {{"cell.wav", "cell.wav:channel=0"}, "names no channel"},
+        {{"cell.wav", "cell.wav:channel=0"}, "there is no channel \"0\""},
         {{"cell.wav", "pair.toml:x=20 N"}, "one axis only"},
         {{"cell.wav", "pair.toml:x=20 N,y=9"}, "outside the chart"},
         {{"cell.wav", "squeal.toml:x=20 N,y=0.6"}, "[chart]"},

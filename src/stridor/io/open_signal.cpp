@@ -8,6 +8,7 @@
 #include "stridor/io/sidecar.hpp"
 #include "stridor/io/signal_csv.hpp"
 #include "stridor/io/uff58.hpp"
+#include "stridor/signal/channel_name.hpp"
 
 #include <algorithm>
 #include <array>
@@ -133,6 +134,17 @@ void check_options(const OpenOptions& options, const signal::Layout& layout, con
                       "the recording has " + std::to_string(width));
 }
 
+// from 1
+std::optional<std::size_t> channel_of(const OpenOptions& options, const signal::Layout& layout,
+                                      const std::string& name) {
+    if (options.channel_name.empty()) return options.channel;
+    try {
+        return signal::channel_named(layout, options.channel_name) + 1;
+    } catch (const Error& error) {
+        throw Error(error.kind(), error.problem(), base::Place{name, 0, 0, ""});
+    }
+}
+
 std::optional<std::string> sidecar_text(const std::string& path) {
     if (path == standard_input) return std::nullopt;
     const std::string beside = sidecar_path(path);
@@ -196,7 +208,8 @@ std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOpti
     }
     check_options(options, layout, input.name);
     Calibrator(raw, options, sidecar).apply(layout, facts);
-    return std::make_unique<SignalFile>(std::move(raw), std::move(layout), std::move(facts), options.channel);
+    const std::optional<std::size_t> channel = channel_of(options, layout, input.name);
+    return std::make_unique<SignalFile>(std::move(raw), std::move(layout), std::move(facts), channel);
 }
 
 std::unique_ptr<SignalFile> open_signal(const std::string& path, const OpenOptions& options) {

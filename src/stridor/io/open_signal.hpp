@@ -19,6 +19,7 @@ struct OpenOptions {
     std::optional<double> rate{};          // [Hz] of a CSV table
     std::optional<std::size_t> dataset{};  // [1] of the time histories of a UFF file, from 1
     std::optional<std::size_t> channel{};  // [1] this one alone, from 1
+    std::string channel_name{};            // the same by its name, or its number as text (`signal::channel_named`)
 };
 
 /// Where the unit of a channel comes from; each is stronger than those after it.

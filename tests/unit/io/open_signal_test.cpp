@@ -83,6 +83,13 @@ TEST(OpenSignal, TakesOneChannelAlone) {
     ASSERT_EQ(right.size(), 1U);
     EXPECT_EQ(right[0].unit, "Pa");
     EXPECT_EQ(right[0].samples[0], 2.0);
+    options.channel.reset();
+    options.channel_name = "2";
+    EXPECT_EQ(all_of(fixture("scipy_16.wav"), options)[0].samples[0], 2.0);
+    options.channel_name = "left";
+    expect_error(error_of([&] { open_signal(fixture("scipy_16.wav"), options); }), "there is no channel \"left\"",
+                 fixture("scipy_16.wav"));
+    options.channel_name.clear();
     options.channel = 3;
     expect_error(error_of([&] { open_signal(fixture("scipy_16.wav"), options); }), "there is no channel 3",
                  fixture("scipy_16.wav"));

@@ -1,0 +1,102 @@
+#include "arguments.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
+#include "terminal.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace stridor::app {
+
+namespace {
+
+std::string path_of(const CLI::App& command) {
+    const CLI::App* parent = command.get_parent();
+    return (parent == nullptr ? "" : path_of(*parent) + " ") + command.get_name();
+}
+
+std::string nearest(const std::string& word, const std::vector<std::string>& names) {
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    return std::string(base::nearest_name(word, views));
+}
+
+// the last command of those that were named
+const CLI::App& innermost(const CLI::App& program) {
+    const CLI::App* command = &program;
+    for (std::vector<CLI::App*> named = command->get_subcommands(); !named.empty(); named = command->get_subcommands())
+        command = named.front();
+    return *command;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        if (!option->get_group().empty())
+            for (const std::string& name : option->get_lnames())
+                names.push_back("--" + name);
+    return names;
+}
+
+base::Problem unexpected(const CLI::App& command, const std::vector<std::string>& extras) {
+    const auto option = std::find_if(extras.begin(), extras.end(),
+                                     [](const std::string& word) { return word.size() > 1 && word.front() == '-'; });
+    const std::string see = "See `" + path_of(command) + " --help`.";
+    if (option == extras.end()) return {"`" + path_of(command) + "` takes no \"" + extras.front() + "\"", "", see};
+    const std::string word = option->substr(0, option->find('='));
+    const std::string near = nearest(word, option_names(command));
+    return {"`" + path_of(command) + "` has no option " + word, "",
+            near.empty() ? see : "Did you mean " + near + "? " + see};
+}
+
+}  // namespace
+
+std::vector<std::string> arguments_of(int count, char** words) {
+    std::vector<std::string> arguments(words + std::min(count, 1), words + count);
+    if (arguments.empty() || arguments.front() != "help") return arguments;
+    arguments.erase(arguments.begin());
+    arguments.emplace_back("--help");
+    return arguments;
+}
+
+void check_commands(const CLI::App& program, const std::vector<std::string>& arguments) {
+    const CLI::App* command = &program;
+    for (const std::string& word : arguments) {
+        std::vector<std::string> names;
+        for (const CLI::App* each : command->get_subcommands({}))
+            names.push_back(each->get_name());
+        if (names.empty() || word.starts_with('-')) return;
+        if (std::find(names.begin(), names.end(), word) == names.end()) {
+            const std::string near = nearest(word, names);
+            const std::string see = "`" + path_of(*command) + " --help` lists the commands.";
+            throw Error(ErrorKind::input, {"there is no command `" + path_of(*command) + " " + word + "`", "",
+                                           near.empty() ? see : "Did you mean " + near + "? " + see});
+        }
+        command = command->get_subcommand(word);
+    }
+}
+
+void say_usage_error(const CLI::App& program, const CLI::ParseError& error) {
+    const CLI::App& command = innermost(program);
+    const bool lacks_command = !command.get_subcommands({}).empty();
+    base::Problem problem{error.what(), "", "See `" + path_of(command) + " --help`."};
+    if (const std::vector<std::string> extras = program.remaining(true); !extras.empty())
+        problem = unexpected(command, extras);
+    else if (lacks_command)
+        problem = {
+            "`" + path_of(command) + "` needs a command", "",
+            "`" + path_of(command) + " --help` lists them, `" + path_of(command) + " COMMAND --help` their options."};
+    say_error(Error(ErrorKind::input, problem));
+}
+
+CLI::Option* add_output_file(CLI::App& command, std::string& file, const std::string& sentence) {
+    command.add_option("--out", file)->group("");
+    return command.add_option("-o,--output", file, sentence)->type_name("FILE");
+}
+
+CLI::Option* add_output_folder(CLI::App& command, std::string& folder, const std::string& sentence) {
+    command.add_option("-o,--output", folder)->group("");
+    return command.add_option("--out", folder, sentence)->type_name("DIR");
+}
+
+}  // namespace stridor::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+/// What a user types, before and after CLI11 has looked at it.
+namespace stridor::app {
+
+/// The words of a command line in their order; "help COMMAND" is "COMMAND --help".
+std::vector<std::string> arguments_of(int count, char** words);
+
+/// Throws `Error` (input) for a command or subcommand that there is none of, with the one that was meant.
+void check_commands(const CLI::App& program, const std::vector<std::string>& arguments);
+
+/// Tells on stderr why a command line cannot be understood, and which option was meant.
+void say_usage_error(const CLI::App& program, const CLI::ParseError& error);
+
+/// Adds -o and --output for the file that a command writes; --out is understood, too.
+CLI::Option* add_output_file(CLI::App& command, std::string& file, const std::string& sentence);
+
+/// Adds --out for the folder that a command fills; -o and --output are understood, too.
+CLI::Option* add_output_folder(CLI::App& command, std::string& folder, const std::string& sentence);
+
+}  // namespace stridor::app
