@@ -107,10 +107,10 @@ export async function* chart(wish: ChartWish, signal: AbortSignal): AsyncGenerat
 
 export function stability(
   design: Design,
-  over: { key: string; from: number; to: number },
+  over: { key: string; from: number; to: number } | null,
   signal?: AbortSignal,
 ): Promise<Stability> {
-  return json(post("/api/stability", { ...body(design), over }, signal));
+  return json(post("/api/stability", { ...body(design), ...(over ? { over } : {}) }, signal));
 }
 
 export async function sound(design: Design, options: SoundOptions, signal?: AbortSignal): Promise<Blob> {

@@ -2,7 +2,7 @@
 import { button, h } from "./dom.ts";
 
 const groups: readonly [string, readonly [string, string][]][] = [
-  ["Everywhere", [["?", "this sheet"], ["1 … 4", "the four cases"], ["d", "the other direction"], ["p", "play or pause the motion"], ["x", "A ⇄ B while listening"], ["Alt + ← →", "back and forward: every step can be undone"]]],
+  ["Everywhere", [["?", "this sheet"], ["t", "the tour"], ["1 … 4", "the four cases"], ["d", "the other direction"], ["p", "play or pause the motion"], ["x", "A ⇄ B while listening"], ["Alt + ← →", "back and forward: every step can be undone"]]],
   ["Noise chart", [["click", "run the cell"], ["drag", "zoom into a rectangle"], ["double click, -", "unzoom"], ["+", "zoom about the cell"], ["← → ↑ ↓", "move the cell, with shift by eight"]]],
   ["Response", [["wheel, + -", "zoom"], ["drag, ← →", "move"], ["click", "bring the mechanism to this time"], ["Home, double click", "the whole motion"]]],
   ["Rubbing system", [["space", "play or pause"], ["← →", "step, with shift further"]]],

@@ -14,9 +14,12 @@ import { Share } from "./share.ts";
 import { themes, type Design, type State } from "./state.ts";
 import { Store, type Step } from "./store.ts";
 import { onTheme, setTheme } from "./theme.ts";
+import type { Tour } from "./tour.ts";
 import type { Case, Simulation, Start } from "./types.ts";
 import { VerdictBar } from "./verdict.ts";
 import { Views } from "./views.ts";
+
+const tourSeen = "stridor-tour"; // in the session's storage: the tour was begun
 
 /** What is not needed at once comes when it is first asked for. */
 const later = () => import("./later.ts");
@@ -39,12 +42,18 @@ class Page {
   private readonly clock_ = new Clock();
   private readonly motions_ = new Motions();
   private readonly complaint_ = new Complaint();
+  private readonly tourButton_ = button("Tour", () => void this.takeTour_(), {
+    id: "tour-button",
+    class: sessionStorage.getItem(tourSeen) ? "" : "primary",
+    title: "Two minutes: predict, then try (t)",
+  });
   private readonly verdict_: VerdictBar;
   private readonly parameters_: Parameters;
   private readonly chart_: Chart;
   private readonly mechanism_: Mechanism;
   private readonly views_: Views;
   private readonly runs_ = new Latest<Design>((design, signal) => this.simulate_(design, signal));
+  private tour_: Tour | null = null;
   private simulation_: Simulation | null = null;
   private simulated_: Design | null = null; // what the simulation is of
   private moved_: Design | null = null; // what the motion is of
@@ -76,6 +85,7 @@ class Page {
     const tools = h(
       "div",
       { class: "tools" },
+      this.tourButton_,
       new Share(this.store_, this.start_, this.chart_).element,
       button("◐", () => this.nextTheme_(), { id: "theme", class: "icon", "aria-label": "Change the theme", title: "Theme: the system's, light, dark" }),
       button("?", () => void this.help_(), { id: "help-button", class: "icon", "aria-label": "Keys", title: "Keys (?)" }),
@@ -138,6 +148,7 @@ class Page {
       this.verdict_.show(simulation, state.direction);
       this.parameters_.show(state, simulation.case);
       this.chart_.know(simulation);
+      this.tour_?.know(simulation, design);
       const step = this.store_.isDragging ? "drag" : "replace";
       if (step !== "drag") this.settle_();
       this.views_.show({ state, simulation, step });
@@ -152,6 +163,18 @@ class Page {
   private complain_(error: unknown): void {
     this.complaint_.show(error === null ? "" : api.sentence(error));
     this.parameters_.blame(error instanceof api.Failure ? error.error : null);
+  }
+
+  private async takeTour_(): Promise<void> {
+    try {
+      this.tour_ ??= (await later()).tour(this.store_);
+      sessionStorage.setItem(tourSeen, "yes");
+      this.tourButton_.classList.remove("primary");
+      this.tour_.begin();
+      if (this.simulation_ && same(this.simulated_, this.store_.state.design)) this.tour_.know(this.simulation_, this.store_.state.design);
+    } catch (error) {
+      this.complain_(error);
+    }
   }
 
   private async help_(): Promise<void> {
@@ -169,10 +192,11 @@ class Page {
 
   private key_(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
-    if (event.ctrlKey || event.metaKey || event.altKey || target.matches("input[type=text], select, dialog *")) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || target.matches("input[type=text], select, dialog *, .tour *")) return;
     const { state } = this.store_;
     const preset = this.start_.presets[Number(event.key) - 1];
     if (event.key === "?") void this.help_();
+    else if (event.key === "t") void this.takeTour_();
     else if (event.key === "p") this.clock_.toggle();
     else if (event.key === "d") this.store_.update({ direction: state.direction === "going" ? "coming" : "going" }, "replace");
     else if (event.key === "x" && state.view === "listen") this.views_.current?.switch?.();

@@ -1,7 +1,7 @@
 /** The design's parameters: a slider and a field each, made from the program's field table; presets; resets. */
 import * as api from "./api.ts";
 import { button, h, select, setText, symbol } from "./dom.ts";
-import { exact, number as plainNumber, quantity, rounded, symbolParts, words } from "./format.ts";
+import { exact, number as plainNumber, quantity, rounded, symbolParts, title, words } from "./format.ts";
 import { at, share } from "./scale.ts";
 import { withoutKeys, withValues, type State } from "./state.ts";
 import type { Store } from "./store.ts";
@@ -164,7 +164,7 @@ export class Parameters {
       class: "reset",
       "data-reset": field.key,
       title: "Back to the preset's value",
-      "aria-label": `Reset ${words(field.key)}`,
+      "aria-label": `Reset ${title(field.key)}`,
     });
   }
 
@@ -176,7 +176,7 @@ export class Parameters {
       autocomplete: "off",
       spellcheck: "false",
       "data-field": key,
-      "aria-label": `${words(key)}, ${unit === "1" ? "no unit" : unit}`,
+      "aria-label": `${title(key)}, ${unit === "1" ? "no unit" : unit}`,
     });
     const reset = this.resetButton_(field);
     const slider = field.usual ? new Slider(field, field.usual, (value, step) => this.set_(field, value, step)) : null;
