@@ -1,0 +1,87 @@
+// The page in Firefox, where there is one: it opens, computes, hears, draws, is dragged and typed into.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { test } from "node:test";
+import { openFirefox } from "./firefox.mjs";
+import { program, startExplorer } from "./session.mjs";
+
+const names = process.env.STRIDOR_FIREFOX ? [process.env.STRIDOR_FIREFOX] : ["firefox-esr", "firefox"];
+const found = names.find((name) => {
+  try {
+    return execFileSync(name, ["--version"], { stdio: ["ignore", "pipe", "ignore"] }).length > 0;
+  } catch {
+    return false;
+  }
+});
+
+test("the page works in Firefox", { skip: found ? false : "no Firefox here (apt-get install firefox-esr)", timeout: 400_000 }, async () => {
+  const explorer = await startExplorer();
+  const browser = await openFirefox(found);
+  const settled = () =>
+    browser.wait(`return document.querySelector('#verdict')?.getAttribute("aria-busy") === "false"
+      && document.querySelector('#chart')?.dataset.done === "true";`);
+  try {
+    await browser.goto(explorer.link());
+    await settled();
+    assert.equal(await browser.run("return document.querySelector('#verdict').dataset.going;"), "squeal");
+    assert.match(await browser.run("return document.querySelector('#verdict .chip').textContent;"), /joint 169\.5 dB/);
+
+    // cells, motion and portrait are painted
+    for (const canvas of ["#chart canvas", "#mechanism", "#response", "#portrait"]) {
+      const colours = await browser.wait(
+        `const canvas = document.querySelector(arguments[0]);
+         const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+         const colours = new Set();
+         for (let k = 0; k < data.length; k += 4 * 101) colours.add(data.slice(k, k + 4).join());
+         return colours.size > 3 ? colours.size : null;`, canvas);
+      assert.ok(colours > 3, canvas);
+    }
+
+    // text with a unit goes to the program
+    await browser.run(`const field = document.querySelector('[data-field="contact.preload"]'); field.focus(); field.value = "";`);
+    await browser.type('[data-field="contact.preload"]', "0.035 kN\uE007");
+    await browser.wait("return location.hash.includes('contact.preload=35');");
+    await settled();
+    const printed = execFileSync("sh", ["-c", `"${program}" init squeal | "${program}" simulate - --json --set contact.preload=35`], { encoding: "utf8" });
+    const { going } = Object.fromEntries(JSON.parse(printed).phases.map(({ phase, verdict }) => [phase, verdict.category]));
+    assert.equal(await browser.run("return document.querySelector('#verdict').dataset.going;"), going);
+
+    // a slider is moved by the keyboard
+    await browser.type('input[type="range"][data-key="contact.kinetic_friction"]', "\uE012\uE012\uE012");
+    await browser.wait("return location.hash.includes('kinetic_friction');");
+    await settled();
+
+    // each view, fetched when it is looked at
+    for (const view of ["spectra", "modes", "energy", "listen", "quiet"]) {
+      await browser.click(`#tab-${view}`);
+      await browser.wait("return document.querySelector('#view-' + arguments[0])?.childElementCount > 0;", view);
+    }
+    await browser.wait("return document.querySelectorAll('#margins [data-margin]').length > 3;");
+    await browser.click("#tab-listen");
+    await browser.wait("return document.querySelector('#audio-A').readyState >= 2;");
+    const seconds = await browser.run("return document.querySelector('#audio-A').duration;"); // decoded; there may be no sound device
+    assert.ok(seconds > 0.5, String(seconds));
+
+    // the tour: predicted, done, judged by the model
+    await browser.click("#tour-button");
+    await browser.wait("return document.querySelector('#tour [data-answer]');");
+    await browser.click('#tour [data-answer="squeal"]');
+    await browser.click("#tour-do");
+    await browser.wait("return /^✓/.test(document.querySelector('#tour-result').textContent);");
+    await browser.click("#tour-leave");
+
+    // narrow, dark
+    await browser.resize({ width: 450, height: 900 });
+    await browser.click("#theme");
+    await browser.click("#theme");
+    assert.equal(await browser.run("return document.documentElement.dataset.theme;"), "dark");
+    const { inner, scroll } = await browser.run("return { inner: innerWidth, scroll: document.documentElement.scrollWidth };");
+    assert.ok(scroll <= inner, `${scroll} px wide in ${inner}`);
+    if (process.env.STRIDOR_PICTURE) await browser.picture(process.env.STRIDOR_PICTURE);
+
+    assert.deepEqual(await browser.sins(explorer.origin), []);
+  } finally {
+    await browser.close();
+    await explorer.stop();
+  }
+});
