@@ -96,7 +96,7 @@ TEST_F(ChartOfACase, WhatCannotBeReadIsNamed) {
     EXPECT_NE(refusal("preload=1 mm:4 mm").find("length"), std::string::npos);
     EXPECT_NE(refusal("preload=1:40:1").find("no number of points"), std::string::npos);
     EXPECT_NE(refusal("preload=1:40:3:lag").find("no scale"), std::string::npos);
-    EXPECT_NE(refusal("preloat=1:40").find("Did you mean preload?"), std::string::npos);
+    EXPECT_NE(refusal("preloat=1:40").find("Did you mean contact.preload?"), std::string::npos);
     EXPECT_NE(refusal("mu_d=0.1:0.2").find("both"), std::string::npos);
     const Finished bare = run({"chart", "squeal.toml"}, folder_.path());
     EXPECT_EQ(bare.exit_code, 2);

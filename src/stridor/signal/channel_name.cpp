@@ -6,7 +6,7 @@ namespace stridor::signal {
 
 std::size_t channel_named(const Layout& layout, std::string_view name) {
     for (std::size_t k = 0; k < layout.channels.size(); ++k)
-        if (layout.channels[k].name == name) return k;
+        if (!name.empty() && layout.channels[k].name == name) return k;
     for (std::size_t k = 0; k < layout.channels.size(); ++k)
         if (std::to_string(k + 1) == name) return k;
     throw Error(ErrorKind::input,

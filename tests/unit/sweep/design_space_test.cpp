@@ -131,11 +131,11 @@ TEST(QuantityNamed, TakesShortNamesAndSymbolsThatMeanOneThing) {
 
 TEST(QuantityNamed, SaysWhatItCannotTake) {
     EXPECT_TRUE(refusal(squeal, {{"mass"}}).says("joint.mass or plate.mass"));
-    EXPECT_TRUE(refusal(squeal, {{"prelod"}}).says("Did you mean preload?"));
+    EXPECT_TRUE(refusal(squeal, {{"prelod"}}).says("Did you mean contact.preload?"));
     EXPECT_TRUE(refusal(squeal, {{"drive.velocity"}}).says("changes nothing"));
-    EXPECT_TRUE(refusal(squeal, {{"velocity"}}).says("no quantity of this case"));
-    EXPECT_TRUE(refusal(squeal, {{"drive.kind"}}).says("no quantity of this case"));
-    EXPECT_TRUE(refusal(squeal, {{""}}).says("no quantity of this case"));
+    EXPECT_TRUE(refusal(squeal, {{"velocity"}}).says("changes nothing"));
+    EXPECT_TRUE(refusal(squeal, {{"drive.kind"}}).says("is no quantity"));
+    EXPECT_TRUE(refusal(squeal, {{""}}).says("is no key of a case"));
 }
 
 TEST(DesignSpace, RefusesRangesThatAreNone) {

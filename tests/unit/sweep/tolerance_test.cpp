@@ -111,7 +111,7 @@ TEST(Tolerance, RefusesWhatIsNone) {
     EXPECT_TRUE(refused(quiet, {{"preload", 0.0, {}}}).says("above zero"));
     EXPECT_TRUE(refused(quiet, {{"preload", -0.1, {}}}).says("above zero"));
     EXPECT_TRUE(refused(quiet, {{"preload", 0.1, {}}, {"F", {}, 1.0}}).says("two tolerances"));
-    EXPECT_TRUE(refused(quiet, {{"masss", 0.1, {}}}).says("no quantity"));
+    EXPECT_TRUE(refused(quiet, {{"masss", 0.1, {}}}).says("is no key of a case"));
     Case c = quiet;
     c.plate.damping = 0.0;
     EXPECT_TRUE(refused(c, {{"plate.damping", 0.1, {}}}).says("a share of zero is zero"));
