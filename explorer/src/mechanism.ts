@@ -176,11 +176,11 @@ export class Mechanism {
       pen.fillStyle = colours.ink;
       const isLow = d.x > 0.78; // below 39 degrees, to the right
       const beside = (part: number, aside: number): Point => ({
-        x: body.x + (anchor.x - body.x) * part - d.y * aside - 7,
+        x: body.x + (anchor.x - body.x) * part - d.y * aside - (aside < 0 ? 11 : 5), // half of the sign, and a little off the drawing
         y: body.y + (anchor.y - body.y) * part + d.x * aside,
       });
-      sign(pen, ["k", name], beside(isLow ? 0.42 : 0.62, -25));
-      sign(pen, ["c", name], beside(isLow ? 0.8 : 0.62, isLow ? -25 : 25));
+      sign(pen, ["k", name], beside(isLow ? 0.45 : 0.62, isLow ? -27 : -24));
+      sign(pen, ["c", name], beside(isLow ? 0.82 : 0.62, isLow ? -27 : 25));
     }
     this.paintAngle_(s, home, alpha);
   }
@@ -202,7 +202,7 @@ export class Mechanism {
     pen.fillStyle = palette().muted;
     const at = alpha > Math.PI / 2 ? alpha - Math.PI / 4 : Math.min(0.38 * alpha, 0.42);
     const place = alpha < 1
-      ? { x: home.x + radius - 4, y: home.y + 11 }
+      ? { x: home.x + (isNarrow ? radius - 4 : radius + 12), y: home.y + 11 }
       : { x: home.x + 64 * Math.cos(at) - 5, y: home.y - 64 * Math.sin(at) };
     sign(pen, ["α", ""], place, 15);
   }

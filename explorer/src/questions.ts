@@ -35,7 +35,15 @@ function number(simulation: Simulation, section: string, name: string): number {
   return typeof part === "object" ? Number(part[name]) : NaN;
 }
 
-const verbs: Record<string, string> = { none: "is quiet", squeal: "squeals", squeak: "squeaks", creak: "creaks", undecided: "does something that no rule names" };
+const verbs: Record<string, string> = {
+  none: "is quiet",
+  squeal: "squeals",
+  squeak: "squeaks",
+  creak: "creaks",
+  undecided: "does something that no rule names",
+};
+
+const does = (simulation: Simulation, direction: Direction): string => verbs[category(simulation, direction)] ?? "";
 
 function loudWays(simulation: Simulation): string {
   const loud = (["going", "coming"] as const).filter((direction) => category(simulation, direction) !== "none");
@@ -50,19 +58,28 @@ function isNoisy(simulation: Simulation): boolean {
 async function sliding(design: Design): Promise<string> {
   const { directions } = await api.stability(design, null);
   const unstable = directions.find(({ growth }) => growth > 0);
-  return unstable
-    ? `Steady sliding is unstable here (${unstable.kind}, ${unstable.direction}${unstable.frequency ? `, ${quantity(unstable.frequency, "Hz", 3)}` : ""}): two modes couple and feed each other, stick or no stick.`
-    : "Steady sliding is stable here: this noise lives on sticking, and on friction that falls when it tears loose (stick-slip).";
+  if (!unstable)
+    return (
+      "Steady sliding is stable here: this noise lives on sticking, and on friction that falls when it tears loose " +
+      "(stick-slip)."
+    );
+  const { kind, direction, frequency: at } = unstable;
+  const what = [kind, direction, at ? quantity(at, "Hz", 3) : ""].filter(Boolean).join(", ");
+  return `Steady sliding is unstable here (${what}): two modes couple and feed each other, stick or no stick.`;
 }
 
-const hasDrop = (tried: Simulation): boolean => number(tried, "contact", "static_friction") > number(tried, "contact", "kinetic_friction") * (1 + 1e-9);
+const friction = (tried: Simulation, kind: "static" | "kinetic"): number => number(tried, "contact", `${kind}_friction`);
+
+const hasDrop = (tried: Simulation): boolean => friction(tried, "static") > friction(tried, "kinetic") * (1 + 1e-9);
 
 const staysOrGoes: Choice[] = [["stays", "the noise stays"], ["goes", "the noise goes"]];
 
 export const questions: readonly Question[] = [
   {
     title: "Raise the friction",
-    text: "A joint leans at 70° on a plate that is shaken to and fro. Kinetic friction is 0.3, and all is quiet. When you raise it, what will the joint do while the plate is going to the right?",
+    text:
+      "A joint leans at 70° on a plate that is shaken to and fro. Kinetic friction is 0.3, and all is quiet. When " +
+      "you raise it, what will the joint do while the plate is going to the right?",
     design: { preset: "squeal", set: { "contact.kinetic_friction": "0.3" } },
     view: "response",
     choices: () => [["none", "stay quiet"], ["creak", "creak, slowly"], ["squeal", "squeal"]],
@@ -74,21 +91,28 @@ export const questions: readonly Question[] = [
     },
     answer: (tried) => category(tried, "going"),
     says: (tried) =>
-      `At μd = ${plain(number(tried, "contact", "kinetic_friction"), 3)} it ${verbs[category(tried, "going")]}, at ${quantity(frequency(tried, "going"), "Hz", 3)}.`,
+      `At μd = ${plain(friction(tried, "kinetic"), 3)} it ${does(tried, "going")}, ` +
+      `at ${quantity(frequency(tried, "going"), "Hz", 3)}.`,
   },
   {
     title: "Hear it",
     text: "This is how that sounds: press play below, at A. How often does the joint hit the plate, per second?",
     design: { preset: "squeal", set: {} },
     view: "listen",
-    choices: (shown) => [0.1, 1, 10].map((factor) => [String(factor), `about ${quantity(factor * frequency(shown, "going"), "Hz", 2)}`] as const),
+    choices: (shown) =>
+      [0.1, 1, 10].map((factor) => {
+        const wanted = quantity(factor * frequency(shown, "going"), "Hz", 2);
+        return [String(factor), `about ${wanted}`] as const;
+      }),
     task: null,
     answer: () => "1",
     says: (tried) => `The contact opens and closes ${plain(frequency(tried, "going"))} times per second.`,
   },
   {
     title: "Which way does it lock?",
-    text: "Going, friction pushes the leaning joint into the plate, so that it presses harder and harder: it squeals. Coming, friction lifts it off. Now lean it the other way, from 70° to 110°. Which way will it squeal?",
+    text:
+      "Going, friction pushes the leaning joint into the plate, so that it presses harder and harder: it squeals. " +
+      "Coming, friction lifts it off. Now lean it the other way, from 70° to 110°. Which way will it squeal?",
     design: { preset: "squeal", set: {} },
     view: "response",
     choices: () => [["going", "going"], ["coming", "coming"], ["both", "both ways"], ["neither", "neither way"]],
@@ -100,11 +124,14 @@ export const questions: readonly Question[] = [
     },
     answer: loudWays,
     says: (tried) =>
-      `At α = ${plain(number(tried, "joint", "incidence_angle"), 4)}° it ${verbs[category(tried, "going")]} going, and ${verbs[category(tried, "coming")]} coming.`,
+      `At α = ${plain(number(tried, "joint", "incidence_angle"), 4)}° it ${does(tried, "going")} going, ` +
+      `and ${does(tried, "coming")} coming.`,
   },
   {
     title: "What feeds the squeal?",
-    text: "Friction falls from 0.8 when it sticks to 0.6 when it slips. Such a drop can feed a noise. Take it away: static friction as low as kinetic. What becomes of the squeal?",
+    text:
+      "Friction falls from 0.8 when it sticks to 0.6 when it slips. Such a drop can feed a noise. Take it away: " +
+      "static friction as low as kinetic. What becomes of the squeal?",
     design: { preset: "squeal", set: {} },
     view: "modes",
     choices: () => staysOrGoes,
@@ -115,11 +142,13 @@ export const questions: readonly Question[] = [
       isDone: (_, tried) => !hasDrop(tried),
     },
     answer: (tried) => (isNoisy(tried) ? "stays" : "goes"),
-    says: async (tried, design) => `Without the drop it ${verbs[category(tried, "going")]} going. ${await sliding(design)}`,
+    says: async (tried, design) => `Without the drop it ${does(tried, "going")} going. ${await sliding(design)}`,
   },
   {
     title: "And the creak?",
-    text: "Here the joint is pressed a hundred times harder, sticks most of the time and jerks: it creaks. Friction falls from 0.8 to 0.2. Take that drop away, too. What becomes of the creak?",
+    text:
+      "Here the joint is pressed a hundred times harder, sticks most of the time and jerks: it creaks. Friction " +
+      "falls from 0.8 to 0.2. Take that drop away, too. What becomes of the creak?",
     design: { preset: "creak", set: {} },
     view: "modes",
     choices: () => staysOrGoes,
@@ -130,6 +159,7 @@ export const questions: readonly Question[] = [
       isDone: (_, tried) => !hasDrop(tried),
     },
     answer: (tried) => (isNoisy(tried) ? "stays" : "goes"),
-    says: async (tried, design) => `Without the drop it ${verbs[category(tried, "going")]} going, and ${verbs[category(tried, "coming")]} coming. ${await sliding(design)}`,
+    says: async (tried, design) =>
+      `Without the drop it ${does(tried, "going")} going, and ${does(tried, "coming")} coming. ${await sliding(design)}`,
   },
 ];

@@ -17,7 +17,11 @@ export class Tour {
   private readonly next_ = button("Next", () => this.step_(), { id: "tour-next", class: "primary" });
   private readonly show_ = button("Do it for me", () => this.do_(), { id: "tour-do" });
   private readonly stay_ = button("Stay here", () => this.close_(), { id: "tour-stay" });
-  private readonly leave_ = button("Leave the tour", () => this.leave(), { id: "tour-leave", class: "quiet", title: "Back to where you were (Esc)" });
+  private readonly leave_ = button("Leave the tour", () => this.leave(), {
+    id: "tour-leave",
+    class: "quiet",
+    title: "Back to where you were (Esc)",
+  });
   private stage_: Stage = "closed";
   private at_ = 0;
   private foretold_ = 0;
@@ -142,8 +146,9 @@ export class Tour {
     setText(this.title_, "That was the tour");
     setText(
       this.text_,
-      `You foretold ${this.foretold_} of ${questions.length}. A noise may need no stick at all, and the way that it leans decides which way it sounds. ` +
-        "From here: click anywhere on the chart, or ask Keep quiet for the smallest change that silences a design.",
+      `You foretold ${this.foretold_} of ${questions.length}. A noise may need no stick at all, and the way that a joint ` +
+        "leans decides which way it sounds. From here: click anywhere on the chart, or ask Keep quiet for the smallest " +
+        "change that silences a design.",
     );
     setText(this.result_, "");
     this.answers_.replaceChildren();

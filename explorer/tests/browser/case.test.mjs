@@ -85,7 +85,8 @@ test("a wrong unit is refused in the program's own words, at its field", async (
   const field = await type("contact.preload", "5 kg");
   await page.waitForSelector("#complaint:not([hidden])");
   const said = await page.locator("#complaint").innerText();
-  const { stderr } = spawnSync(program, ["simulate", join(folder, "seal.toml"), "--set", "contact.preload=5 kg"], { encoding: "utf8" });
+  const options = ["simulate", join(folder, "seal.toml"), "--set", "contact.preload=5 kg"];
+  const { stderr } = spawnSync(program, options, { encoding: "utf8" });
   const [what] = /contact\.preload[^(\n]*/.exec(stderr);
   assert.ok(said.startsWith(what.trim()), `${said} / ${stderr}`);
   assert.equal(await field.getAttribute("aria-invalid"), "true");
@@ -149,7 +150,8 @@ test("a link holds the whole case: it opens where the file is not", async () => 
     if (!(await other.page.locator("#paste-link").isVisible())) await other.page.locator("#share summary").click();
     await other.page.locator("#paste-link").fill(link);
     await other.page.locator("#paste-link").press("Enter");
-    await other.page.waitForFunction((text) => document.querySelector("#verdict .chip")?.innerText === text, chip, { timeout: 30000 });
+    const shows = (text) => document.querySelector("#verdict .chip")?.innerText === text;
+    await other.page.waitForFunction(shows, chip, { timeout: 30000 });
     assert.deepEqual(other.sins, []);
   } finally {
     await other.close();
@@ -158,7 +160,8 @@ test("a link holds the whole case: it opens where the file is not", async () => 
 });
 
 test("a link that leans on a file is refused where there is none, with a way out", () => {
-  const { status, stderr } = spawnSync(program, ["explore", "--no-browser", "http://localhost:1/#preset=file"], { encoding: "utf8" });
+  const options = ["explore", "--no-browser", "http://localhost:1/#preset=file"];
+  const { status, stderr } = spawnSync(program, options, { encoding: "utf8" });
   assert.equal(status, 2);
   assert.match(stderr, /leans on a file.*Share, Copy link/s);
 });

@@ -1,5 +1,6 @@
-// Firefox for the tests, driven through Marionette, its own WebDriver over a plain socket: playwright-core needs a Firefox
-// that was patched for it. Messages are `LENGTH:JSON`: [0, id, command, parameters] there, [1, id, error, value] back.
+// Firefox for the tests, driven through Marionette, its own WebDriver over a plain socket: playwright-core needs a
+// Firefox that was patched for it. Messages are `LENGTH:JSON`: [0, id, command, parameters] there, [1, id, error, value]
+// back.
 import { spawn } from "node:child_process";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { connect } from "node:net";
@@ -70,14 +71,16 @@ class Marionette {
 /** A Firefox with a window of this size. */
 export async function openFirefox(program, { width = 1440, height = 900 } = {}) {
   const profile = await mkdtemp(join(tmpdir(), "stridor-firefox-"));
-  const lines = Object.entries(preferences).map(([name, value]) => `user_pref(${JSON.stringify(name)}, ${JSON.stringify(value)});\n`);
+  const lines = Object.entries(preferences).map((each) => `user_pref(${each.map((part) => JSON.stringify(part))});\n`);
   await writeFile(join(profile, "user.js"), lines.join(""));
-  const child = spawn(program, ["--headless", "--marionette", "--remote-allow-system-access", "--no-remote", "--profile", profile, `--width=${width}`, `--height=${height}`], {
+  const options = ["--headless", "--marionette", "--remote-allow-system-access", "--no-remote", "--profile", profile];
+  const child = spawn(program, [...options, `--width=${width}`, `--height=${height}`], {
     stdio: "ignore",
     env: { ...process.env, HOME: profile, MOZ_CRASHREPORTER_DISABLE: "1" },
   });
   const ended = new Promise((resolve) => child.once("exit", resolve));
-  const port = await until(() => readFile(join(profile, "MarionetteActivePort"), "utf8").catch(() => null), "Firefox to listen");
+  const portFile = join(profile, "MarionetteActivePort");
+  const port = await until(() => readFile(portFile, "utf8").catch(() => null), "Firefox to listen");
   const socket = await until(
     () => new Promise((resolve) => {
       const tried = connect(Number(port), "127.0.0.1", () => resolve(tried));
@@ -90,7 +93,8 @@ export async function openFirefox(program, { width = 1440, height = 900 } = {}) 
   await wire.ask("WebDriver:SetTimeouts", { script: patience, pageLoad: patience });
 
   const run = async (script, ...args) => (await wire.ask("WebDriver:ExecuteScript", { script, args })).value;
-  const find = async (selector) => Object.values((await wire.ask("WebDriver:FindElement", { using: "css selector", value: selector })).value)[0];
+  const find = async (value) =>
+    Object.values((await wire.ask("WebDriver:FindElement", { using: "css selector", value })).value)[0];
   return {
     goto: (url) => wire.ask("WebDriver:Navigate", { url }),
     /** The body of a function that runs in the page. */
@@ -99,7 +103,10 @@ export async function openFirefox(program, { width = 1440, height = 900 } = {}) 
     wait: (script, ...args) => until(() => run(script, ...args), script),
     click: async (selector) => wire.ask("WebDriver:ElementClick", { id: await find(selector) }),
     type: async (selector, text) => wire.ask("WebDriver:ElementSendKeys", { id: await find(selector), text }),
-    picture: async (path) => writeFile(path, Buffer.from((await wire.ask("WebDriver:TakeScreenshot", { full: false })).value, "base64")),
+    async picture(path) {
+      const { value } = await wire.ask("WebDriver:TakeScreenshot", { full: false });
+      await writeFile(path, Buffer.from(value, "base64"));
+    },
     resize: (to) => wire.ask("WebDriver:SetWindowRect", to),
     /** Errors of scripts, styles and policies that Firefox noted about an origin. */
     async sins(origin) {

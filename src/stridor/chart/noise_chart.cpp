@@ -234,6 +234,10 @@ Scene figure_chart(const sweep::SweepResult& result, std::string_view name) {
     const std::vector<double> values = shown_values(result, *figure);
     const ColourScale colours{value_range(values, *figure), AxisScale::linear};
     const Fill no_value{{0xD9, 0xD9, 0xD9}, Texture::none, {}};
+    if (figure->unit.starts_with("dB"))
+        scene.caption.emplace_back("A velocity level of the " +
+                                   std::string(figure->name.substr(0, figure->name.find('_'))) +
+                                   ": a vibration, not a sound pressure.");
     if (reaches_beyond(values, colours.range))
         scene.caption.emplace_back("Values beyond the scale have the colour of its end.");
     for (Text& text : refinement_caption(result, "the others have the value of the nearest corner of their block."))

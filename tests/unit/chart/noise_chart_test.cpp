@@ -194,6 +194,7 @@ TEST(FigureChart, ALevelOfRestDoesNotTakeAllColours) {
     quiet[0].joint_level = -200.0;
     quiet[1].joint_level = -std::numeric_limits<double>::infinity();
     const Scene scene = figure_chart(sweep::complete(small_study(), quiet), "joint_level");
+    EXPECT_EQ(plain_text(scene.caption.at(1)), "A velocity level of the joint: a vibration, not a sound pressure.");
     EXPECT_EQ(scene.colour_bar->colours.range, (Range{50.0, 150.0}));
     EXPECT_TRUE(std::isnan(layers_of<ValueCells>(scene.panels[0]).at(0).values[1]));
 }
