@@ -71,6 +71,21 @@ struct Closer {
     void operator()(SNDFILE* file) const { sf_close(file); }
 };
 
+// most encoders put the number of frames into a first one that holds no sound (Xing, Info, VBRI), behind the tags; without it
+// libsndfile guesses it from the size of the file
+bool tells_length(const Bytes& bytes) {
+    std::uint64_t offset = 0;
+    if (const std::string tag = text_at(bytes, 0, 10); tag.size() == 10 && tag.starts_with("ID3")) {
+        for (std::size_t k = 6; k < 10; ++k)
+            offset = offset << 7U | (static_cast<unsigned char>(tag[k]) & 0x7FU);
+        offset += 10;
+    }
+    constexpr std::size_t first_frame = 1500;  // [bytes] no frame of layer III is longer
+    const std::string frame = text_at(bytes, offset, first_frame);
+    return frame.find("Xing") != std::string::npos || frame.find("Info") != std::string::npos ||
+           frame.find("VBRI") != std::string::npos;
+}
+
 class Audio final : public signal::Source {
 public:
     explicit Audio(const SignalInput& input) : name_(input.name), cursor_{input.bytes, 0} {
@@ -112,7 +127,9 @@ private:
                           "1 Hz to 100 MHz are read", "Is its header damaged?");
         if (info_.channels < 1) throw refusal(name_, "the sound file has no channel");
         if (info_.frames == 0) throw refusal(name_, "the sound file holds no samples");
-        const bool is_credible = info_.frames > 0 && static_cast<std::uint64_t>(info_.frames) / most_per_byte <= size;
+        const bool is_known = (info_.format & SF_FORMAT_TYPEMASK) != SF_FORMAT_MPEG || tells_length(*cursor_.bytes);
+        const bool is_credible =
+            is_known && info_.frames > 0 && static_cast<std::uint64_t>(info_.frames) / most_per_byte <= size;
         if (is_credible) layout_.frames = static_cast<std::uint64_t>(info_.frames);
     }
 

@@ -4,6 +4,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/atomic_file.hpp"
 #include "stridor/io/audio.hpp"
+#include "stridor/io/compressed_audio.hpp"
 #include "stridor/io/refusal.hpp"
 #include "stridor/io/sidecar.hpp"
 #include "stridor/io/signal_csv.hpp"
@@ -31,8 +32,8 @@ bool is_text(std::string_view beginning) {
 }
 
 bool has_sound_name(const std::string& name) {
-    constexpr std::array endings{".wav",  ".flac", ".ogg", ".aif", ".aiff", ".w64",
-                                 ".rf64", ".caf",  ".au",  ".mp3", ".opus"};
+    constexpr std::array endings{".wav", ".flac", ".ogg",  ".aif", ".aiff", ".w64", ".rf64", ".caf",
+                                 ".au",  ".mp3",  ".opus", ".m4a", ".aac",  ".3gp", ".amr",  ".webm"};
     return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
 }
 
@@ -41,6 +42,7 @@ RawSignal open_raw(const SignalInput& input, const OpenOptions& options) {
     if (beginning.empty()) throw refusal(input.name, "the file is empty");
     const bool is_utf16 = beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF");
     if (is_audio(beginning) && !is_utf16) return open_audio(input);
+    if (is_compressed_audio(beginning)) return open_compressed_audio(input);
     if (is_uff(beginning)) return open_uff58(input, options.dataset);
     if (is_text(beginning) && has_sound_name(input.name))
         throw refusal(input.name, "this is text and no sound", "a sound file begins with the mark of its format",

@@ -11,9 +11,9 @@
 
 namespace stridor::fuzz {
 
-/// Opens bytes as a recording and reads it to its end; `open` takes the input.
+/// Opens bytes as a recording and reads it to its end; `open` takes the input. A byte holds `most_per_byte` frames at most.
 template <typename Open>
-void read_signal(std::string_view bytes, Open open) {
+void read_signal(std::string_view bytes, Open open, std::uint64_t most_per_byte = 1) {
     try {
         const io::RawSignal raw = open(io::SignalInput{io::bytes_of(std::string(bytes)), "input", {}});
         const signal::Layout& layout = raw.source->layout();
@@ -24,7 +24,7 @@ void read_signal(std::string_view bytes, Open open) {
         while (const std::size_t count = raw.source->read(block)) {
             require(count <= 16);
             frames += count;
-            require(frames <= bytes.size());  // a frame takes a byte at least
+            require(frames / most_per_byte <= bytes.size());
         }
         require(!layout.frames || *layout.frames == frames);
     } catch (const Error& error) {

@@ -19,6 +19,7 @@ void requests(std::string_view bytes);
 void store(std::string_view bytes);
 void library(std::string_view bytes);
 void case_file(std::string_view bytes);
+void compressed_audio(std::string_view bytes);
 
 struct Target {
     std::string_view name;  // of its folder in the corpus
@@ -26,10 +27,10 @@ struct Target {
 };
 
 inline constexpr std::array targets{
-    Target{"signal_csv", signal_csv},   Target{"uff58", uff58},      Target{"sidecar", sidecar},
-    Target{"calibration", calibration}, Target{"riff", riff},        Target{"tar", tar},
-    Target{"manifest", manifest},       Target{"store", store},      Target{"library", library},
-    Target{"case_file", case_file},     Target{"requests", requests}};
+    Target{"signal_csv", signal_csv},   Target{"uff58", uff58},       Target{"sidecar", sidecar},
+    Target{"calibration", calibration}, Target{"riff", riff},         Target{"tar", tar},
+    Target{"manifest", manifest},       Target{"store", store},       Target{"library", library},
+    Target{"case_file", case_file},     Target{"requests", requests}, Target{"compressed_audio", compressed_audio}};
 
 /// Stops the program where a promise is broken, in every build.
 inline void require(bool promise) {

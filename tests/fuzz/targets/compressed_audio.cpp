@@ -1,0 +1,14 @@
+#include "stridor/io/compressed_audio.hpp"
+
+#include "fuzz/targets/reading.hpp"
+
+namespace stridor::fuzz {
+
+void compressed_audio(std::string_view bytes) {
+    // a byte of a packed format stands for up to so many frames
+    constexpr std::uint64_t most_per_byte = 8192;
+    read_signal(
+        bytes, [](const io::SignalInput& input) { return io::open_compressed_audio(input); }, most_per_byte);
+}
+
+}  // namespace stridor::fuzz
