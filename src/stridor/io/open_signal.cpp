@@ -37,6 +37,29 @@ bool has_sound_name(const std::string& name) {
     return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
 }
 
+/// A format of measurements that is known by its mark and not read.
+struct Foreign {
+    std::string_view mark;
+    std::string_view name;
+    std::string_view way_out;
+};
+
+constexpr std::array foreign_formats{
+    Foreign{"TDSm", "a TDMS file of LabVIEW or DIAdem",
+            "Export it as CSV from there, or with Python's npTDMS: "
+            "TdmsFile(\"IN.tdms\").as_dataframe(time_index=True).to_csv(\"OUT.csv\", index_label=\"time\")"},
+    Foreign{"MATLAB ", "a MAT file of MATLAB", "Write a table there: writetable(table(time, force), \"OUT.csv\")"},
+    Foreign{"MDF     ", "an MDF file", "Export it as CSV from the program that wrote it."},
+    Foreign{"\x89HDF\r\n\x1a\n", "an HDF5 file",
+            "Write its time and samples as CSV, with the columns \"time [s]\" and \"NAME [UNIT]\"."}};
+
+void refuse_foreign(std::string_view beginning, const std::string& name) {
+    for (const Foreign& foreign : foreign_formats)
+        if (beginning.starts_with(foreign.mark))
+            throw refusal(name, "this is " + std::string(foreign.name), "Stridor does not read it",
+                          std::string(foreign.way_out));
+}
+
 RawSignal open_raw(const SignalInput& input, const OpenOptions& options) {
     const std::string beginning = text_at(*input.bytes, 0, sniffed);
     if (beginning.empty()) throw refusal(input.name, "the file is empty");
@@ -44,6 +67,7 @@ RawSignal open_raw(const SignalInput& input, const OpenOptions& options) {
     if (is_audio(beginning) && !is_utf16) return open_audio(input);
     if (is_compressed_audio(beginning)) return open_compressed_audio(input);
     if (is_uff(beginning)) return open_uff58(input, options.dataset);
+    refuse_foreign(beginning, input.name);
     if (is_text(beginning) && has_sound_name(input.name))
         throw refusal(input.name, "this is text and no sound", "a sound file begins with the mark of its format",
                       "If it is a table, give it a name that ends in .csv.");
