@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/noise_library/library.hpp"
+#include "stridor/noise_library/recording.hpp"
 
 #include <map>
 #include <memory>
@@ -56,8 +57,17 @@ std::string entry_table(const std::vector<noise_library::Entry>& entries, const 
 /// One entry in full, a line per field that is known.
 std::string entry_page(const noise_library::Library& library, const noise_library::Entry& entry);
 
+/// "1 entry", "2 entries"
+std::string counted(std::size_t count, const char* one, const char* many);
+
 /// "12  squeal.wav  3.2 s, 48000 Hz, 2 channels"
 std::string entry_line(const noise_library::Entry& entry);
+
+/// "   1  squeal.wav  3.2 s, 48000 Hz, 1 channel: squeal", with the category where there is one.
+std::string judged_line(const noise_library::Entry& entry);
+
+/// What became of many recordings: numbers, then a line for each that was known (if they are few) or refused.
+std::string summary_text(const noise_library::Arrivals& arrivals);
 
 /// The subcommands that put entries in and out.
 void add_library_add(CLI::App& library);

@@ -1,10 +1,12 @@
 #include "input_options.hpp"
+#include "interrupt.hpp"
 #include "library.hpp"
 #include "library_hearing.hpp"
 #include "progress.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/io/json_library.hpp"
 #include "stridor/io/json_verdict.hpp"
+#include "stridor/io/recording_files.hpp"
 #include "stridor/noise_library/recording.hpp"
 #include "terminal.hpp"
 
@@ -12,9 +14,12 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <exception>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <system_error>
+#include <utility>
 
 namespace stridor::app {
 
@@ -46,8 +51,9 @@ public:
     void end() {
         show(1.0);
         ++done_;
-        display_.clear();
+        clear();
     }
+    void clear() { display_.clear(); }
 
 private:
     ShareDisplay display_;
@@ -65,13 +71,6 @@ void add_hearing_options(CLI::App& command, HearingOptions& options) {
     add_full_scale_option(command, options.full_scales);
 }
 
-// "   1  squeal.wav  3.2 s, 48000 Hz, 1 channel: squeal"
-std::string judged_line(const Entry& entry) {
-    std::string line = entry_line(entry);
-    if (!entry.category.empty()) line.insert(line.size() - 1, ": " + entry.category);
-    return line;
-}
-
 struct AddOptions {
     LibraryOption library;
     std::vector<std::string> files;
@@ -82,28 +81,135 @@ struct AddOptions {
     bool json = false;
 };
 
-void add(const AddOptions& options) {
-    noise_library::Recording recording;
-    apply(options.entry, recording.given);
-    recording.twins = options.again ? noise_library::Twins::accept : noise_library::Twins::refuse_same_audio;
-    HearingOptions hearing = options.hearing;
-    if (options.without_verdict) hearing.judging = Judging::none;
-    Library library = open_library(options.library, Access::fill);
-    RowDisplay row("added", options.files.size());
-    const noise_library::Probe probe = probe_of(hearing, [&](double share) { row.show(share); });
-    std::vector<Entry> entries;
-    for (const std::string& file : options.files) {
-        recording.file = file;
-        row.begin(file);
-        const Entry entry = noise_library::add_recording(library, recording, probe);
-        row.end();
-        // what is in is said at once, whatever becomes of the next
-        if (options.json)
-            entries.push_back(entry);
-        else
-            print(judged_line(entry));
+/// An error of a file, which is refused; those of the library end the command.
+struct Refusal {
+    Error error;
+};
+
+// "run.csv:12: the file is empty"
+std::string reason_of(const std::string& file, const Error& error) {
+    const base::Problem& problem = error.problem();
+    const std::string place = error.place() ? base::describe(*error.place()) : file;
+    const std::string why = problem.why.empty() ? "" : " (" + problem.why + ")";
+    return (problem.what.find(file) == std::string::npos ? place + ": " : "") + problem.what + why;
+}
+
+/// Adds one file after the other, past what is known and what is broken.
+class Adder {
+public:
+    Adder(const AddOptions& options, std::stop_token stop)
+        : options_(options),
+          stop_(std::move(stop)),
+          library_(open_library(options.library, Access::fill)),
+          files_(io::recording_files(options.files, library_.audio_folder())),
+          row_("added", files_.files.size()) {
+        apply(options.entry, recording_.given);
+        recording_.twins = options.again ? noise_library::Twins::accept : noise_library::Twins::refuse_same_audio;
+        HearingOptions hearing = options.hearing;
+        if (options.without_verdict) hearing.judging = Judging::none;
+        hear_ = probe_of(hearing, [this](double share) {
+            go_on();
+            row_.show(share);
+        });
+        arrivals_.passed_over = files_.passed_over;
+        arrivals_.refused = files_.unreadable;
+        arrivals_.left = files_.files.size();
+        is_alone_ = options.files.size() == 1 && files_.files == std::vector<std::filesystem::path>{options.files[0]};
     }
-    if (options.json) print(io::library_json(library.file(), entries) + "\n");
+
+    void run() {
+        for (const std::filesystem::path& file : files_.files) {
+            go_on();
+            row_.begin(file);
+            try {
+                take(file);
+            } catch (const Refusal& refusal) {
+                if (is_alone_) throw Error(refusal.error);
+                arrivals_.refused.push_back({file.string(), reason_of(file.string(), refusal.error)});
+            }
+            row_.end();
+            --arrivals_.left;
+        }
+        // of those named, not of folders: what stays behind there is said, too
+        if (!arrivals_.refused.empty())
+            throw Error(
+                ErrorKind::input,
+                {fmt::format("refused {} of {}", arrivals_.refused.size(),
+                             counted(files_.files.size() + files_.unreadable.size(), "recording", "recordings")),
+                 "", "What could be added is in; the same command again tries these alone."});
+    }
+
+    /// Says what became of all, on stdout as JSON, else on stderr. A single file that was added, or not, says so itself.
+    void tell() {
+        row_.clear();
+        if (options_.json) print(io::arrivals_json(library_.file(), entries_, arrivals_) + "\n");
+        if (!is_alone_ || !arrivals_.known.empty()) say(summary_text(arrivals_));
+    }
+
+private:
+    void go_on() const {
+        if (stop_.stop_requested())
+            throw Error(ErrorKind::interrupted,
+                        {fmt::format("stopped before {}", counted(arrivals_.left, "file", "files")),
+                         "what was added stays", "The same command again goes on."});
+    }
+
+    // what goes wrong in there is the file's fault
+    template <typename Work>
+    static auto with(const Work& work) {
+        try {
+            return work();
+        } catch (const Error& error) {
+            if (error.kind() == ErrorKind::interrupted) throw;
+            throw Refusal{error};
+        }
+    }
+
+    void take(const std::filesystem::path& file) {
+        if (!options_.again) {
+            const std::string hash = with([&] { return noise_library::audio_hash(file); });
+            const std::optional<std::int64_t> twin = library_.entry_with(hash);
+            if (twin) return arrivals_.known.push_back({file.string(), *twin});
+        }
+        recording_.file = file;
+        try {
+            const Entry entry = noise_library::add_recording(
+                library_, recording_, [&](const auto& path, Entry& each) { with([&] { hear_(path, each); }); });
+            arrivals_.added.push_back(entry.id);
+            // what is in is said at once, whatever becomes of the next
+            if (options_.json)
+                entries_.push_back(entry);
+            else
+                print(judged_line(entry));
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::input) throw;
+            throw Refusal{error};  // it changed meanwhile, or another process was quicker
+        }
+    }
+
+    const AddOptions& options_;
+    std::stop_token stop_;
+    Library library_;
+    io::RecordingFiles files_;
+    RowDisplay row_;
+    noise_library::Recording recording_{};
+    noise_library::Probe hear_{};
+    noise_library::Arrivals arrivals_{};
+    std::vector<Entry> entries_{};  // for JSON alone
+    bool is_alone_ = false;         // a single file was named
+};
+
+void add(const AddOptions& options) {
+    const Interrupt interrupt;
+    Adder adder(options, interrupt.token());
+    std::exception_ptr end;
+    try {
+        adder.run();
+    } catch (const Error&) {
+        end = std::current_exception();
+    }
+    adder.tell();
+    if (end) std::rethrow_exception(end);
 }
 
 struct JudgeOptions {
@@ -182,15 +288,21 @@ void add_library_add(CLI::App& library) {
     auto options = std::make_shared<AddOptions>();
     CLI::App* command =
         library.add_subcommand("add", "Add recordings, with what is known of them, and listen to them.");
-    command->add_option("files", options->files, "recordings of any format; what is said of them holds for all")
+    command
+        ->add_option("files", options->files,
+                     "recordings of any format, and folders of them; what is said of them holds for all")
         ->required();
     add_library_option(*command, options->library);
     add_entry_options(*command, options->entry);
     add_hearing_options(*command, options->hearing);
     command->add_flag("--no-verdict", options->without_verdict, "do not listen: no category, no figures of the sound");
     command->add_flag("--again", options->again, "add a sound even if an entry has it already");
-    command->add_flag("--json", options->json, "print the new entries as one JSON document (schema stridor.library/1)");
+    command->add_flag("--json", options->json,
+                      "print the new entries and a summary as one JSON document (schema stridor.library/1)");
     command->footer(
+        "What is known already is skipped, what is broken refused, and the others added; exit code 2 if any was "
+        "refused. Of a "
+        "folder those files are taken, at any depth, whose names end as recordings do.\n"
         "What the file says of itself (lines \"# preload: 20 N\", the sidecar, a simulation's case) counts where no "
         "option says it.\n"
         "Examples:\n  stridor library add squeal.wav --system brake --recorded vehicle --full-scale \"2 Pa\"\n"

@@ -21,10 +21,6 @@ struct CheckOptions {
     std::vector<std::string> archives;
 };
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 std::string ids_text(const std::vector<std::int64_t>& ids) {
     return fmt::format("{} {}", ids.size() == 1 ? "entry" : "entries", fmt::join(ids, ", "));
 }

@@ -98,9 +98,35 @@ std::string entry_table(const std::vector<Entry>& entries, const std::vector<std
     return text;
 }
 
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 std::string entry_line(const Entry& entry) {
     return fmt::format("{:>4}  {}  {:.4g} s, {:g} Hz, {:g} channel{}\n", entry.id, entry.file, entry.duration,
                        entry.rate, entry.channels, entry.channels == 1.0 ? "" : "s");
+}
+
+std::string judged_line(const Entry& entry) {
+    std::string line = entry_line(entry);
+    if (!entry.category.empty()) line.insert(line.size() - 1, ": " + entry.category);
+    return line;
+}
+
+std::string summary_text(const noise_library::Arrivals& arrivals) {
+    constexpr std::size_t most_known = 10;  // more are no news
+    std::string text = fmt::format("added {}, known {}, refused {}", arrivals.added.size(), arrivals.known.size(),
+                                   arrivals.refused.size());
+    if (arrivals.left > 0) text += fmt::format(", not looked at {}", arrivals.left);
+    if (arrivals.passed_over > 0)
+        text += fmt::format("; passed over {} that by name {} no recording{}", arrivals.passed_over,
+                            arrivals.passed_over == 1 ? "is" : "are", arrivals.passed_over == 1 ? "" : "s");
+    if (arrivals.known.size() <= most_known)
+        for (const noise_library::KnownRecording& known : arrivals.known)
+            text += fmt::format("\nknown    {}: entry {} has its sound", known.file, known.id);
+    for (const noise_library::RefusedRecording& refused : arrivals.refused)
+        text += "\nrefused  " + refused.reason;
+    return text;
 }
 
 std::string entry_page(const noise_library::Library& library, const Entry& entry) {

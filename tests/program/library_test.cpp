@@ -106,7 +106,6 @@ TEST_F(LibraryProgram, RefusesWhatItDoesNotKnow) {
     write_text(folder_ / "empty.wav", wav(1, 0));
     expect_refused(with_file({"library", "list"}), 5, {"there is no library", "library add"});
     expect_done(with_file({"library", "add", "a.wav"}));
-    expect_refused(with_file({"library", "add", "a.wav"}), 2, {"entry 1", "--again"});
     expect_refused(with_file({"library", "add", "text.wav"}), 2, {"text.wav"});
     expect_refused(with_file({"library", "add", "empty.wav"}), 2, {"empty.wav"});
     expect_refused(with_file({"library", "add", "nowhere.wav"}), 5, {"nowhere.wav"});
@@ -121,6 +120,92 @@ TEST_F(LibraryProgram, RefusesWhatItDoesNotKnow) {
     expect_refused(with_file({"rig", "sensitivity"}), 2, {"no records over preload"});
     expect_refused({"library", "list", "--library", "a.wav"}, 2, {"no library"});
     EXPECT_EQ(broken_promise(), "");
+}
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_F(LibraryProgram, AddsAFolderPastWhatIsKnownAndWhatIsBroken) {
+    std::filesystem::create_directories(folder_ / "runs/monday/lab.audio");
+    write_text(folder_ / "runs/first.wav", wav(1));
+    write_text(folder_ / "runs/monday/again.WAV", wav(1));
+    write_text(folder_ / "runs/monday/second.wav", wav(2));
+    write_text(folder_ / "runs/monday/second.wav.json", R"({"schema": "stridor.sidecar/1"})");
+    write_text(folder_ / "runs/monday/lab.audio/third.wav", wav(3));  // a library's own folder, but of another one
+    write_text(folder_ / "runs/monday/notes.md", "loud");
+    write_text(folder_ / "runs/._first.wav", "what another system leaves beside a file");
+    write_text(folder_ / "runs/text.wav", "RIFF no sound");
+    write_text(folder_ / "runs/void.flac", "");
+    std::filesystem::create_symlink("..", folder_ / "runs/monday/up");
+    const std::vector<std::string> add =
+        with_file({"library", "add", "runs", "runs/monday/second.wav.json", "--system", "seal"});
+    const Finished first = stridor(add);
+    EXPECT_EQ(first.exit_code, 2);
+    EXPECT_EQ(std::count(first.out.begin(), first.out.end(), '\n'), 3) << first.out;
+    EXPECT_TRUE(has(first.err, "added 3, known 1, refused 2; passed over 1 that")) << first.err;
+    EXPECT_TRUE(has(first.err, "known    runs/monday/again.WAV: entry 1 ")) << first.err;
+    EXPECT_TRUE(has(first.err, "refused  runs/text.wav: ")) << first.err;
+    EXPECT_TRUE(has(first.err, "refused  runs/void.flac: the file is empty")) << first.err;
+    EXPECT_TRUE(has(first.err, "refused 2 of 6 recordings")) << first.err;
+
+    std::vector<std::string> as_json = add;
+    as_json.emplace_back("--json");
+    const Finished second = stridor(as_json);
+    EXPECT_EQ(second.exit_code, 2);
+    const auto summary = json_of(second.out)["summary"];
+    EXPECT_EQ(summary["added"].size(), 0U);
+    EXPECT_EQ(summary["known"].size(), 4U);
+    EXPECT_EQ(summary["known"][0]["id"], 1);
+    EXPECT_EQ(summary["refused"][1]["file"], "runs/void.flac");
+    EXPECT_EQ(summary["passed_over"], 1);
+    EXPECT_EQ(summary["left"], 0);
+    EXPECT_EQ(broken_promise(), "");
+}
+
+TEST_F(LibraryProgram, LeavesOutItsOwnAudioAndAddsNothingTwice) {
+    write_text(folder_ / "a.wav", wav(1));
+    expect_done(with_file({"library", "add", "."}));
+    const Finished again = stridor(with_file({"library", "add", "."}));
+    EXPECT_EQ(again.exit_code, 0);
+    EXPECT_TRUE(has(again.err, "added 0, known 1, refused 0")) << again.err;
+    // a file by itself, too
+    const Finished alone = stridor(with_file({"library", "add", "a.wav"}));
+    EXPECT_EQ(alone.exit_code, 0);
+    EXPECT_TRUE(has(alone.err, "known    a.wav: entry 1 ")) << alone.err;
+    EXPECT_EQ(alone.out, "");
+    expect_done(with_file({"library", "add", "a.wav", "--again"}));
+    EXPECT_EQ(Library(folder_ / "library.sqlite").size(), 2);
+}
+
+TEST_F(LibraryProgram, StopsBetweenFilesAndGoesOnFromThere) {
+    constexpr int files = 100;
+    std::filesystem::create_directory(folder_ / "runs");
+    for (int k = 0; k < files; ++k)
+        write_text(folder_ / ("runs/" + std::to_string(100 + k) + ".wav"), wav(static_cast<std::uint64_t>(k), 50000));
+    const std::vector<std::string> add = with_file({"library", "add", "runs", "--json"});
+    Process process(Launch{add, folder_.path(), {}, std::nullopt, {}});
+    while (!std::filesystem::exists(folder_ / "library.audio") && process.is_running())
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    process.send(SIGINT);
+    const Finished stopped = process.wait();
+    EXPECT_EQ(stopped.exit_code, 4) << stopped.err;
+    EXPECT_TRUE(has(stopped.err, "The same command again goes on")) << stopped.err;
+    const auto first = json_of(stopped.out)["summary"];
+    EXPECT_EQ(broken_promise(), "");
+    EXPECT_EQ(Library(folder_ / "library.sqlite").size(), static_cast<std::int64_t>(first["added"].size()));
+    EXPECT_EQ(first["added"].size() + first["left"].get<std::size_t>(), static_cast<std::size_t>(files));
+    EXPECT_GT(first["left"].get<int>(), 0);
+
+    const Finished rest = stridor(add);
+    EXPECT_EQ(rest.exit_code, 0) << rest.err;
+    const auto second = json_of(rest.out)["summary"];
+    EXPECT_EQ(second["known"].size(), first["added"].size());
+    EXPECT_EQ(second["added"].size(), first["left"].get<std::size_t>());
 }
 
 TEST_F(LibraryProgram, DrawsAndPrintsASensitivity) {
@@ -294,6 +379,23 @@ TEST_F(KilledLibrary, HasEveryEntryThatAddSaidAndNothingHalf) {
     }
     EXPECT_GT(kills_, kills / 3) << "most kills came too late";
     expect_done(with_file({"library", "add", "s0.wav", "--again"}));
+}
+
+TEST_F(KilledLibrary, GoesOnWithAFolderWhereItWasKilled) {
+    std::filesystem::create_directory(folder_ / "runs");
+    for (int k = 0; k < 4; ++k)
+        std::filesystem::copy(folder_ / ("s" + std::to_string(k) + ".wav"), folder_ / "runs");
+    for (int k = 0; k < kills; ++k) {
+        const std::size_t before = std::filesystem::exists(folder_ / "library.sqlite") ? entries() : 0;
+        const Finished finished = killed(with_file({"library", "add", "runs"}));
+        ASSERT_EQ(broken_promise(), "") << "kill " << k;
+        ASSERT_GE(entries(), before + said(finished));
+        ASSERT_LE(entries(), 4U);
+        if (entries() == 4) remove_entries();
+    }
+    EXPECT_GT(kills_, kills / 3) << "most kills came too late";
+    expect_done(with_file({"library", "add", "runs"}));
+    EXPECT_EQ(entries(), 4U);
 }
 
 TEST_F(KilledLibrary, HasAllOfAnImportOrNothing) {

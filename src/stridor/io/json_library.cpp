@@ -87,22 +87,43 @@ std::string LibraryJson::entry(const Entry& entry) {
     return (std::exchange(is_first_, false) ? "\n    " : ",\n    ") + moved(json_parts::text_of(object), 4);
 }
 
-std::string LibraryJson::closing() const {
+std::string LibraryJson::closing(std::string_view more) const {
     Json units = Json::object();
     for (const noise_library::Field& field : noise_library::fields())
         if (const std::string_view unit = noise_library::unit_of(field); !unit.empty())
             units[std::string(field.name)] = unit;
     for (const auto& [name, unit] : units_)
         units[name] = unit;
-    return std::string(is_first_ ? "]" : "\n  ]") + ",\n  \"units\": " + moved(json_parts::text_of(units), 2) + "\n}";
+    return std::string(is_first_ ? "]" : "\n  ]") + ",\n  \"units\": " + moved(json_parts::text_of(units), 2) +
+           std::string(more) + "\n}";
 }
 
-std::string library_json(const std::filesystem::path& library, std::span<const Entry> entries) {
+namespace {
+
+std::string document_of(const std::filesystem::path& library, std::span<const Entry> entries, std::string_view more) {
     LibraryJson document;
     std::string text = document.opening(library);
     for (const Entry& entry : entries)
         text += document.entry(entry);
-    return text + document.closing();
+    return text + document.closing(more);
+}
+
+}  // namespace
+
+std::string library_json(const std::filesystem::path& library, std::span<const Entry> entries) {
+    return document_of(library, entries, "");
+}
+
+std::string arrivals_json(const std::filesystem::path& library, std::span<const Entry> entries,
+                          const noise_library::Arrivals& arrivals) {
+    Json summary{{"added", arrivals.added}, {"passed_over", arrivals.passed_over}, {"left", arrivals.left}};
+    summary["known"] = Json::array();
+    for (const noise_library::KnownRecording& known : arrivals.known)
+        summary["known"].push_back({{"file", known.file}, {"id", known.id}});
+    summary["refused"] = Json::array();
+    for (const noise_library::RefusedRecording& refused : arrivals.refused)
+        summary["refused"].push_back({{"file", refused.file}, {"reason", refused.reason}});
+    return document_of(library, entries, ",\n  \"summary\": " + moved(json_parts::text_of(summary), 2));
 }
 
 std::string sensitivity_json(const std::filesystem::path& library, const Sensitivity& sensitivity) {

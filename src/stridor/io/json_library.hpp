@@ -1,12 +1,14 @@
 #pragma once
 
 #include "stridor/noise_library/entry.hpp"
+#include "stridor/noise_library/recording.hpp"
 #include "stridor/noise_library/sensitivity.hpp"
 
 #include <filesystem>
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 
 /// JSON documents of the noise library.
 namespace stridor::io {
@@ -20,12 +22,17 @@ class LibraryJson {
 public:
     std::string opening(const std::filesystem::path& library);
     std::string entry(const noise_library::Entry& entry);
-    std::string closing() const;
+    /// `more` are further members, with the comma before them.
+    std::string closing(std::string_view more = "") const;
 
 private:
     std::map<std::string, std::string> units_{};  // of figures
     bool is_first_ = true;
 };
+
+/// The same of entries that were just added, with a `summary` of what became of all files.
+std::string arrivals_json(const std::filesystem::path& library, std::span<const noise_library::Entry> entries,
+                          const noise_library::Arrivals& arrivals);
 
 /// "stridor.sensitivity/1": records, bins, ranges of the categories and rank correlations.
 std::string sensitivity_json(const std::filesystem::path& library, const noise_library::Sensitivity& sensitivity);

@@ -5,6 +5,7 @@
 #include "stridor/io/atomic_file.hpp"
 #include "stridor/io/audio.hpp"
 #include "stridor/io/compressed_audio.hpp"
+#include "stridor/io/recording_files.hpp"
 #include "stridor/io/refusal.hpp"
 #include "stridor/io/sidecar.hpp"
 #include "stridor/io/signal_csv.hpp"
@@ -29,12 +30,6 @@ bool is_text(std::string_view beginning) {
         const auto byte = static_cast<unsigned char>(c);
         return byte < 32 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != '\v';
     });
-}
-
-bool has_sound_name(const std::string& name) {
-    constexpr std::array endings{".wav", ".flac", ".ogg",  ".aif", ".aiff", ".w64", ".rf64", ".caf",
-                                 ".au",  ".mp3",  ".opus", ".m4a", ".aac",  ".3gp", ".amr",  ".webm"};
-    return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
 }
 
 /// A format of measurements that is known by its mark and not read.

@@ -172,13 +172,19 @@ void Library::refuse_id(std::int64_t id) {
                  "`stridor library list` shows what there is."});
 }
 
+std::optional<std::int64_t> Library::entry_with(std::string_view audio) {
+    return first_entry("SELECT id FROM entry WHERE audio = ? ORDER BY id", audio);
+}
+
 std::optional<std::int64_t> Library::twin_of(const Entry& entry, Twins twins) {
     if (twins == Twins::accept) return std::nullopt;
-    const bool by_audio = twins == Twins::refuse_same_audio;
-    const std::string sought = by_audio ? entry.audio : digest(entry);
-    Statement query = database_.prepare(by_audio ? "SELECT id FROM entry WHERE audio = ? ORDER BY id"
-                                                 : "SELECT id FROM entry WHERE digest = ? ORDER BY id");
-    query.bind(1, std::string_view(sought));
+    if (twins == Twins::refuse_same_audio) return entry_with(entry.audio);
+    return first_entry("SELECT id FROM entry WHERE digest = ? ORDER BY id", digest(entry));
+}
+
+std::optional<std::int64_t> Library::first_entry(const std::string& sql, std::string_view sought) {
+    Statement query = database_.prepare(sql);
+    query.bind(1, sought);
     return query.step() ? std::optional(query.integer(0)) : std::nullopt;
 }
 

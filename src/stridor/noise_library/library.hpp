@@ -60,6 +60,9 @@ public:
     /// Entries by their ids, in this order, whole. Throws `Error` (input) for an id that is not there.
     std::vector<Entry> get(std::span<const std::int64_t> ids);
 
+    /// The first entry that has this audio (SHA-256); nothing if none has.
+    std::optional<std::int64_t> entry_with(std::string_view audio);
+
     /// Number of entries.
     std::int64_t size();
 
@@ -93,6 +96,7 @@ private:
     std::vector<Entry> read(std::span<const std::int64_t> ids);
     bool is_used(const AudioName& name);
     [[noreturn]] void refuse_id(std::int64_t id);
+    std::optional<std::int64_t> first_entry(const std::string& sql, std::string_view sought);
     std::optional<std::int64_t> twin_of(const Entry& entry, Twins twins);
 
     storage::Database database_;

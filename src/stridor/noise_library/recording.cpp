@@ -1,6 +1,7 @@
 #include "stridor/noise_library/recording.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/sha256.hpp"
 
 #include <sys/stat.h>
 
@@ -44,12 +45,21 @@ Entry add_recording(Library& library, const Recording& recording, const Probe& p
     FilePieces pieces(recording.file);
     staged.push_back(intake.stage(format_of(recording.file), [&] { return pieces(); }));
     if (state_of(recording.file) != before)
-        throw Error(ErrorKind::io, {recording.file.string() + " changed while it was added",
-                                    "it is still being written", "Add it once its recording has ended."});
+        throw Error(ErrorKind::input, {recording.file.string() + " changed while it was added",
+                                       "it is still being written", "Add it once its recording has ended."});
     entry.audio = staged.front().name.hash;
     entry.format = staged.front().name.format;
     entry.id = library.add(intake, staged, std::span(&entry, 1), recording.twins).front();
     return entry;
+}
+
+std::string audio_hash(const std::filesystem::path& file) {
+    static_cast<void>(state_of(file));  // a pipe would keep its reader for ever
+    base::Sha256 hash;
+    FilePieces pieces(file);
+    for (std::string_view piece = pieces(); !piece.empty(); piece = pieces())
+        hash.add(piece);
+    return hash.text();
 }
 
 }  // namespace stridor::noise_library

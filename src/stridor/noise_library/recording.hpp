@@ -2,8 +2,12 @@
 
 #include "stridor/noise_library/library.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace stridor::noise_library {
 
@@ -20,8 +24,33 @@ struct Recording {
 
 /// Adds a recording and gives its entry as the library has it.
 ///
-/// Throws `Error`: input for what is no sound, or is there already; io where the file cannot be read, changes meanwhile,
-/// or the library has no room.
+/// Throws `Error`: input for what is no sound, is there already, or changes meanwhile; io where the file cannot be read
+/// or the library has no room; and what the probe throws.
 Entry add_recording(Library& library, const Recording& recording, const Probe& probe);
+
+/// What a library calls the sound of this file: the SHA-256 of its bytes. Throws `Error`: input for what is no file, io
+/// where it cannot be read.
+std::string audio_hash(const std::filesystem::path& file);
+
+/// A recording that is in the library already.
+struct KnownRecording {
+    std::string file;
+    std::int64_t id = 0;  // of the entry that has its sound
+};
+
+/// A recording that is not taken, and why.
+struct RefusedRecording {
+    std::string file;
+    std::string reason;  // a line
+};
+
+/// What became of many recordings that were added one after the other.
+struct Arrivals {
+    std::vector<std::int64_t> added{};        // ids, in the order of the files
+    std::vector<KnownRecording> known{};      // skipped
+    std::vector<RefusedRecording> refused{};  // skipped
+    std::size_t passed_over = 0;              // [1] files that are no recordings by their names
+    std::size_t left = 0;                     // [1] files that were not looked at before a stop was asked for
+};
 
 }  // namespace stridor::noise_library
