@@ -65,12 +65,13 @@ _stridor() {
     fi
     if [[ ${COMP_WORDS[1]} == library ]]; then
         if ((COMP_CWORD == 2)); then
-            COMPREPLY=($(compgen -W "add judge list show edit remove export import check fields words --help" -- "$word"))
+            COMPREPLY=($(compgen -W "add judge starter list show edit remove export import check fields words --help" -- "$word"))
             return
         fi
         case ${COMP_WORDS[2]} in
             add) options="--help --library --system --parts --materials --operation --recorded --denomination --preload --velocity --velocity-profile --temperature --humidity --sensor --calibration --date --author --licence --notes --case --figure --channel --full-scale --no-verdict --again --json" ;;
             judge) options="--help --library --where --search --channel --full-scale --all --json" ;;
+            starter) options="--help --library --json" ;;
             list) options="--help --library --where --search --sort --columns --limit --json --csv" ;;
             show) options="--help --library --json --field --audio" ;;
             edit) options="--help --library --system --parts --materials --operation --recorded --denomination --preload --velocity --velocity-profile --temperature --humidity --sensor --calibration --date --author --licence --notes --case --figure" ;;

@@ -297,6 +297,7 @@ void add_library(CLI::App& program) {
     library->require_subcommand(1);
     add_library_add(*library);
     add_library_judge(*library);
+    add_library_starter(*library);
     add_list(*library);
     add_show(*library);
     add_edit(*library);
@@ -307,7 +308,8 @@ void add_library(CLI::App& program) {
     add_fields(*library);
     add_words(*library);
     library->footer(
-        "Examples:\n  stridor library add squeal.wav --system brake --recorded vehicle --preload \"40 N\"\n"
+        "Examples:\n  stridor library starter\n  stridor library add squeal.wav --system brake --recorded vehicle "
+        "--preload \"40 N\"\n"
         "  stridor library list --where \"preload > 10 N\"\n  stridor rig sensitivity --over preload");
 }
 

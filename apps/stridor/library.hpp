@@ -72,6 +72,7 @@ std::string summary_text(const noise_library::Arrivals& arrivals);
 /// The subcommands that put entries in and out.
 void add_library_add(CLI::App& library);
 void add_library_judge(CLI::App& library);
+void add_library_starter(CLI::App& library);
 void add_library_export(CLI::App& library);
 void add_library_import(CLI::App& library);
 void add_library_check(CLI::App& library);

@@ -165,13 +165,6 @@ bool is_simulated(const Metadata& metadata) {
     return value_of(metadata, "origin") == "simulation" || value_of(metadata, "schema") == "stridor.trace/1";
 }
 
-double peak_velocity(const parameters::Drive& drive) {
-    if (drive.kind == parameters::DriveKind::constant) return std::abs(drive.velocity);
-    if (drive.kind == parameters::DriveKind::sinusoidal)
-        return 2.0 * 3.14159265358979323846 * drive.frequency * drive.amplitude;
-    return noise_library::unknown;
-}
-
 // a trace tells each key of its case as a line
 std::string case_of_trace(const Metadata& metadata) {
     io::TomlSource source{"", "the trace", {}};
@@ -198,12 +191,8 @@ void take_case(Entry& entry) {
     }
     Filler filler(entry);
     filler.take("preload", c.contact.preload);
-    // to six digits: 2 pi f a has no short decimal text
-    if (const double velocity = peak_velocity(c.drive); std::isfinite(velocity))
-        filler.take("velocity", base::parse_quantity(fmt::format("{:.6g}", velocity), "1"));
-    if (c.drive.kind == parameters::DriveKind::sinusoidal)
-        filler.take("velocity_profile", fmt::format("sinusoidal {:g} Hz", c.drive.frequency));
-    if (c.drive.kind == parameters::DriveKind::constant) filler.take("velocity_profile", "constant");
+    filler.take("velocity", peak_velocity(c.drive));
+    filler.take("velocity_profile", profile_of(c.drive));
     filler.say_what(entry.file + " is a simulation; its case");
 }
 
@@ -216,6 +205,20 @@ void expect_simulation(Entry& entry) {
 }
 
 }  // namespace
+
+double peak_velocity(const parameters::Drive& drive) {
+    constexpr double two_pi = 6.28318530717958647692;
+    const bool is_constant = drive.kind == parameters::DriveKind::constant;
+    if (!is_constant && drive.kind != parameters::DriveKind::sinusoidal) return noise_library::unknown;
+    const double velocity = is_constant ? std::abs(drive.velocity) : two_pi * drive.frequency * drive.amplitude;
+    return base::parse_quantity(fmt::format("{:.6g}", velocity), "1");
+}
+
+std::string profile_of(const parameters::Drive& drive) {
+    if (drive.kind == parameters::DriveKind::constant) return "constant";
+    if (drive.kind == parameters::DriveKind::sinusoidal) return fmt::format("sinusoidal {:g} Hz", drive.frequency);
+    return "";
+}
 
 void take_facts(const io::SignalFacts& facts, Entry& entry) {
     const bool is_simulation = is_simulated(facts.metadata);

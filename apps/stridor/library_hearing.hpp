@@ -3,6 +3,7 @@
 #include "stridor/io/open_signal.hpp"
 #include "stridor/noise_library/library.hpp"
 #include "stridor/noise_library/recording.hpp"
+#include "stridor/parameters/case.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -27,6 +28,12 @@ using Heard = std::function<void(double share)>;
 /// What an entry's calibration says the number 1 of its file stands for, of every channel or of each; nothing if that is no
 /// calibration a program reads.
 std::vector<io::FullScale> full_scales_in(const std::string& calibration);
+
+/// The greatest velocity of a drive [m/s] to six digits, for 2 pi f A has no short text; unknown of a sampled one.
+double peak_velocity(const parameters::Drive& drive);
+
+/// "constant", "sinusoidal 5 Hz"; empty for a sampled drive.
+std::string profile_of(const parameters::Drive& drive);
 
 /// Puts what the file says of itself where the user said nothing, and tells on stderr what and from where.
 ///

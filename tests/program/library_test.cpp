@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <map>
 #include <numbers>
 #include <thread>
 
@@ -180,6 +181,34 @@ TEST_F(LibraryProgram, LeavesOutItsOwnAudioAndAddsNothingTwice) {
     EXPECT_EQ(alone.out, "");
     expect_done(with_file({"library", "add", "a.wav", "--again"}));
     EXPECT_EQ(Library(folder_ / "library.sqlite").size(), 2);
+}
+
+TEST_F(LibraryProgram, BeginsWithNoisesOfManySystemsOfEveryCategory) {
+    const auto made = json_of(stridor({"library", "starter", "try.sqlite", "--json"}).out);
+    EXPECT_GE(made["summary"]["added"].size(), 40U);
+    std::map<std::string, int> categories;
+    std::map<double, double> seals;  // [N], [dB]
+    for (const auto& entry : made["entries"]) {
+        ++categories[entry["category"]];
+        EXPECT_EQ(entry["recorded"], "simulation");
+        EXPECT_NE(entry["case"].get<std::string>().find("[contact]"), std::string::npos);
+        if (entry["system"] == "seal") seals[entry["preload"]] = entry["figures"]["level"];
+    }
+    for (const char* category : {"none", "squeal", "squeak", "creak"})
+        EXPECT_GE(categories[category], 5) << category;
+    EXPECT_GT(seals.rbegin()->second, seals.begin()->second + 20.0);
+    EXPECT_EQ(broken_promise("try.sqlite"), "");
+
+    // the same noises again: nothing new, and nothing made
+    const Finished again = stridor({"library", "starter", "--library", "try.sqlite"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(again.out, "");
+    EXPECT_TRUE(has(again.err, "added 0, known " + std::to_string(made["summary"]["added"].size()))) << again.err;
+    // the samples do not depend on the machine
+    const std::string audio = stridor({"library", "show", "1", "--audio", "--library", "try.sqlite"}).out;
+    const std::string wave = read_text(folder_ / audio.substr(0, audio.size() - 1));
+    EXPECT_EQ(stridor::base::sha256_text(wave.substr(wave.find("data"))),
+              "03f434a4adc2c6f5de3089f38b4b8f868dcbceed071b921e16622a781306d927");
 }
 
 TEST_F(LibraryProgram, StopsBetweenFilesAndGoesOnFromThere) {

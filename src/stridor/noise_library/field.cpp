@@ -17,9 +17,10 @@ namespace stridor::noise_library {
 namespace {
 
 // the systems of the paper's database, and others from the practice of squeak and rattle
-constexpr std::array<std::string_view, 16> systems{
-    "brake",  "wiper", "sunroof",     "seat",          "dashboard",  "door hinge",      "latch",          "seal",
-    "clutch", "belt",  "window lift", "steering gear", "suspension", "convertible top", "center console", "trim"};
+constexpr std::array<std::string_view, 22> systems{
+    "brake",   "wiper",      "sunroof",     "seat",          "dashboard",  "door hinge",      "latch",          "seal",
+    "clutch",  "belt",       "window lift", "steering gear", "suspension", "convertible top", "center console", "trim",
+    "armrest", "cup holder", "glove box",   "pedal",         "sun visor",  "trunk lid"};
 constexpr std::array<std::string_view, 3> places{"vehicle", "rig", "simulation"};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
