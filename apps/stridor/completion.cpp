@@ -22,7 +22,7 @@ std::vector<std::string> options_of(const CLI::App& command) {
     std::vector<std::string> words;
     for (const CLI::Option* option : command.get_options())
         for (const std::string& name : option->get_lnames())
-            words.push_back("--" + name);
+            if (!option->get_group().empty()) words.push_back("--" + name);  // without a group: another spelling
     return words;
 }
 
@@ -112,7 +112,7 @@ std::string bash_script(const CLI::App& program) {
            "    if ((COMP_CWORD == 1)); then\n"
            "        COMPREPLY=($(compgen -W \"" +
            joined(commands) +
-           " --help --version\" -- \"$word\"))\n"
+           " help --help --version\" -- \"$word\"))\n"
            "        return\n"
            "    fi\n"
            "    if [[ $previous == --set ]]; then\n"

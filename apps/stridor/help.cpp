@@ -31,6 +31,20 @@ std::string constraint_text(std::string_view constraint) {
     return std::string(low) + " to " + std::string(high);
 }
 
+// a line of a table: what is too long of its last column goes on below it
+std::string table_line(const std::string& line, std::size_t columns) {
+    const std::size_t gap = line.rfind("  ");
+    const std::size_t column = gap == std::string::npos ? 0 : gap + 2;
+    if (line.size() <= columns || column < 4) return line;
+    const std::size_t indent = std::min(column, columns / 2);
+    return line.substr(0, column) + base::wrapped(line.substr(column), {columns, column, indent});
+}
+
+// an example is one line, whatever its length: it is there to be copied
+bool is_example(const std::string& line) {
+    return line.find("stridor ") != std::string::npos;
+}
+
 std::string names_of(const std::set<CLI::Option*>& options) {
     std::string names;
     for (const CLI::Option* option : options)
@@ -66,7 +80,10 @@ std::string HelpFormatter::make_footer(const CLI::App* command) const {
     std::string text;
     std::istringstream lines(command->get_footer());
     for (std::string line; std::getline(lines, line);)
-        text += (line.starts_with("  ") ? line : base::wrapped(line, {columns_, 0, 0})) + "\n";
+        text += (is_example(line) && line.starts_with("  ") ? line
+                 : line.starts_with("  ")                   ? table_line(line, columns_)
+                                                            : base::wrapped(line, {columns_, 0, 0})) +
+                "\n";
     return text;
 }
 
@@ -80,7 +97,12 @@ std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positi
     const auto add = [&](const std::string& fact) { sentence += (sentence.empty() ? "" : "; ") + fact; };
     if (option->get_type_size() != 0) {
         const std::string type = option->get_type_name();
-        const std::size_t colon = type.find(':');
+        // "TEXT:{a,b}" and "INT:INT in [0 - 9]", but FROM:TO is a name
+        const std::size_t constraint = type.find_first_of(':');
+        const std::string_view behind =
+            constraint == std::string::npos ? "" : std::string_view(type).substr(constraint + 1);
+        const std::size_t colon =
+            behind.starts_with('{') || behind.find(" in [") != std::string_view::npos ? constraint : std::string::npos;
         if (!is_positional) name += " " + type.substr(0, colon);
         if (option->get_expected_max() >= CLI::detail::expected_max_vector_size) name += " ...";
         if (colon != std::string::npos) add(constraint_text(std::string_view(type).substr(colon + 1)));

@@ -6,9 +6,9 @@
 
 namespace stridor::app {
 
-/// Help that fits the terminal: as wide as COLUMNS or the terminal behind stdout says, 100 columns at most, 80 where neither
-/// does. What an option stands for, its choices and its default are part of its sentence. Lines of a footer that begin with
-/// blanks (examples) stay as they are.
+/// Help that fits the terminal: as wide as COLUMNS or the terminal behind stdout says, 100 columns at most, 80 where
+/// neither does. What an option stands for, its choices and its default are part of its sentence. Lines of a footer
+/// that begin with blanks (examples) stay as they are.
 class HelpFormatter final : public CLI::Formatter {
 public:
     HelpFormatter();

@@ -16,7 +16,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <initializer_list>
 #include <memory>
 
 namespace stridor::app {
@@ -61,6 +64,19 @@ record::Request request_for(const SimulateOptions& options, const parameters::Ca
                      fmt::format("a trace is kept in memory, {:.0f} samples at most", most_samples),
                      "Lengthen --trace-interval, or shorten the time from --trace-from to --trace-to."});
     return request;
+}
+
+// a name without an ending is taken as it is: /dev/stdout, or - for standard output
+void require_ending(const std::string& option, const std::string& file,
+                    std::initializer_list<std::string_view> endings) {
+    const std::string ending = std::filesystem::path(file).extension().string();
+    if (ending.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
+    std::string known;
+    for (const std::string_view each : endings)
+        known += (known.empty() ? "" : " or ") + std::string(each);
+    throw Error(ErrorKind::input,
+                {option + " " + file + " has an ending that says nothing", "the ending chooses the format: " + known,
+                 "Name it " + std::filesystem::path(file).replace_extension(*endings.begin()).string() + "."});
 }
 
 std::string drive_text(const parameters::Case& c) {
@@ -199,6 +215,8 @@ void write_records(const SimulateOptions& options, const parameters::Case& c, co
 }
 
 void simulate(const SimulateOptions& options) {
+    require_ending("--trace", options.trace, {".csv", ".nc"});
+    require_ending("--history", options.history, {".csv"});
     const parameters::Case c = load_case(options.input);
     const record::Request request = request_for(options, c);
     const Interrupt interrupt;

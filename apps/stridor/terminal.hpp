@@ -29,8 +29,8 @@ void say(std::string_view text);
 /// Text without control characters but those of `styled`, with line ends.
 std::string shown(std::string_view text);
 
-/// Of each complaint "file:line:col: error: what (why)", the line with a caret, and "help: ..."; twenty at most. Where stderr
-/// is a terminal they are wrapped at its width.
+/// Of each complaint "file:line:col: error: what (why)", the line with a caret, and "help: ..."; twenty at most. Where
+/// stderr is a terminal they are wrapped at its width.
 void say_error(const Error& error);
 
 /// "file:line:col: warning: what (why)".
@@ -39,8 +39,8 @@ void say_warning(const base::Complaint& warning);
 /// Is stderr a terminal a person looks at?
 bool has_terminal();
 
-/// Columns of the terminal behind a file descriptor, stderr by default: as COLUMNS says, else as the terminal does; 80 where
-/// neither does.
+/// Columns of the terminal behind a file descriptor, stderr by default: as COLUMNS says, else as the terminal does; 80
+/// where neither does.
 int terminal_columns(int file_descriptor = 2);
 
 enum class Style { plain, bold, dim, red };

@@ -29,8 +29,8 @@ public:
         }
     }
 
-    /// Throws all of it as one `Error` (input), if there is any: first what has a line in the file, from top to bottom, then
-    /// what is about the whole file, then overrides.
+    /// Throws all of it as one `Error` (input), if there is any: first what has a line in the file, from top to bottom,
+    /// then what is about the whole file, then overrides.
     void throw_any() const;
 
 private:

@@ -20,10 +20,10 @@ using SamplesReader = std::function<SampledMotion(const std::string& path)>;
 /// Everything in [joint], [plate], [contact] and [drive] that belongs to the case must be there, except contact.impact; the
 /// rest has defaults. Overrides win; a key of the file that an override made meaningless (drive.amplitude after
 /// `--set drive.kind=constant`) is left out, and so is one that a change of the kind in the file left behind
-/// (`case_warnings`). A section [chart] is not looked at. A sampled drive's CSV is looked for beside the file (given by an
-/// override: in the current folder).
-/// Throws `Error` (input) with all that is wrong, each with file, line, column and source line, for anything else than a
-/// case that can be simulated.
+/// (`case_warnings`). A section [chart] is not looked at. A sampled drive's CSV is looked for beside the file (given by
+/// an override: in the current folder).
+/// Throws `Error` (input) with all that is wrong, each with file, line, column and source line, for anything else than
+/// a case that can be simulated.
 parameters::Case read_case(const TomlSource& source);
 
 /// The same of a document that is parsed already.
@@ -36,8 +36,8 @@ parameters::Case read_case(const std::string& path, std::vector<std::string> ove
 /// chart, whose axes replace two of them.
 parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples);
 
-/// What reading a case leaves out and its user should know: keys that mean nothing for the kinds the file chooses, and have
-/// a value that `stridor init` writes (with any other they are errors).
+/// What reading a case leaves out and its user should know: keys that mean nothing for the kinds the file chooses, and
+/// have a value that `stridor init` writes (with any other they are errors).
 std::vector<base::Complaint> case_warnings(const TomlDocument& document);
 
 /// Puts the value of one entry into a case. Throws `Error` (input) with the entry's place.

@@ -15,14 +15,14 @@ namespace stridor::io {
 /// misspelt: nobody needs to hear that they are missing.
 std::vector<std::string> check_known(const TomlDocument& document, Complaints& complaints);
 
-/// Complains of what must be there for this case and is not, apart from keys that are there and could not be read. Returns
-/// what is missing.
+/// Complains of what must be there for this case and is not, apart from keys that are there and could not be read.
+/// Returns what is missing.
 std::vector<std::string> check_complete(const parameters::Case& c, const TomlDocument& document,
                                         const std::vector<std::string>& unread, Complaints& complaints);
 
-/// Does a key stand in the file for nothing, and without harm? It means nothing for the kinds that the file itself chooses
-/// (`of_file`), and its value is the default or the one that a case to start from has: who changes a kind by hand leaves
-/// such keys behind.
+/// Does a key stand in the file for nothing, and without harm? It means nothing for the kinds that the file itself
+/// chooses (`of_file`), and its value is the default or the one that a case to start from has: who changes a kind by
+/// hand leaves such keys behind.
 bool is_idle(const parameters::Case& of_file, const parameters::Field& field, const TomlEntry& entry);
 
 /// Complains of keys that mean nothing for this case and are not idle. A key of the file is held against the file's own

@@ -79,5 +79,23 @@ TEST(Trimmed, DropsBlanksAtBothEndsOnly) {
     EXPECT_EQ(trimmed(""), "");
 }
 
+TEST(Wrapped, BreaksAtBlanksOnly) {
+    EXPECT_EQ(wrapped("one two three", {.columns = 8}), "one two\nthree");
+    EXPECT_EQ(wrapped("one two three", {.columns = 7}), "one two\nthree");
+    EXPECT_EQ(wrapped("one two three", {.columns = 6}), "one\ntwo\nthree");
+    EXPECT_EQ(wrapped("contact.kinetic_friction is long", {.columns = 10}), "contact.kinetic_friction\nis long");
+    EXPECT_EQ(wrapped("", {.columns = 10}), "");
+}
+
+TEST(Wrapped, BeginsAndIndentsWhereItIsTold) {
+    EXPECT_EQ(wrapped("one two three", {.columns = 12, .first = 6, .indent = 2}), "one\n  two three");
+    EXPECT_EQ(wrapped("one\ntwo", {.columns = 80, .first = 0, .indent = 2}), "one\n  two");
+}
+
+TEST(Wrapped, CountsCharactersAndNotBytes) {
+    EXPECT_EQ(character_count("20 °C µm"), 8U);
+    EXPECT_EQ(wrapped("°°°° °°°°", {.columns = 9}), "°°°° °°°°");
+}
+
 }  // namespace
 }  // namespace stridor::base

@@ -1,0 +1,175 @@
+// The program as a new user meets it: its help, its names, and what it answers to slips of the keyboard.
+
+#include "support/process.hpp"
+#include "support/scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+using stridor::support::Finished;
+using stridor::support::Launch;
+using stridor::support::read_text;
+using stridor::support::run;
+using stridor::support::ScratchFolder;
+using stridor::support::write_text;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+// the names below "Subcommands:" in a help
+std::vector<std::string> commands_in(const std::string& help) {
+    std::vector<std::string> names;
+    std::istringstream lines(help);
+    bool is_list = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (is_list && line.empty()) break;
+        if (is_list && line.starts_with("  ") && line[2] != ' ') names.push_back(line.substr(2, line.find(' ', 2) - 2));
+        if (line == "Subcommands:") is_list = true;
+    }
+    return names;
+}
+
+// every command with its subcommands: {"init"}, {"library", "add"}
+std::vector<std::vector<std::string>> all_commands() {
+    std::vector<std::vector<std::string>> commands;
+    for (const std::string& name : commands_in(run({"--help"}).out)) {
+        const std::vector<std::string> inner = commands_in(run({name, "--help"}).out);
+        if (inner.empty()) commands.push_back({name});
+        for (const std::string& each : inner)
+            commands.push_back({name, each});
+    }
+    return commands;
+}
+
+std::string words(const std::vector<std::string>& command) {
+    return command.size() == 1 ? "stridor " + command[0] : command[0] + " " + command[1];
+}
+
+std::string without_backslashes(std::string text) {
+    std::erase(text, '\\');
+    return text;
+}
+
+void expect_answer(const std::vector<std::string>& arguments, const std::string& answer) {
+    const Finished finished = run(arguments);
+    EXPECT_EQ(finished.exit_code, 2) << finished.err;
+    EXPECT_EQ(finished.out, "");
+    EXPECT_TRUE(contains(finished.err, answer)) << "\"" << answer << "\" is not in:\n" << finished.err;
+}
+
+std::size_t longest_prose_line(const std::string& help) {
+    std::size_t longest = 0;
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line);)
+        if (!line.starts_with("  stridor ")) longest = std::max(longest, line.size());
+    return longest;
+}
+
+}  // namespace
+
+TEST(Usage, ThereAreCommandsAndSubcommands) {
+    const auto commands = all_commands();
+    EXPECT_GT(commands.size(), 25U);
+    EXPECT_NE(std::find(commands.begin(), commands.end(), std::vector<std::string>{"library", "judge"}),
+              commands.end());
+}
+
+TEST(Usage, ManualGuideAndCompletionNameEveryCommand) {
+    const std::string manual = without_backslashes(read_text(STRIDOR_SOURCE_DIR "/man/stridor.1"));
+    const std::string guide = read_text(STRIDOR_SOURCE_DIR "/docs/guide/commands.md");
+    const std::string completion = run({"completion", "bash"}).out;
+    for (const std::vector<std::string>& command : all_commands()) {
+        EXPECT_TRUE(contains(manual, words(command))) << "man/stridor.1 lacks " << words(command);
+        EXPECT_TRUE(contains(guide, words(command))) << "docs/guide/commands.md lacks " << words(command);
+        EXPECT_TRUE(contains(completion, command.back())) << "the completion lacks " << words(command);
+    }
+}
+
+TEST(Usage, HelpOfEveryCommandFitsItsColumns) {
+    for (const std::vector<std::string>& command : all_commands()) {
+        std::vector<std::string> arguments = command;
+        arguments.emplace_back("--help");
+        const Finished finished = run(arguments);
+        EXPECT_EQ(finished.exit_code, 0) << words(command);
+        EXPECT_LE(longest_prose_line(finished.out), 80U) << finished.out;
+    }
+}
+
+TEST(Usage, AMisspeltCommandOrOptionIsAnsweredWithTheOneThatWasMeant) {
+    expect_answer({"simualte", "x.toml"}, "Did you mean simulate?");
+    expect_answer({"library", "lst"}, "Did you mean list?");
+    expect_answer({"figure", "papr"}, "Did you mean paper?");
+    expect_answer({"rig", "frictoin"}, "Did you mean friction?");
+    expect_answer({"stability", "x.toml", "--ovr", "mu_d=0:1"}, "Did you mean --over?");
+    expect_answer({"library"}, "`stridor library` needs a command");
+    expect_answer({"unheard"}, "`stridor --help` lists the commands");
+    expect_answer({"check", "a.toml", "b.toml"}, "takes no \"b.toml\"");
+}
+
+TEST(Usage, HelpAndVersionAreWhatOthersHave) {
+    EXPECT_EQ(run({"help"}).out, run({"--help"}).out);
+    EXPECT_EQ(run({"help", "simulate"}).out, run({"simulate", "--help"}).out);
+    EXPECT_EQ(run({"help", "library", "add"}).out, run({"library", "add", "--help"}).out);
+    EXPECT_EQ(run({"-v"}).out, run({"--version"}).out);
+    EXPECT_TRUE(run({"-v"}).out.starts_with("stridor "));
+}
+
+TEST(Usage, NumbersOutOfRangeAreAnsweredWithTheirRange) {
+    expect_answer({"explore", "--port", "80000"}, "0 to 65535");
+    expect_answer({"convert", "x.csv", "--dataset", "0"}, "1 to 1000000");
+}
+
+TEST(Usage, AKeyMayBeShortAndIsShownInFull) {
+    const ScratchFolder folder;
+    write_text(folder / "squeal.toml", run({"init", "squeal"}).out);
+    const auto over = [&](const char* key) {
+        return run({"stability", "squeal.toml", "--over", std::string(key) + "=0:0.8:3"}, folder.path()).out;
+    };
+    EXPECT_TRUE(contains(over("mu_d"), "contact.kinetic_friction"));
+    EXPECT_EQ(over("mu_d"), over("contact.kinetic_friction"));
+    EXPECT_EQ(over("kinetic_friction"), over("contact.kinetic_friction"));
+    const Finished refused = run({"check", "squeal.toml", "--set", "mu_d=much"}, folder.path());
+    EXPECT_TRUE(refused.err.starts_with("stridor: error: contact.kinetic_friction = \"much\" is not a number"))
+        << refused.err;
+    EXPECT_TRUE(contains(refused.err, "    --set mu_d=much\n")) << refused.err;
+    const Finished reversed = run({"stability", "squeal.toml", "--over", "mu_d=0.8:0"}, folder.path());
+    EXPECT_TRUE(contains(reversed.err, "Swap the ends?")) << reversed.err;
+}
+
+TEST(Usage, OutputIsNamedAlikeEverywhere) {
+    const ScratchFolder folder;
+    EXPECT_EQ(run({"init", "squeal", "--out", "a.toml"}, folder.path()).exit_code, 0);
+    EXPECT_EQ(run({"init", "squeal", "-o", "b.toml"}, folder.path()).exit_code, 0);
+    EXPECT_EQ(read_text(folder / "a.toml"), read_text(folder / "b.toml"));
+    EXPECT_EQ(run({"listen", "a.toml", "--seconds", "0.1", "-o", "a.wav"}, folder.path()).exit_code, 0);
+    EXPECT_EQ(run({"listen", "a.toml", "--seconds", "0.1", "--out", "b.wav"}, folder.path()).exit_code, 0);
+    EXPECT_EQ(read_text(folder / "a.wav"), read_text(folder / "b.wav"));
+}
+
+TEST(Usage, ChannelsHaveNamesAndNumbers) {
+    const ScratchFolder folder;
+    write_text(folder / "two.csv", "time,left,right\ns,Pa,Pa\n0,1,2\n0.001,3,4\n0.002,5,6\n0.003,7,8\n");
+    const auto channel = [&](const char* name) {
+        return run({"convert", "two.csv", "--channel", name, "--json"}, folder.path());
+    };
+    EXPECT_EQ(channel("right").exit_code, 0) << channel("right").err;
+    EXPECT_EQ(channel("right").out, channel("2").out);
+    EXPECT_TRUE(contains(channel("middle").err, "the recording has 1 \"left\" [Pa], 2 \"right\" [Pa]"));
+    EXPECT_EQ(channel("-1").exit_code, 2);
+    EXPECT_LT(channel("0").err.size(), 200U) << channel("0").err;
+}
+
+TEST(Usage, ATraceHasAnEndingThatSaysItsFormat) {
+    const ScratchFolder folder;
+    write_text(folder / "squeal.toml", run({"init", "squeal"}).out);
+    const Finished refused = run({"simulate", "squeal.toml", "--trace", "x.txt"}, folder.path());
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_TRUE(contains(refused.err, ".csv or .nc")) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "x.txt"));
+}
