@@ -35,7 +35,11 @@ std::string fields_text(const parameters::Case& c) {
         if (field.section != section) text += (section.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
         section = field.section;
         const std::string symbol = field.symbol.empty() ? "" : std::string(field.symbol) + ": ";
-        text += fmt::format("{:<20} = {:<16} ", field.name, parameters::value_text(c, field)) +
+        std::string value = parameters::value_text(c, field);
+        if (parameters::damping_ratio(c, field))
+            value =
+                fmt::format("{:.6g} {} ({})", parameters::get_quantity(c, field), parameters::unit_of(field), value);
+        text += fmt::format("{:<20} = {:<16} ", field.name, value) +
                 styled("# " + symbol + std::string(field.sentence), Style::dim, STDOUT_FILENO) + "\n";
     }
     return text;

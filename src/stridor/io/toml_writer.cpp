@@ -56,6 +56,7 @@ std::string quantity_text(double value, std::string_view unit) {
 }
 
 std::string value_of(const Case& c, const Field& field) {
+    if (parameters::damping_ratio(c, field)) return quoted(parameters::value_text(c, field));
     if (const auto* quantity = std::get_if<Quantity>(&field.kind))
         return quantity_text(quantity->get(c), quantity->unit);
     return quoted(parameters::value_text(c, field));

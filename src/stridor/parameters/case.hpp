@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,15 @@ struct Plate {
     double mass = 0.4;       // [kg] m2
     double stiffness = 1e6;  // [N/m] k2y
     double damping = 1.0;    // [N*s/m] c2y
+};
+
+/// Dampings that are known as a share of the critical damping of their own spring and mass, zeta = c / (2 sqrt(k m)). Who
+/// sets a stiffness or mass through its field keeps these shares, and changes the damping with it; empty: the damping is a
+/// number of its own. The N*s/m that follow stand in `Joint` and `Plate`, which alone decide the motion.
+struct DampingRatios {
+    std::optional<double> axial{};     // [1] of joint.axial_damping: with m1 and k1i
+    std::optional<double> flexural{};  // [1] of joint.flexural_damping: with m1 and k1j
+    std::optional<double> plate{};     // [1] of plate.damping: with m2 and k2y
 };
 
 /// What happens when a separation ends.
@@ -114,6 +124,7 @@ struct Case {
     Drive drive;
     Run run;
     Thresholds verdict;
+    DampingRatios damping_ratios{};
 };
 
 }  // namespace stridor::parameters

@@ -4,6 +4,7 @@
 #include "stridor/base/hash.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/damping_ratio.hpp"
 
 #include <algorithm>
 #include <array>
@@ -275,10 +276,20 @@ void set_quantity(Case& c, const Field& field, double value) {
                                                                              : std::string("finite")),
                                        ""});
     quantity.set(c, value);
+    if (std::optional<double>* ratio = damping_ratio_of(c, key_of(field))) ratio->reset();
+    keep_damping_ratios(c);
 }
 
 void set_from_text(Case& c, const Field& field, std::string_view text) {
-    if (const auto* quantity = std::get_if<Quantity>(&field.kind)) {
+    std::optional<double>* known = damping_ratio_of(c, key_of(field));
+    if (const std::optional<double> ratio = known == nullptr ? std::nullopt : parse_damping_ratio(text)) {
+        if (!(*ratio >= 0.0 && *ratio <= most_damping_ratio))
+            throw Error(ErrorKind::input,
+                        {key_of(field) + " = \"" + std::string(text) + "\" is out of range",
+                         "a damping ratio must be between 0 and " + base::shortest(most_damping_ratio), ""});
+        *known = ratio;
+        keep_damping_ratios(c);
+    } else if (const auto* quantity = std::get_if<Quantity>(&field.kind)) {
         set_quantity(c, field, base::parse_quantity(text, quantity->unit));
     } else if (const auto* choice = std::get_if<Choice>(&field.kind)) {
         set_choice(c, *choice, key_of(field), base::trimmed(text));
@@ -287,7 +298,14 @@ void set_from_text(Case& c, const Field& field, std::string_view text) {
     }
 }
 
+std::optional<double> damping_ratio(const Case& c, const Field& field) {
+    Case copy = c;
+    const std::optional<double>* ratio = damping_ratio_of(copy, key_of(field));
+    return ratio == nullptr ? std::nullopt : *ratio;
+}
+
 std::string value_text(const Case& c, const Field& field) {
+    if (const std::optional<double> ratio = damping_ratio(c, field)) return damping_ratio_text(*ratio);
     if (const auto* quantity = std::get_if<Quantity>(&field.kind)) {
         const std::string number = base::shortest(get_quantity(c, field));
         return quantity->unit == "1" ? number : number + " " + std::string(quantity->unit);

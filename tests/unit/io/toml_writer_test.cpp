@@ -114,6 +114,19 @@ TEST(TomlWriter, ShowsTheKeysOfOtherKindsReadyToBeUncommented) {
     EXPECT_EQ(read_case(TomlSource{stepped, "stepped.toml", {}}).run.step, 1e-7);
 }
 
+TEST(TomlWriter, WritesDampingRatiosThatReadBackTheSame) {
+    const std::string text = replaced(squeal_toml(), "axial_damping = \"1 N*s/m\"", "axial_damping = \"15 %\"");
+    const Case c = read_case(TomlSource{text, "case.toml", {}});
+    EXPECT_EQ(c.joint.axial_damping, 2.0 * 0.15 * std::sqrt(1e7 * 0.1));
+    EXPECT_NE(case_toml(c).find("axial_damping = \"damping ratio 0.15\"\n"), std::string::npos);
+    const Case back = read_case(TomlSource{case_toml(c), "back.toml", {}});
+    EXPECT_EQ(back.joint.axial_damping, c.joint.axial_damping);
+    EXPECT_EQ(parameters::canonical_text(back), parameters::canonical_text(c));
+    // an override of the stiffness keeps the ratio, as an axis of a chart does
+    EXPECT_EQ(read_case(TomlSource{text, "case.toml", {"k1i=4e6"}}).joint.axial_damping,
+              2.0 * 0.15 * std::sqrt(4e6 * 0.1));
+}
+
 TEST(TomlWriter, PutsTheHeadingOnTop) {
     const Case c;
     EXPECT_TRUE(case_toml(c, {.comments = Comments::none, .heading = "one\n\ntwo"}).starts_with("# one\n#\n# two\n\n"));

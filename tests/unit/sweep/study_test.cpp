@@ -2,6 +2,7 @@
 
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/sweep/paper_charts.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"
 #include "unit/sweep/small_study.hpp"
@@ -337,6 +338,18 @@ TEST(ReproduceCommand, NamesTheFileAndEachSettingOnce) {
     study.base.drive.kind = parameters::DriveKind::sinusoidal;
     EXPECT_EQ(reproduce_command(study, {1, 2, 0}, "my chart's.toml"),
               "stridor simulate 'my chart'\\''s.toml' --set contact.preload=2 --set contact.kinetic_friction=0.8");
+}
+
+// a designer who varies a stiffness means the same material: its damping ratio stays
+TEST(Study, KeepsDampingRatiosAlongItsAxes) {
+    Study study = figure_8();
+    parameters::set_from_text(study.base, *parameters::find_field("plate.damping"), "5 %");
+    study.x = {"plate.stiffness", 1e5, 1e7, 3, Scale::logarithmic};
+    for (int ix = 0; ix < 3; ++ix) {
+        const parameters::Case c = case_at(study, {0, 0, ix, 0});
+        EXPECT_EQ(c.plate.damping, 2.0 * 0.05 * std::sqrt(c.plate.stiffness * c.plate.mass));
+    }
+    EXPECT_NE(canonical_text(study).find("plate.damping = damping ratio 0.05"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+#include "stridor/parameters/damping_ratio.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
+
+#include <cmath>
+
+namespace stridor::parameters {
+
+namespace {
+
+constexpr std::string_view ratio_words = "damping ratio ";
+constexpr std::string_view loss_words = "loss factor ";
+
+double damping(double ratio, double stiffness, double mass) {
+    return 2.0 * ratio * std::sqrt(stiffness * mass);
+}
+
+}  // namespace
+
+std::optional<double> parse_damping_ratio(std::string_view text) {
+    text = base::trimmed(text);
+    if (text.starts_with(ratio_words)) return base::parse_quantity(text.substr(ratio_words.size()), "1");
+    if (text.starts_with(loss_words)) return 0.5 * base::parse_quantity(text.substr(loss_words.size()), "1");
+    if (text.ends_with('%')) return base::parse_quantity(text, "1");
+    return std::nullopt;
+}
+
+std::string damping_ratio_text(double ratio) {
+    return std::string(ratio_words) + base::shortest(ratio);
+}
+
+std::optional<double>* damping_ratio_of(Case& c, std::string_view key) {
+    if (key == "joint.axial_damping") return &c.damping_ratios.axial;
+    if (key == "joint.flexural_damping") return &c.damping_ratios.flexural;
+    if (key == "plate.damping") return &c.damping_ratios.plate;
+    return nullptr;
+}
+
+void keep_damping_ratios(Case& c) {
+    const auto& [axial, flexural, plate] = c.damping_ratios;
+    if (axial) c.joint.axial_damping = damping(*axial, c.joint.axial_stiffness, c.joint.mass);
+    if (flexural) c.joint.flexural_damping = damping(*flexural, c.joint.flexural_stiffness, c.joint.mass);
+    if (plate) c.plate.damping = damping(*plate, c.plate.stiffness, c.plate.mass);
+}
+
+}  // namespace stridor::parameters
