@@ -53,7 +53,8 @@ inline constexpr const char* sound_forms =
 /// Throws `Error` (input) for fewer than 2 or more than 8, or for what no sound can be made of.
 std::vector<classification::ComparedSound> load_sounds(const CompareOptions& options);
 
-/// The recording FILE or FILE:channel=NAME or library:ID alone, as it came. Throws `Error` (input) for a case or a chart.
+/// The recording FILE or FILE:channel=NAME or library:ID alone, as it came. Throws `Error` (input) for a case or a
+/// chart.
 classification::ComparedSound load_recording(const std::string& text, const LibraryOption& library);
 
 /// A simulated case as one of the sounds.

@@ -37,8 +37,8 @@ struct Complaint {
     std::optional<Place> place{};
 };
 
-/// An error a user, a file or the machine caused, thrown at the edges and never inside stepping. One that is about a whole
-/// file may carry several complaints.
+/// An error a user, a file or the machine caused, thrown at the edges and never inside stepping. One that is about a
+/// whole file may carry several complaints.
 ///
 /// `what()` reads *problem (why). suggestion? [file:line:column]*, a line per complaint.
 class Error : public std::runtime_error {

@@ -29,8 +29,8 @@ std::string describe(Dimension dimension);
 
 /// Reads a unit such as "N", "kN/mm", "N*s/m", "N s/m", "Ns/m", "m/s^2", "rpm", "deg", "%" or "1".
 ///
-/// Throws `Error` (input) naming the symbol it does not know, with the same unit in other letters ("n": N) or one that is
-/// a letter away, if there is any.
+/// Throws `Error` (input) naming the symbol it does not know, with the same unit in other letters ("n": N) or one that
+/// is a letter away, if there is any.
 Unit parse_unit(std::string_view text);
 
 /// The same without an error: nothing for what is no unit.

@@ -10,12 +10,13 @@ namespace stridor::base {
 /// The shortest decimal text that reads back as the same double ("0.1", "1e-07", "nan").
 std::string shortest(double value);
 
-/// The candidate nearest to a misspelt name, within so many edits (insert, delete, replace, swap neighbours); else empty.
+/// The candidate nearest to a misspelt name, within so many edits (insert, delete, replace, swap neighbours); else
+/// empty.
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates,
                               std::size_t most_edits = 2);
 
-/// Text broken at blanks into lines of so many columns, each character one; a longer word stands in a line of its own. The
-/// first line begins at column `first`, the others after `indent` blanks. Line ends in the text stay.
+/// Text broken at blanks into lines of so many columns, each character one; a longer word stands in a line of its own.
+/// The first line begins at column `first`, the others after `indent` blanks. Line ends in the text stay.
 struct Wrapping {
     std::size_t columns = 80;
     std::size_t first = 0;

@@ -52,9 +52,9 @@ struct TomlDocument {
 /// Throws `Error` (input) with the places for text that is not TOML and duplicate keys, or for an override without "=".
 TomlDocument parse_toml(const TomlSource& source);
 
-/// One override taken apart; its key may be any spelling of `parameters::field_named`, and is the full one in the entry.
-/// Throws `Error` (input) for text without "=" or a key, with control characters, or that is no UTF-8, and for a short name
-/// of several keys.
+/// One override taken apart; its key may be any spelling of `parameters::field_named`, and is the full one in the
+/// entry. Throws `Error` (input) for text without "=" or a key, with control characters, or that is no UTF-8, and for a
+/// short name of several keys.
 TomlEntry parse_override(const std::string& text);
 
 /// "a number", "text", "a list", "a section" or the name of an unfit type.

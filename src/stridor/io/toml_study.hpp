@@ -26,10 +26,10 @@ struct AxisTexts {
 ///     starts = ["rest", "sliding"]
 ///
 /// `parameter`, in any spelling of `parameters::field_named`, `from`, `to` and `points` of both axes must be there;
-/// without any of y it is a diagram over x alone (`sweep::resting_axis`). Ends are in the unit of the axis's parameter, or
-/// text with a unit. The case's own sections must be complete, the axes' keys included: they are its base values.
-/// Any of it may be overridden ("chart.x.points=5", "chart.directions=going"). Axes given beside it take the place of
-/// the file's, which then needs no [chart]. Throws what `read_case` throws.
+/// without any of y it is a diagram over x alone (`sweep::resting_axis`). Ends are in the unit of the axis's
+/// parameter, or text with a unit. The case's own sections must be complete, the axes' keys included: they are its base
+/// values. Any of it may be overridden ("chart.x.points=5", "chart.directions=going"). Axes given beside it take the
+/// place of the file's, which then needs no [chart]. Throws what `read_case` throws.
 sweep::Study read_study(const TomlSource& source, const AxisTexts& axes = {});
 
 /// The same of a document that is parsed already.

@@ -29,9 +29,9 @@ struct Plate {
     double damping = 1.0;    // [N*s/m] c2y
 };
 
-/// Dampings that are known as a share of the critical damping of their own spring and mass, zeta = c / (2 sqrt(k m)). Who
-/// sets a stiffness or mass through its field keeps these shares, and changes the damping with it; empty: the damping is a
-/// number of its own. The N*s/m that follow stand in `Joint` and `Plate`, which alone decide the motion.
+/// Dampings that are known as a share of the critical damping of their own spring and mass, zeta = c / (2 sqrt(k m)).
+/// Who sets a stiffness or mass through its field keeps these shares and changes the damping with it; empty: the damping
+/// is a number of its own. The N*s/m that follow stand in `Joint` and `Plate`, which alone decide the motion.
 struct DampingRatios {
     std::optional<double> axial{};     // [1] of joint.axial_damping: with m1 and k1i
     std::optional<double> flexural{};  // [1] of joint.flexural_damping: with m1 and k1j

@@ -6,14 +6,15 @@
 #include <string>
 #include <string_view>
 
-/// Damping of a spring as a share of critical: zeta = c / (2 sqrt(k m)), k and m its own spring and mass, the others at rest.
+/// Damping of a spring as a share of critical: zeta = c / (2 sqrt(k m)), k and m its own spring and mass, the others at
+/// rest.
 namespace stridor::parameters {
 
 /// Largest share that is taken [1]; a spring with ten times its critical damping creeps.
 inline constexpr double most_damping_ratio = 10.0;
 
-/// The share that a text says: "15 %" and "damping ratio 0.15" are 0.15, and so is "loss factor 0.3" (eta = 2 zeta at the
-/// natural frequency, c = eta sqrt(k m)). Nothing for any other text.
+/// The share that a text says: "15 %" and "damping ratio 0.15" are 0.15, and so is "loss factor 0.3" (eta = 2 zeta at
+/// the natural frequency, c = eta sqrt(k m)). Nothing for any other text.
 std::optional<double> parse_damping_ratio(std::string_view text);
 
 /// "damping ratio 0.15", which reads back as the same number.
@@ -22,7 +23,8 @@ std::string damping_ratio_text(double ratio);
 /// Where a case keeps the ratio of the damping with that key; nullptr for any other key.
 std::optional<double>* damping_ratio_of(Case& c, std::string_view key);
 
-/// Makes every damping that is known as a share what it is with the present stiffnesses and masses: c = 2 zeta sqrt(k m).
+/// Makes every damping that is known as a share what it is with the present stiffnesses and masses:
+/// c = 2 zeta sqrt(k m).
 void keep_damping_ratios(Case& c);
 
 }  // namespace stridor::parameters

@@ -99,12 +99,13 @@ bool names_file(const Field& field);
 
 double get_quantity(const Case& c, const Field& field);
 
-/// Sets a quantity, in its unit, and the dampings that are shares of critical with it (`DampingRatios`); a damping that is
-/// set itself is a share no more. Throws `Error` (input) without a place for a value out of range.
+/// Sets a quantity, in its unit, and the dampings that are shares of critical with it (`DampingRatios`); a damping that
+/// is set itself is a share no more. Throws `Error` (input) without a place for a value out of range.
 void set_quantity(Case& c, const Field& field, double value);
 
-/// Sets a field from what a user wrote ("20 N", "0.6", "sinusoidal"); throws `Error` (input) without a place. Of the three
-/// dampings that may be "15 %" or "damping ratio 0.15", a share of critical, or "loss factor 0.3", which is twice that.
+/// Sets a field from what a user wrote ("20 N", "0.6", "sinusoidal"); throws `Error` (input) without a place. Of the
+/// three dampings that may be "15 %" or "damping ratio 0.15", a share of critical, or "loss factor 0.3", which is twice
+/// that.
 void set_from_text(Case& c, const Field& field, std::string_view text);
 
 /// The share of critical that a damping is known as [1]; nothing for other fields and dampings in N*s/m.
