@@ -52,8 +52,10 @@ public:
     std::optional<Start> find() {
         find_rows();
         if (rows_ == lines_.size()) return std::nullopt;
-        // a row that is damaged: the reader of rows will say so
-        if (rows_ > 0 && is_number(above(1).front(), dialect_)) return std::nullopt;
+        // rows above a row that is damaged are no prose: the reader of rows will say where it is
+        for (std::size_t k = 0; k < rows_; ++k)
+            if (const auto fields = fields_of(lines_[k], dialect_); fields.size() == width_ && is_row(fields, dialect_))
+                return std::nullopt;
         Start start{dialect_, {}, {}, rows_};
         const bool is_named = rows_ > 0 && fits(above(1));
         if (is_named) find_names(start);
@@ -77,9 +79,12 @@ private:
         }
     }
 
+    // as wide as the rows, and without numbers: "1" is a unit, and channels may be called by their number
     bool fits(std::vector<Field> fields) const {
         drop_comment(fields, width_);
-        return fields.size() == width_ && !is_number(fields.front(), dialect_);
+        const auto is_foreign = [&](const Field& field) { return field.text != "1" && is_number(field, dialect_); };
+        return fields.size() == width_ && !is_number(fields.front(), dialect_) &&
+               (names_a_time(fields) || std::none_of(fields.begin(), fields.end(), is_foreign));
     }
 
     void find_names(Start& start) const {

@@ -29,6 +29,11 @@ std::optional<Error> refusal(const std::string& text) {
     return error;
 }
 
+// where it is; 0 where nothing is wrong
+int line_of(const std::optional<Error>& error) {
+    return error && error->place() ? error->place()->line : 0;
+}
+
 void expect_force(const std::string& text, double rate = 2.0) {
     const std::vector<Signal> found = all_of(input_of(text));
     ASSERT_EQ(found.size(), 1U) << text;
@@ -211,6 +216,15 @@ TEST(SignalCsv, FindsTheTableBelowProse) {
     expect_force(
         "LabVIEW Measurement\t\nSamples\t3\t3\t\nX0\t0.0\t0.0\t\nDelta_X\t0.5\t0.5\t\n***End_of_Header***\t\t\t\n"
         "X_Value\tforce\tComment\n0.0\t0.5\n0.5\t-1.0\n1.0\t2.0\n");
+}
+
+TEST(SignalCsv, TakesNoDamagedRowForTheEndOfProse) {
+    std::string rows = "time;force\n";
+    for (const char* row : {"0;1", "1;2", "2;3"})
+        rows += std::string(row) + "\n";
+    for (const char* damaged : {";4", "x;4", "3;", "n/a;n/a", "3;4;5"})
+        EXPECT_EQ(line_of(refusal(rows + damaged + "\n4;5\n5;6\n")), 5) << damaged;
+    EXPECT_TRUE(refusal("time;force\nx;4\n1;5\n2;6\n"));
 }
 
 TEST(SignalCsv, TakesRateAndMetadataFromProse) {
