@@ -4,6 +4,7 @@
 #include "stridor/signal/fourier.hpp"
 #include "stridor/signal/perturb.hpp"
 #include "stridor/signal/sound_analysis.hpp"
+#include "stridor/signal/sound_quality.hpp"
 #include "stridor/sweep/run_sound.hpp"
 
 #include <benchmark/benchmark.h>
@@ -54,6 +55,17 @@ BENCHMARK_CAPTURE(sound_minute, squeal_one_thread, squeal, one_after_the_other)-
 BENCHMARK_CAPTURE(sound_minute, squeal, squeal, in_threads)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sound_minute, noise_one_thread, noise, one_after_the_other)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sound_minute, noise, noise, in_threads)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// loudness, sharpness and third octaves of a minute of one channel
+void sound_quality_minute(benchmark::State& state) {
+    const std::vector<double> samples = noise();
+    for ([[maybe_unused]] const auto repetition : state) {
+        SoundQualityMeter meter(rate, SoundField::free);
+        meter.push(samples);
+        benchmark::DoNotOptimize(meter.finish().loudness);
+    }
+}
+BENCHMARK(sound_quality_minute)->Unit(benchmark::kMillisecond);
 
 // a frame there and back
 void sound_transform(benchmark::State& state) {

@@ -32,7 +32,7 @@ _stridor() {
         rig) options="--help" ;;
         convert) options="--help --full-scale --channel --dataset --rate --format --bits --json" ;;
         library) options="--help" ;;
-        analyse) options="--help --full-scale --channel --dataset --rate --set --a-weighting --figure --json" ;;
+        analyse) options="--help --full-scale --channel --dataset --rate --set --a-weighting --field --figure --json" ;;
         classify) options="--help --full-scale --channel --dataset --rate --set --json" ;;
         evaluate) options="--help --planes --set --of --perturb-every --recordings --csv --threads --json" ;;
         compare) options="--help --label --library --of --quantity --json" ;;

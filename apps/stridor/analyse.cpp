@@ -20,6 +20,7 @@ using signal::SoundAnalysis;
 struct AnalyseOptions {
     SoundOptions input;
     std::string figure;
+    std::string field = "free";
     bool json = false;
     bool weighted = false;
 };
@@ -68,6 +69,34 @@ std::string bands_text(const SoundAnalysis& analysis, signal::BandWidth width) {
     return text;
 }
 
+// levels by filters, from 25 Hz to 12.5 kHz
+std::string filtered_bands_text(const SoundAnalysis& analysis) {
+    const double reference = signal::reference_of(analysis.unit);
+    std::string text;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < signal::third_octave_count; ++k) {
+        if (!signal::holds_third_octave(analysis.rate, k)) break;
+        text += fmt::format("{:>8g} Hz{:>8.1f} dB", signal::third_octave_names[k],
+                            signal::level_of(analysis.quality->third_octaves[k], reference));
+        if (++count % 4 == 0) text += "\n";
+    }
+    if (count % 4 != 0) text += "\n";
+    return text;
+}
+
+std::string quality_text(const SoundAnalysis& analysis) {
+    if (!analysis.quality)
+        return analysis.unit == signal::full_scale
+                   ? "no loudness, no sharpness: the recording is not calibrated (--full-scale \"2 Pa\")\n"
+                   : "";
+    const signal::SoundQuality& q = *analysis.quality;
+    return fmt::format(
+        "loudness in a {} field (ISO 532-1): N5 {:.3g} sone, N10 {:.3g} sone, greatest {:.3g} sone; "
+        "of the mean spectrum {:.3g} sone ({:.1f} phon)\nsharpness (DIN 45692): {:.3g} acum\n",
+        signal::sound_field_names[static_cast<std::size_t>(q.field)], q.loudness_5, q.loudness_10, q.greatest_loudness,
+        q.loudness, signal::loudness_level(q.loudness), q.sharpness);
+}
+
 std::string named_bands_text(const SoundAnalysis& analysis) {
     const double reference = signal::reference_of(analysis.unit);
     std::string text = "bands of the field:\n";
@@ -87,9 +116,11 @@ std::string report_text(const io::SoundReport& report, const AnalyseOptions& opt
         text += fmt::format("{}, {:.6g} s at {:g} Hz\n", report.format, analysis.duration, analysis.rate);
         text += levels_text(analysis);
         if (analysis.unit == "Pa" || options.weighted) text += weighted_text(analysis);
+        text += quality_text(analysis);
         text += "\n" + peaks_text(analysis);
         text += "\noctave bands:\n" + bands_text(analysis, signal::BandWidth::octave);
-        text += "\nthird-octave bands:\n" + bands_text(analysis, signal::BandWidth::third_octave);
+        text += analysis.quality ? "\nthird-octave bands (filters of IEC 61260-1):\n" + filtered_bands_text(analysis)
+                                 : "\nthird-octave bands:\n" + bands_text(analysis, signal::BandWidth::third_octave);
         text += "\n" + named_bands_text(analysis);
         text += "\n" + segment_table(analysis, report.verdicts[k]);
     }
@@ -97,7 +128,8 @@ std::string report_text(const io::SoundReport& report, const AnalyseOptions& opt
 }
 
 void analyse(const AnalyseOptions& options) {
-    const io::SoundReport report = listen_to(options.input);
+    const auto field = options.field == "diffuse" ? signal::SoundField::diffuse : signal::SoundField::free;
+    const io::SoundReport report = listen_to(options.input, field);
     if (!options.figure.empty()) {
         chart::Scene scene = chart::sound(report.channels[report.loudest], report.verdicts[report.loudest]);
         scene.title = chart::Text(channel_title(report, report.loudest));
@@ -113,9 +145,15 @@ void analyse(const AnalyseOptions& options) {
 void add_analyse(CLI::App& program) {
     auto options = std::make_shared<AnalyseOptions>();
     CLI::App* command = program.add_subcommand(
-        "analyse", "Level over time, spectrum, bands and features of a recording, and a figure with its spectrogram.");
+        "analyse",
+        "Level over time, spectrum, bands, loudness and features of a recording, and a figure with its spectrogram.");
     add_sound_options(*command, options->input);
     command->add_flag("--a-weighting", options->weighted, "A-weighted levels even where the unit is not Pa");
+    command
+        ->add_option("--field", options->field,
+                     "how a sound in Pa comes to the listener, for its loudness and sharpness")
+        ->check(CLI::IsMember({"free", "diffuse"}))
+        ->capture_default_str();
     command
         ->add_option("--figure", options->figure,
                      "draw waveform, level, spectrogram and segments to FILE.png or FILE.svg")

@@ -139,7 +139,8 @@ public:
                  "", "What could be added is in; the same command again tries these alone."});
     }
 
-    /// Says what became of all, on stdout as JSON, else on stderr. A single file that was added, or not, says so itself.
+    /// Says what became of all, on stdout as JSON, else on stderr. A single file that was added, or not, says so
+    /// itself.
     void tell() {
         row_.clear();
         if (options_.json) print(io::arrivals_json(library_.file(), entries_, arrivals_) + "\n");

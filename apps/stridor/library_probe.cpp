@@ -59,9 +59,17 @@ void add_figure(std::vector<Figure>& figures, const char* name, const std::strin
     if (std::isfinite(value)) figures.push_back({name, unit, six_digits(value)});
 }
 
+// of a sound pressure as a whole, in a free field
+void add_quality(std::vector<Figure>& figures, const signal::SoundQuality& quality) {
+    add_figure(figures, "loudness_5", "sone", quality.loudness_5);
+    add_figure(figures, "loudness_greatest", "sone", quality.greatest_loudness);
+    add_figure(figures, "sharpness", "acum", quality.sharpness);
+}
+
 // of the loudest segment of the recording's category
 std::vector<Figure> figures_of(const io::SoundReport& report) {
     std::vector<Figure> figures;
+    if (const auto& quality = report.channels[report.loudest].quality) add_quality(figures, *quality);
     const classification::SoundSegment* segment = report.verdicts[report.loudest].loudest();
     if (segment == nullptr) return figures;
     const std::string& unit = report.channels[report.loudest].unit;
@@ -177,7 +185,8 @@ void judge(const io::SignalInput& input, const HearingOptions& options, Entry& e
     io::SoundReport report;
     report.file = entry.file;
     PickedChannels picked(*file, places);
-    report.channels = signal::analyse(picked, progress_of(file->layout(), heard));
+    report.channels = signal::analyse(picked, progress_of(file->layout(), heard), signal::one_after_the_other,
+                                      signal::SoundField::free);
     for (const signal::SoundAnalysis& analysis : report.channels)
         report.verdicts.push_back(classification::classify_recording(analysis.stretches, report.thresholds));
     choose_loudest(report);

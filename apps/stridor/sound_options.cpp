@@ -49,7 +49,7 @@ void add_sound_options(CLI::App& command, SoundOptions& options) {
         ->allow_extra_args(false);
 }
 
-io::SoundReport listen_to(const SoundOptions& options) {
+io::SoundReport listen_to(const SoundOptions& options, std::optional<signal::SoundField> field) {
     io::SoundReport report;
     for (const std::string& assignment : options.thresholds)
         parameters::set_sound_threshold(report.thresholds, assignment);
@@ -59,7 +59,7 @@ io::SoundReport listen_to(const SoundOptions& options) {
     report.notes = file->facts().notes;
     for (const std::string& note : report.notes)
         say("stridor: note: " + note);
-    report.channels = signal::analyse(*file, progress_of(file->layout()), side_by_side);
+    report.channels = signal::analyse(*file, progress_of(file->layout()), side_by_side, field);
     for (const signal::SoundAnalysis& analysis : report.channels)
         report.verdicts.push_back(classification::classify_recording(analysis.stretches, report.thresholds));
     report.loudest = signal::loudest(report.channels);

@@ -4,6 +4,7 @@
 #include "stridor/io/json_sound.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct SoundOptions {
 void add_sound_options(CLI::App& command, SoundOptions& options);
 
 /// Reads, analyses and judges the recording that the options name; says on stderr what is noteworthy, and how far it is.
-io::SoundReport listen_to(const SoundOptions& options);
+/// With a field the channels in Pa get their sound quality, heard in it.
+io::SoundReport listen_to(const SoundOptions& options, std::optional<signal::SoundField> field = {});
 
 /// "0.28 - 0.78 s  squeal ...": the segments of a channel as a table.
 std::string segment_table(const signal::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict);

@@ -131,6 +131,23 @@ Json named_bands(const SoundAnalysis& analysis, double reference) {
     return array;
 }
 
+Json quality_object(const SoundAnalysis& analysis, double reference) {
+    const signal::SoundQuality& q = *analysis.quality;
+    Json thirds = Json::array();
+    for (std::size_t k = 0; k < signal::third_octave_count; ++k)
+        if (signal::holds_third_octave(analysis.rate, k))
+            thirds.push_back({{"centre", signal::third_octave_names[k]},
+                              {"level", signal::level_of(q.third_octaves[k], reference)}});
+    return {{"field", signal::sound_field_names[static_cast<std::size_t>(q.field)]},
+            {"loudness", q.loudness},
+            {"loudness_level", signal::loudness_level(q.loudness)},
+            {"loudness_5", q.loudness_5},
+            {"loudness_10", q.loudness_10},
+            {"greatest_loudness", q.greatest_loudness},
+            {"sharpness", q.sharpness},
+            {"third_octaves", std::move(thirds)}};
+}
+
 Json levels_object(const SoundAnalysis& analysis, double reference) {
     const signal::Spectrum weighted = signal::a_weighted(analysis.spectrum);
     const double limit = 0.5 * analysis.rate;
@@ -172,11 +189,16 @@ std::string analyse_json(const SoundReport& report) {
         channel["third_octaves"] =
             bands_array(signal::bands(analysis.spectrum, signal::BandWidth::third_octave), reference);
         channel["named_bands"] = named_bands(analysis, reference);
+        if (analysis.quality) channel["sound_quality"] = quality_object(analysis, reference);
         channel["verdict"] = verdict_object(report.verdicts[k], reference);
         channels.push_back(std::move(channel));
     }
     document["channels"] = std::move(channels);
     document["units"] = units_object();
+    for (const char* key : {"loudness", "loudness_5", "loudness_10", "greatest_loudness"})
+        document["units"][key] = "sone";
+    document["units"]["loudness_level"] = "phon";
+    document["units"]["sharpness"] = "acum";
     return text_of(document);
 }
 

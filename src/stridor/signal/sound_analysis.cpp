@@ -189,7 +189,8 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
         work(k);
 }
 
-std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress, const Runner& run) {
+std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress, const Runner& run,
+                                   std::optional<SoundField> field) {
     const Layout layout = source.layout();
     check(layout);
     const std::size_t width = layout.channels.size();
@@ -199,6 +200,15 @@ std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress, con
         finders.emplace_back(layout.rate);
         overviews.emplace_back(layout.rate, channel);
     }
+    std::vector<SoundQualityMeter> meters;
+    std::vector<std::size_t> metered;  // their channels
+    for (std::size_t channel = 0; field && channel < width; ++channel) {
+        if (layout.channels[channel].unit != "Pa") continue;
+        meters.emplace_back(layout.rate, *field);
+        metered.push_back(channel);
+    }
+    const std::size_t described = 2 * width;
+    const std::size_t listened = described + meters.size();
     BlockReader reader(source);
     Channels here;
     Channels next;
@@ -207,11 +217,13 @@ std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress, con
         throw Error(ErrorKind::input, {"the recording holds no samples", "there is nothing to analyse", ""});
     while (!here.front().empty()) {
         // the dearest pieces first, and the next block is read beside them
-        run(2 * width + 1, [&](std::size_t piece) {
+        run(listened + 1, [&](std::size_t piece) {
             if (piece < width)
                 finders[piece].push(here[piece]);
-            else if (piece < 2 * width)
+            else if (piece < described)
                 overviews[piece - width].push(here[piece - width]);
+            else if (piece < listened)
+                meters[piece - described].push(here[metered[piece - described]]);
             else
                 reader.read(next);
         });
@@ -224,6 +236,8 @@ std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress, con
         results.push_back(overviews[channel].finish());
         results.back().stretches = finders[channel].finish();
     }
+    for (std::size_t k = 0; k < meters.size(); ++k)
+        results[metered[k]].quality = meters[k].finish();
     return results;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/signal/level.hpp"
+#include "stridor/signal/sound_quality.hpp"
 #include "stridor/signal/sound_stretches.hpp"
 #include "stridor/signal/source.hpp"
 #include "stridor/signal/spectrogram.hpp"
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +43,7 @@ struct SoundAnalysis {
     Spectrogram spectrogram{};
     Waveform waveform{};
     std::vector<SoundStretch> stretches{};  // one after the other, in time
+    std::optional<SoundQuality> quality{};  // of a channel in Pa, if asked for
 };
 
 /// Describes one channel as a whole as its samples come: levels, spectra, waveform. What it keeps does not grow.
@@ -69,12 +72,13 @@ using Runner = std::function<void(std::size_t count, const std::function<void(st
 void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// Reads a recording to its end and analyses all channels; shape [channel]. The stretches and the overview of each channel
-/// are pieces of work for `run`, and so is reading on.
+/// are pieces of work for `run`, and so is reading on. With a `field` the channels in Pa get their sound quality, heard
+/// in it.
 ///
 /// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite
 /// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.
 std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress = {},
-                                   const Runner& run = one_after_the_other);
+                                   const Runner& run = one_after_the_other, std::optional<SoundField> field = {});
 
 /// The channel with the greatest level, of equals the first: channels may have different units, so that their levels are
 /// compared and not their samples. There is at least one.
