@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "evaluate_text.hpp"
 #include "interrupt.hpp"
+#include "kept.hpp"
 #include "progress.hpp"
 #include "sound.hpp"
 #include "stridor/classification/sound_rules.hpp"
@@ -42,7 +43,8 @@ struct EvaluateOptions {
 };
 
 [[noreturn]] void interrupted(const std::string& where) {
-    throw Error(ErrorKind::interrupted, {"stopped in " + where, "half an evaluation is not kept", "Run it again."});
+    throw Error(ErrorKind::interrupted,
+                {"stopped in " + where, "the sounds heard so far are kept", "Run the same command again to go on."});
 }
 
 bool is_threshold(const std::string& assignment) {
@@ -129,8 +131,12 @@ std::vector<io::HeardChart> charts_of(const EvaluateOptions& options) {
     return built_in_charts(options.planes, overrides);
 }
 
+// each chart is kept until all of them are heard
 void hear_charts(std::vector<io::HeardChart>& charts, sweep::HearingOptions options) {
+    std::vector<std::unique_ptr<Kept>> all_kept;
     for (io::HeardChart& chart : charts) {
+        all_kept.push_back(std::make_unique<Kept>("evaluate", sweep::heard_text(chart.study, options)));
+        options.kept = all_kept.back()->results();
         say(fmt::format("{} sounds: {}", sweep::cell_count(chart.study), chart.study.base.title));
         ProgressDisplay display;
         options.progress = [&](const sweep::Progress& progress) { display.show(progress); };
@@ -138,6 +144,8 @@ void hear_charts(std::vector<io::HeardChart>& charts, sweep::HearingOptions opti
         display.finish();
         if (chart.sounds.empty()) interrupted(chart.study.base.title);
     }
+    for (const std::unique_ptr<Kept>& kept : all_kept)
+        kept->finish();
 }
 
 io::HeardRecording hear_recording(const io::Expectation& expectation, const parameters::SoundThresholds& thresholds) {
@@ -207,6 +215,7 @@ void add_evaluate(CLI::App& program) {
         ->check(CLI::Range(0, 4096));
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.evaluate/1)");
     command->footer(
+        "Ctrl-C stops and keeps the sounds heard so far (in $XDG_CACHE_HOME or ~/.cache); the same command goes on.\n"
         "Examples:\n  stridor evaluate\n  stridor evaluate --planes soft\n  stridor evaluate pair.toml --set "
         "joint.incidence_angle=50 --csv sounds.csv\n"
         "  stridor evaluate pair.toml --set creak_rest=0.6 --perturb-every 0\n"

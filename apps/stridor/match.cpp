@@ -5,6 +5,8 @@
 #include "compare_input.hpp"
 #include "figures.hpp"
 #include "interrupt.hpp"
+#include "kept.hpp"
+#include "progress.hpp"
 #include "sound.hpp"
 #include "stridor/chart/side_by_side.hpp"
 #include "stridor/io/atomic_file.hpp"
@@ -57,27 +59,16 @@ struct MatchOptions {
 // says how far the search is: a line that is redrawn in a terminal, a line per 10 % anywhere else
 class SearchDisplay {
 public:
-    void show(std::size_t done, std::size_t known) {
-        if (has_terminal()) {
-            constexpr std::size_t bar_width = 20;
-            const std::string bar(bar_width * done / known, '=');
-            fmt::print(stderr, "\r\033[K[{:<20}] listened to {} of {} cells", bar, done, known);
-            std::fflush(stderr);
-            has_line_ = true;
-            return;
-        }
-        if (10 * done / known <= 10 * said_ / known || known < 50) return;
-        said_ = done;
-        say(fmt::format("listened to {} of {} cells", done, known));
-    }
-
-    void finish() {
-        if (has_line_) say("");
+    void show(const sweep::SearchProgress& progress) {
+        if (progress.done <= progress.before && progress.done < progress.known) return;  // known from an earlier run
+        if (!has_terminal() && progress.known < least_said) return;
+        display_.show(static_cast<double>(progress.done) / static_cast<double>(progress.known),
+                      fmt::format("{} of {} cells", progress.done, progress.known));
     }
 
 private:
-    std::size_t said_ = 0;
-    bool has_line_ = false;
+    static constexpr std::size_t least_said = 50;  // [1] cells: less takes no time worth a line
+    ShareDisplay display_{"listened to", TimeLeft::shown};
 };
 
 // --- what is searched
@@ -130,12 +121,16 @@ sweep::SoundSearchResult searched(const MatchOptions& options, const io::MatchRe
     const Interrupt interrupt;
     SearchDisplay display;
     settings.stop = interrupt.token();
-    settings.progress = [&](std::size_t done, std::size_t known) { display.show(done, known); };
+    settings.progress = [&](const sweep::SearchProgress& progress) { display.show(progress); };
+    Kept kept("match", sweep::listening_text(report.study, listening));
+    settings.kept = kept.results();
     sweep::SoundSearchResult result = sweep::search(report.study, report.recording.profile, listening, settings);
-    display.finish();
     if (result.is_stopped)
-        throw Error(ErrorKind::interrupted, {fmt::format("stopped after {} cells", result.heard),
-                                             "half a search is not kept", "Run the same command again."});
+        throw Error(ErrorKind::interrupted,
+                    {fmt::format("stopped after {} cells", result.heard),
+                     settings.kept != nullptr ? "what was heard is kept" : "nothing could be kept",
+                     "Run the same command again to go on."});
+    kept.finish();
     if (result.best.empty())
         throw Error(ErrorKind::numerical, {"no cell of the chart has a sound", "all failed or were ruled out",
                                            "`stridor chart` says why cells fail."});
@@ -286,6 +281,7 @@ void add_match(CLI::App& program) {
     add_motion_options(*command, options->motion);
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.match/1)");
     command->footer(
+        "Ctrl-C stops and keeps what was heard (in $XDG_CACHE_HOME or ~/.cache); the same command goes on.\n"
         "Examples:\n  stridor match squeal.wav --chart pair.toml\n"
         "  stridor match library:3 --chart pair.toml --store pair/chart.sqlite --best 3 --out matches");
     command->callback([options] { match(*options); });

@@ -1,6 +1,8 @@
 #include "stridor/sweep/hearing_run.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/sweep/heard_text.hpp"
 #include "stridor/sweep/run_sound.hpp"
 #include "stridor/sweep/store.hpp"
 
@@ -16,6 +18,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <thread>
 #include <utility>
@@ -31,8 +34,9 @@ class Desk {
 public:
     explicit Desk(std::size_t total) : begin_(Clock::now()) { progress_.total = total; }
 
-    void note(std::span<const HeardSound> sounds) {
+    void note(std::span<const HeardSound> sounds, bool are_new) {
         const std::lock_guard lock(mutex_);
+        if (!are_new) known_ += sounds.size();
         for (const HeardSound& sound : sounds)
             count(progress_.counts, verdict_of(sound.cell));
         progress_.done += sounds.size();
@@ -55,7 +59,7 @@ public:
         for (bool is_over = false; !is_over;) {
             is_over = changed_.wait_for(lock, std::chrono::milliseconds(100), [&] { return is_over_; });
             const double time = std::chrono::duration<double>(Clock::now() - begin_).count();
-            progress_.rate = static_cast<double>(progress_.done) / time;
+            progress_.rate = static_cast<double>(progress_.done - known_) / time;
             if (!report) continue;
             const Progress now = progress_;
             lock.unlock();
@@ -70,6 +74,7 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     Progress progress_;
+    std::size_t known_ = 0;  // [1] of the finished cells, those that were heard before
     std::exception_ptr failure_;
     bool is_over_ = false;
 };
@@ -120,11 +125,13 @@ private:
         HearingSettings settings = options_.settings;
         if (options_.perturb_every > 0 && first % options_.perturb_every == 0) settings.seed = first;
         try {
-            std::vector<HeardSound> heard =
-                hear(case_at(study_, place), directions, settings, halt_.get_token(), workspace);
+            std::vector<HeardSound> heard = kept(first, directions.size());
+            const bool is_new = heard.empty();
+            if (is_new) heard = hear(case_at(study_, place), directions, settings, halt_.get_token(), workspace);
             for (std::size_t k = 0; k < heard.size(); ++k)
                 heard[k].index = first + k * points;
-            desk_.note(heard);
+            if (is_new && !heard.empty() && options_.kept != nullptr) options_.kept->keep(first, packed(heard));
+            desk_.note(heard, is_new);
             for (HeardSound& sound : heard)
                 sounds_[sound.index] = std::move(sound);
         } catch (...) {
@@ -132,6 +139,15 @@ private:
             desk_.keep(std::current_exception());
             halt_.request_stop();  // the others need not finish what will not be used
         }
+    }
+
+    // the sounds of a run that was heard before; none if it was not
+    std::vector<HeardSound> kept(std::size_t first, std::size_t directions) const {
+        if (options_.kept == nullptr) return {};
+        const std::optional<std::string> text = options_.kept->find(first);
+        if (!text) return {};
+        std::optional<std::vector<HeardSound>> sounds = unpacked_heard_sounds(*text);
+        return sounds && sounds->size() == directions ? std::move(*sounds) : std::vector<HeardSound>{};
     }
 
     const Study& study_;
@@ -143,6 +159,25 @@ private:
 };
 
 }  // namespace
+
+std::string heard_text(const Study& study, const HearingOptions& options) {
+    const HearingSettings& settings = options.settings;
+    std::string text = canonical_text(study);
+    const auto add = [&](const std::string& key, double value) {
+        text += "heard." + key + " = " + base::shortest(value) + "\n";
+    };
+    add("results", results_version);
+    add("dof", static_cast<double>(settings.sound.pickup.dof));
+    add("quantity", static_cast<double>(settings.sound.pickup.quantity));
+    add("rate", settings.sound.rate);
+    add("high_pass", settings.sound.high_pass);
+    add("fade", settings.sound.fade);
+    add("density", settings.sound.density);
+    add("perturb_every", static_cast<double>(options.perturb_every));
+    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
+        add(std::string(threshold.name), settings.thresholds.*threshold.member);
+    return text;
+}
 
 std::vector<HeardSound> hear(const Study& study, const HearingOptions& options) {
     if (!study.starts.empty())

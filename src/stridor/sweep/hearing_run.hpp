@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/storage/kept_results.hpp"
 #include "stridor/sweep/hearing.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/study.hpp"
@@ -7,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace stridor::sweep {
@@ -16,10 +18,16 @@ struct HearingOptions {
     std::size_t perturb_every = 7;  // [1] every so many runs' sounds are perturbed too; 0: none are
     int threads = 0;                // [1] 0: one per processor this process may use
     std::stop_token stop{};
+    storage::KeptResults* kept =
+        nullptr;  // where runs are kept by their first index, if anywhere; must outlive the hearing
     std::function<void(const Progress&)> progress{};  // called from the caller's thread, at most ten times a second
 };
 
-/// Judges every cell of a study by its contact states and by ear; in index order, empty if it was stopped.
+/// All that decides what is heard of a study, as text: for what is kept of it.
+std::string heard_text(const Study& study, const HearingOptions& options);
+
+/// Judges every cell of a study by its contact states and by ear; in index order, empty if it was stopped. What is kept is
+/// not heard again.
 ///
 /// The same result for any number of threads. A study's refinement is not looked at: every cell is heard. Throws `Error` (input)
 /// for a study with several starts, of which one could be heard only, and what `check_audible` throws.

@@ -1,5 +1,8 @@
 #include "stridor/sweep/sound_search.hpp"
 
+#include "stridor/sweep/heard_text.hpp"
+#include "stridor/sweep/hearing_run.hpp"
+
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/global_control.h>
@@ -72,9 +75,10 @@ private:
     std::vector<bool> is_taken_;       // listened to, asked for or ruled out
     std::vector<SoundMatch> known_{};  // nearest first; as many as anyone will ask for
     std::size_t done_ = 0;
+    std::size_t kept_ = 0;  // of these, by an earlier run
     std::size_t asked_ = 0;
     std::size_t without_result_ = 0;
-    std::mutex mutex_{};  // guards done_ while threads run
+    std::mutex mutex_{};  // guards done_ and kept_ while threads run
 
     std::size_t front() const { return std::max(least_front, options_.keep); }
 
@@ -118,10 +122,28 @@ private:
         return asked;
     }
 
-    void count() {
+    void count(bool was_kept) {
         const std::lock_guard lock(mutex_);
         ++done_;
-        if (options_.progress) options_.progress(done_, asked_);
+        if (was_kept) ++kept_;
+        if (options_.progress) options_.progress({done_, kept_, asked_});
+    }
+
+    // nothing if it was not listened to before
+    std::optional<CellSound> kept(std::size_t index) const {
+        if (options_.kept == nullptr) return std::nullopt;
+        const std::optional<std::string> text = options_.kept->find(index);
+        std::optional<CellSound> sound = text ? unpacked_cell_sound(*text) : std::nullopt;
+        return sound && sound->index == index ? std::move(sound) : std::nullopt;
+    }
+
+    std::optional<CellSound> sound_of(std::size_t index, integration::Workspace& workspace) {
+        std::optional<CellSound> sound = kept(index);
+        const bool was_kept = sound.has_value();
+        if (!was_kept) sound = sound_of_cell(study_, index, listening_, options_.stop, workspace);
+        if (!was_kept && sound && options_.kept != nullptr) options_.kept->keep(index, packed(*sound));
+        count(was_kept);
+        return sound;
     }
 
     void listen(const std::vector<std::size_t>& asked) {
@@ -135,8 +157,7 @@ private:
         using Range = tbb::blocked_range<std::size_t>;
         const auto listen_to = [&](const Range& range) {
             for (std::size_t k = range.begin(); k < range.end() && !options_.stop.stop_requested(); ++k) {
-                sounds[k] = sound_of_cell(study_, asked[k], listening_, options_.stop, workspaces.local());
-                count();
+                sounds[k] = sound_of(asked[k], workspaces.local());
             }
         };
         arena.execute([&] { tbb::parallel_for(Range(0, asked.size(), 1), listen_to, tbb::simple_partitioner()); });
@@ -164,6 +185,15 @@ private:
 };
 
 }  // namespace
+
+std::string listening_text(const Study& study, const CellListening& listening) {
+    // a cell sounds as `hear` hears it, without what is done to its sound there
+    HearingOptions options;
+    options.settings.sound = listening.sound;
+    options.settings.thresholds = listening.thresholds;
+    options.perturb_every = 0;
+    return "cells\n" + heard_text(study, options);
+}
 
 SoundSearchResult search(const Study& study, const classification::SoundProfile& recording,
                          const CellListening& listening, const SoundSearch& options) {

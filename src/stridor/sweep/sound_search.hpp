@@ -1,10 +1,12 @@
 #pragma once
 
+#include "stridor/storage/kept_results.hpp"
 #include "stridor/sweep/cell_sound.hpp"
 
 #include <cstddef>
 #include <functional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 /// Which cells of a chart sound most like a recording.
@@ -17,6 +19,13 @@ namespace stridor::sweep {
 
 enum class Extent { search, every };
 
+/// How far a search is.
+struct SearchProgress {
+    std::size_t done = 0;    // [1] cells listened to
+    std::size_t before = 0;  // [1] of them, those that were kept by an earlier run
+    std::size_t known = 0;   // [1] cells asked for so far: more follow from what they sound like
+};
+
 struct SoundSearch {
     Extent extent = Extent::search;
     std::size_t keep = 5;          // [1] of the best cells
@@ -25,7 +34,8 @@ struct SoundSearch {
     std::vector<bool> ruled_out{};  // cells that are not listened to, shape [cell]; empty: none
     int threads = 0;                // 0: one per processor this process may use
     std::stop_token stop{};
-    std::function<void(std::size_t done, std::size_t known)> progress{};  // from any thread, one at a time
+    storage::KeptResults* kept = nullptr;  // where cells are kept by their index, if anywhere; must outlive the search
+    std::function<void(const SearchProgress&)> progress{};  // from any thread, one at a time
 };
 
 /// A cell beside the recording. In `likeness` the recording is the first, the cell the second.
@@ -42,7 +52,10 @@ struct SoundSearchResult {
     bool is_stopped = false;         // then nothing of the rest is complete
 };
 
-/// Finds the cells nearest to a profile.
+/// All that decides what the cells of a study sound like, as text: for what is kept of them.
+std::string listening_text(const Study& study, const CellListening& listening);
+
+/// Finds the cells nearest to a profile. What is kept is not listened to again.
 SoundSearchResult search(const Study& study, const classification::SoundProfile& recording,
                          const CellListening& listening, const SoundSearch& options);
 

@@ -155,7 +155,7 @@ TEST(SoundSearch, StopsWhenAsked) {
     std::stop_source stop;
     SoundSearch options;
     options.stop = stop.get_token();
-    options.progress = [&](std::size_t, std::size_t) { stop.request_stop(); };
+    options.progress = [&](const SearchProgress&) { stop.request_stop(); };
     const SoundSearchResult result = found(recording_of(0), options);
     EXPECT_TRUE(result.is_stopped);
     EXPECT_LT(result.heard, cell_count(chart()));

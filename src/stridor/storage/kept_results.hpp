@@ -1,0 +1,62 @@
+#pragma once
+
+#include "stridor/storage/database.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::storage {
+
+/// What a kept file's header says: "STRK".
+inline constexpr Identity kept_results_identity{0x5354524b, 1};
+
+/// Finished parts of a long computation, by number, in one SQLite file: who is stopped or killed goes on from them.
+///
+/// Tables: meta(key, value) with the text that says which computation it is; result(id, text). A kill loses the results
+/// of the last half second at most. Each page has a checksum.
+class KeptResults {
+public:
+    /// Opens the results of this computation, or begins the file. `what` is all that decides them; `word` is what messages
+    /// call the file. Throws `Error`: input if it is something else or another computation's, io if another process has
+    /// it open or it cannot be read or written.
+    KeptResults(const std::filesystem::path& file, std::string what, std::string word);
+
+    /// Writes what is not written yet.
+    ~KeptResults();
+    KeptResults(const KeptResults&) = delete;
+    KeptResults& operator=(const KeptResults&) = delete;
+
+    /// Number of results that were there when it was opened.
+    std::size_t found() const { return found_.size(); }
+
+    /// One of those; nothing if it was not there. From any thread.
+    std::optional<std::string> find(std::uint64_t number) const;
+
+    /// Keeps a result that was not there. From any thread; throws `Error` (io) where it cannot be written.
+    void keep(std::uint64_t number, std::string text);
+
+    /// Writes what is not written yet. Throws `Error` (io).
+    void flush();
+
+private:
+    void create(const std::string& what);
+    void verify(const std::string& what);
+    void write();
+
+    Database database_;
+    std::string word_;
+    std::map<std::uint64_t, std::string> found_;
+    std::mutex mutex_;  // guards what stands below, and the database once it is open
+    std::vector<std::pair<std::uint64_t, std::string>> batch_;
+    std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace stridor::storage
