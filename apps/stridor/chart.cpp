@@ -93,7 +93,14 @@ void chart(const ChartOptions& options) {
     table.commit();
     io::write_file((out / "boundaries.csv").string(), io::boundaries_csv(study, sweep::boundaries(result)));
     io::write_chart_netcdf((out / "chart.nc").string(), result);
-    draw_charts(result, out);
+    const bool is_diagram = sweep::has_one_axis(study);
+    if (is_diagram) {
+        const std::vector<sweep::DiagramCell> cells = compute_diagram(result, out / "diagram.sqlite", options.threads);
+        io::write_file((out / "diagram.csv").string(), io::diagram_csv(study, cells));
+        draw_diagram(result, cells, out);
+    } else {
+        draw_charts(result, out);
+    }
     if (!sweep::holds_design(study)) say(outside_text(study));
     if (options.json) {
         print(io::chart_json(result) + "\n");
@@ -108,8 +115,8 @@ void chart(const ChartOptions& options) {
     print(starts_text(result));
     print(
         fmt::format("{0}/chart.png {0}/chart.svg {0}/chart.csv {0}/boundaries.csv {0}/chart.nc {0}/chart.sqlite "
-                    "{0}/chart.toml\n",
-                    out.string()));
+                    "{0}/chart.toml{1}\n",
+                    out.string(), is_diagram ? " " + out.string() + "/diagram.csv" : ""));
 }
 
 }  // namespace
@@ -117,7 +124,8 @@ void chart(const ChartOptions& options) {
 void add_chart(CLI::App& program) {
     auto options = std::make_shared<ChartOptions>();
     CLI::App* command = program.add_subcommand(
-        "chart", "Compute and draw a noise chart over two parameters; resumes where it was stopped.");
+        "chart",
+        "Compute and draw a noise chart over two parameters, or a diagram over one; resumes where it was stopped.");
     add_case_options(*command, options->input);
     add_no_early_option(*command, options->input);
     command
@@ -126,7 +134,10 @@ void add_chart(CLI::App& program) {
             "the axis x instead of the file's [chart]: preload=1:40, \"incidence_angle=20:85 deg:60\"; without "
             "POINTS 40, without SCALE what is usual for the quantity (linear or log)")
         ->type_name("KEY=FROM:TO[:POINTS[:SCALE]]");
-    command->add_option("--y", options->axes.y, "the axis y, likewise")->type_name("KEY=FROM:TO[:POINTS[:SCALE]]");
+    command
+        ->add_option("--y", options->axes.y,
+                     "the axis y, likewise; without it --x alone gives a diagram over x (200 points)")
+        ->type_name("KEY=FROM:TO[:POINTS[:SCALE]]");
     add_output_folder(*command, options->out,
                       "folder for store, figures and tables (default: the file's name, with -preview for one)");
     command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
@@ -138,6 +149,7 @@ void add_chart(CLI::App& program) {
         "Ctrl-C stops and keeps all finished cells; the same command goes on. A killed run loses at most half a second "
         "of work.\n"
         "Examples:\n  stridor chart squeal.toml --x preload=1:40 --y mu_d=0.2:0.8 --out pair\n"
+        "  stridor chart squeal.toml --x mu_d=0:0.8 --out friction\n"
         "  stridor init noise-chart -o pair.toml\n  stridor chart pair.toml --out pair\n"
         "  stridor chart pair.toml --out quick --set chart.x.points=12 --set chart.y.points=12");
     command->callback([options] { chart(*options); });

@@ -27,6 +27,19 @@ sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::pat
     return sweep::load(study, store);
 }
 
+std::vector<sweep::DiagramCell> compute_diagram(const sweep::SweepResult& result, const std::filesystem::path& file,
+                                                int threads) {
+    storage::KeptResults kept(file, sweep::diagram_text(result.study), "diagram");
+    const Interrupt interrupt;
+    ShareDisplay display("diagram:", TimeLeft::shown);
+    sweep::DiagramOptions options;
+    options.threads = threads;
+    options.stop = interrupt.token();
+    options.kept = &kept;
+    if (kept.found() < result.cells.size()) options.progress = [&](double share) { display.show(share); };
+    return sweep::diagram(result, options);
+}
+
 void report_failures(const sweep::SweepResult& result, const std::string& chart_file) {
     std::size_t failures = 0;
     std::size_t first = result.cells.size();

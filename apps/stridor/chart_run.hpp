@@ -1,9 +1,11 @@
 #pragma once
 
 #include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/diagram.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <filesystem>
+#include <vector>
 
 namespace stridor::app {
 
@@ -11,6 +13,10 @@ namespace stridor::app {
 ///
 /// Throws `Error` (interrupted) after SIGINT or SIGTERM, saying how to go on, and what the store throws.
 sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::path& store_file, int threads);
+
+/// The diagram of a study over one axis, kept in `file` while it is computed. Throws `Error` (interrupted) likewise.
+std::vector<sweep::DiagramCell> compute_diagram(const sweep::SweepResult& result, const std::filesystem::path& file,
+                                                int threads);
 
 /// Says on stderr which cells have no result, with the command that runs the first of them alone.
 void report_failures(const sweep::SweepResult& result, const std::string& chart_file);

@@ -3,6 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/chart/design_mark.hpp"
+#include "stridor/chart/diagram.hpp"
 #include "stridor/chart/gnuplot.hpp"
 #include "stridor/chart/noise_chart.hpp"
 #include "stridor/chart/stability.hpp"
@@ -55,6 +56,13 @@ void draw_stability(const analysis::StabilityScan& scan, const std::string& path
     for (const analysis::DirectionScan& direction : scan.directions)
         curves.push_back({direction.direction, direction.path});
     draw(chart::stability(scan.key, curves), path);
+}
+
+void draw_diagram(const sweep::SweepResult& result, const std::vector<sweep::DiagramCell>& cells,
+                  const std::filesystem::path& folder) {
+    chart::Scene scene = chart::diagram(result, cells);
+    chart::mark_design(scene, result.study);
+    draw_both(scene, folder / "chart");
 }
 
 void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& folder) {

@@ -5,9 +5,11 @@
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"
 #include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/diagram.hpp"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 /// Results to picture files: which scene goes where.
 namespace stridor::app {
@@ -26,5 +28,9 @@ void draw_stability(const analysis::StabilityScan& scan, const std::string& path
 
 /// chart.png and chart.svg of the first quantity the study asks for, chart-QUANTITY.png and .svg of each further one.
 void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& folder);
+
+/// chart.png and chart.svg of a study over one axis.
+void draw_diagram(const sweep::SweepResult& result, const std::vector<sweep::DiagramCell>& cells,
+                  const std::filesystem::path& folder);
 
 }  // namespace stridor::app

@@ -82,6 +82,26 @@ TEST_F(ChartOfACase, OptionsTakeThePlaceOfTheFilesAxes) {
     EXPECT_NE(done.out.find("4 cells"), std::string::npos) << done.out;
 }
 
+TEST_F(ChartOfACase, OneAxisAloneGivesADiagram) {
+    const Finished done = chart({"--x", "mu_d=0.2:0.7:11", "--out", "out"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(done.out.find("22 cells"), std::string::npos) << done.out;
+    for (const char* file : {"chart.csv", "chart.nc", "chart.png", "chart.svg", "diagram.csv", "boundaries.csv"})
+        EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / file)) << file;
+    EXPECT_EQ(text("out/chart.toml").find("\ny = "), std::string::npos);
+    EXPECT_NE(text("out/chart.svg").find("beat interval"), std::string::npos);
+    EXPECT_NE(text("out/boundaries.csv").find("none"), std::string::npos) << "a change of verdict along the axis";
+    const std::string diagram = text("out/diagram.csv");
+    EXPECT_NE(diagram.find("going"), std::string::npos);
+    // the same command, and the chart it resolved to, give the same numbers
+    EXPECT_EQ(chart({"--x", "mu_d=0.2:0.7:11", "--out", "out", "--threads", "1"}).exit_code, 0);
+    EXPECT_EQ(text("out/diagram.csv"), diagram);
+    const Finished again = run({"chart", "out/chart.toml", "--out", "again", "--threads", "3"}, folder_.path());
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(text("again/diagram.csv"), diagram);
+    EXPECT_EQ(text("again/chart.csv"), text("out/chart.csv"));
+}
+
 TEST_F(ChartOfACase, WhatCannotBeReadIsNamed) {
     const auto refusal = [&](const std::string& x) {
         const Finished done = chart({"--x", x, "--y", "mu_d=0.2:0.6", "--out", "none"});

@@ -25,6 +25,13 @@ void mark_design(Scene& scene, const sweep::Study& study) {
         scene.caption.push_back(Text("The design, ") + design_words(study) + ", lies outside of this chart.");
         return;
     }
+    if (sweep::has_one_axis(study)) {
+        const Stroke stroke{ink, 1.2, Dash::dashed};
+        scene.legend.push_back({Text("design: ") + design_words(study), stroke});
+        for (Panel& panel : scene.panels)
+            panel.layers.emplace_back(Rule{sweep::own_value(study, study.x), Orientation::vertical, stroke});
+        return;
+    }
     Points mark{{}, {}, ink, mark_diameter, {}, Mark::diamond, white};
     scene.legend.push_back({Text("design: ") + design_words(study), mark});
     mark.x = {sweep::own_value(study, study.x)};

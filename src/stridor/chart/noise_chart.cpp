@@ -4,6 +4,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/chart/boundary_line.hpp"
+#include "stridor/chart/cell_kinds.hpp"
 #include "stridor/chart/field_axis.hpp"
 #include "stridor/chart/layout.hpp"
 #include "stridor/chart/palette.hpp"
@@ -19,42 +20,11 @@ namespace stridor::chart {
 
 namespace {
 
-using classification::Category;
-using classification::Quiet;
-
-constexpr std::array all_categories{Category::none, Category::squeak, Category::squeal, Category::creak,
-                                    Category::undecided};
-constexpr std::size_t stuck_kind = all_categories.size();  // quiet because it sticks
-constexpr std::size_t failed_kind = stuck_kind + 1;
-
-// the kind of a cell: its category's place in `all_categories`, `stuck_kind` or `failed_kind`
-std::size_t kind_of(const sweep::CellVerdict& cell) {
-    if (cell.status != sweep::Status::done) return failed_kind;
-    if (cell.quiet == Quiet::sticks) return stuck_kind;
-    const auto* const found = std::find(all_categories.begin(), all_categories.end(), cell.category);
-    return static_cast<std::size_t>(found - all_categories.begin());
-}
-
 std::span<const sweep::CellVerdict> cells_of(const sweep::SweepResult& result, std::size_t direction) {
     const std::size_t count =
         static_cast<std::size_t>(result.study.x.points) * static_cast<std::size_t>(result.study.y.points);
     STRIDOR_EXPECT(result.cells.size() == count * result.study.directions.size());
     return std::span(result.cells).subspan(direction * count, count);
-}
-
-// "failed (invalid, diverged)": which ways to fail occur; empty if none does
-std::string failures(const sweep::SweepResult& result) {
-    std::string list;
-    for (std::size_t status = 1; status < sweep::status_names.size(); ++status) {
-        const bool occurs = std::any_of(result.cells.begin(), result.cells.end(), [&](const sweep::CellVerdict& cell) {
-            return static_cast<std::size_t>(cell.status) == status;
-        });
-        if (!occurs) continue;
-        std::string name(sweep::status_names[status]);
-        std::replace(name.begin(), name.end(), '_', ' ');
-        list += (list.empty() ? "" : ", ") + name;
-    }
-    return list.empty() || list == "failed" ? list : "failed (" + list + ")";
 }
 
 // "Each cell was run from rest, stuck and sliding; the loudest is shown."
@@ -93,15 +63,6 @@ Scene empty_chart(const sweep::SweepResult& result, const Text& title) {
         scene.panels.push_back(std::move(panel));
     }
     return scene;
-}
-
-std::vector<Text> category_texts() {
-    std::vector<Text> names;
-    for (const Category category : all_categories)
-        names.emplace_back(classification::name(category));
-    names.emplace_back("none (sticks)");
-    names.emplace_back("failed");
-    return names;
 }
 
 // which values the colours of a figure begin and end with: a few odd cells do not wash out all others
@@ -172,12 +133,8 @@ std::vector<Text> refinement_caption(const sweep::SweepResult& result, const std
 Scene noise_chart(const sweep::SweepResult& result) {
     const std::string& title = result.study.base.title;
     Scene scene = empty_chart(result, title.empty() ? Text("Noise chart") : Text(title));
-    std::vector<Fill> fills;
-    for (const Category category : all_categories)
-        fills.push_back(category_fill(category));
-    fills.push_back(stuck_fill());
-    fills.push_back(failed_fill());
-    std::vector<Text> names = category_texts();
+    const std::vector<Fill> fills = kind_fills();
+    const std::vector<Text> names = kind_names();
     std::vector<CategoryCells> maps;
     for (std::size_t d = 0; d < scene.panels.size(); ++d) {
         CategoryCells map{cell_edges(result.study.x), cell_edges(result.study.y), {}, fills};
@@ -185,18 +142,7 @@ Scene noise_chart(const sweep::SweepResult& result) {
             map.kinds.push_back(static_cast<std::uint16_t>(kind_of(cell)));
         maps.push_back(std::move(map));
     }
-    const auto occurs = [&](std::size_t kind) {
-        return std::any_of(result.cells.begin(), result.cells.end(),
-                           [&](const sweep::CellVerdict& cell) { return kind_of(cell) == kind; });
-    };
-    for (std::size_t kind = 0; kind < fills.size(); ++kind) {
-        const bool is_category = kind < 4;
-        if (kind == failed_kind && occurs(kind))
-            scene.legend.push_back({failures(result), fills[kind]});
-        else if (is_category || occurs(kind))
-            scene.legend.push_back(
-                {kind == 0 && occurs(stuck_kind) ? Text("none (slides)") : names[kind], fills[kind]});
-    }
+    add_kind_legend(scene, result);
     if (std::any_of(result.cells.begin(), result.cells.end(), is_torn))
         scene.legend.push_back({"quiet unless disturbed", Points{{}, {}, ink, 2.0, white}});
     for (Text& text : refinement_caption(result, "the others lie among such that agree."))
@@ -262,7 +208,7 @@ Scene figure_chart(const sweep::SweepResult& result, std::string_view name) {
     }
     scene.colour_bar = ColourBar{spelled(figure->name), std::string(figure->unit), colours};
     if (has_gap) scene.legend.push_back({"no value", no_value});
-    if (const std::string text = failures(result); !text.empty()) scene.legend.push_back({text, failed_fill()});
+    if (const std::string text = failure_words(result); !text.empty()) scene.legend.push_back({text, failed_fill()});
     return scene;
 }
 

@@ -186,6 +186,28 @@ std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::B
     return table.take();
 }
 
+std::string diagram_csv(const sweep::Study& study, const std::vector<sweep::DiagramCell>& cells) {
+    Table table(chart_opening("diagram", study), {{"x", std::string(parameters::unit_of(study.x.parameter))},
+                                                  {"direction"},
+                                                  {"extreme", "m"},
+                                                  {"interval", "s"}});
+    for (std::size_t index = 0; index < cells.size(); ++index) {
+        const sweep::CellPlace place = sweep::place_of(study, index);
+        const auto row = [&](double extreme, double interval) {
+            table.number(sweep::value_at(study.x, place.ix));
+            table.word(parameters::direction_names[static_cast<std::size_t>(study.directions[place.direction])]);
+            table.number(extreme);
+            table.number(interval);
+            table.end_row();
+        };
+        for (const double value : cells[index].extremes)
+            row(value, sweep::Cell::unknown);
+        for (const double value : cells[index].intervals)
+            row(sweep::Cell::unknown, value);
+    }
+    return table.take();
+}
+
 std::string trace_csv(const parameters::Case& c, const record::Trace& trace, double interval) {
     Facts facts = opening("trace", c);
     facts.emplace_back("rate", base::shortest(rate_of(trace, interval)) + " Hz");

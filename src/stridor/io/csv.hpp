@@ -5,6 +5,7 @@
 #include "stridor/record/trace.hpp"
 #include "stridor/sweep/boundaries.hpp"
 #include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/diagram.hpp"
 
 #include <functional>
 #include <string>
@@ -31,6 +32,10 @@ void chart_csv(const sweep::SweepResult& result, const std::string& file, const 
 
 /// "stridor.boundaries/1": a row per vertex of each line, in order.
 std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::Boundary>& boundaries);
+
+/// "stridor.diagram/1": a row per value of a diagram over one axis: x, direction, and either a local extreme of the joint's
+/// displacement along the plate or an interval between beats, the other of the two being empty.
+std::string diagram_csv(const sweep::Study& study, const std::vector<sweep::DiagramCell>& cells);
 
 /// "stridor.trace/1": a row per sample. `interval` [s] is the one that was asked for; a trace of one sample has no other.
 std::string trace_csv(const parameters::Case& c, const record::Trace& trace, double interval);

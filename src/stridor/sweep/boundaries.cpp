@@ -140,6 +140,19 @@ void add_lines(std::vector<Boundary>& lines, const Study& study, const Boundary&
         if (!others.empty()) take(LineForm::closed, node);
 }
 
+// a diagram over x alone has no squares: each change along x is a boundary of one vertex
+void add_changes(std::vector<Boundary>& lines, const Study& study, const Verdicts& verdicts, std::size_t direction) {
+    for (int ix = 0; ix + 1 < study.x.points; ++ix) {
+        const auto [first, second] = std::minmax({verdicts.at(0, ix), verdicts.at(0, ix + 1)});
+        if (first == second) continue;
+        lines.push_back({direction,
+                         verdict_words[first],
+                         verdict_words[second],
+                         LineForm::open,
+                         {vertex(study, {0, ix, Crossing::along_x})}});
+    }
+}
+
 }  // namespace
 
 std::vector<Boundary> boundaries(const SweepResult& result) {
@@ -148,6 +161,7 @@ std::vector<Boundary> boundaries(const SweepResult& result) {
     std::vector<Boundary> lines;
     for (std::size_t direction = 0; direction < study.directions.size(); ++direction) {
         const Verdicts verdicts(result, direction);
+        if (has_one_axis(study)) add_changes(lines, study, verdicts, direction);
         LinksOfPairs links;
         for (int iy = 0; iy + 1 < study.y.points; ++iy)
             for (int ix = 0; ix + 1 < study.x.points; ++ix)

@@ -51,7 +51,8 @@ public:
           marks_(std::move(marks)),
           is_required_(marks_.size(), 0) {
         const int stride = 1 << levels_;
-        for (int y = 0; y + 1 < rows_; y += stride)
+        // a diagram over x alone has one row, and blocks without height
+        for (int y = 0; y == 0 || y + 1 < rows_; y += stride)
             for (int x = 0; x + 1 < columns_; x += stride)
                 add({x, std::min(x + stride, columns_ - 1), y, std::min(y + stride, rows_ - 1), 0});
         while (grow())

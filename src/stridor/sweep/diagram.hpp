@@ -1,0 +1,45 @@
+#pragma once
+
+#include "stridor/storage/kept_results.hpp"
+#include "stridor/sweep/cell.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What a diagram over one parameter shows of each cell beside its category: how far the joint moves to and fro, and how
+/// long its beats are (a bifurcation diagram).
+namespace stridor::sweep {
+
+/// Values closer than this share [1] of what a cell's values span are one: they cannot be told apart on paper.
+inline constexpr double diagram_resolution = 0.01;
+
+struct DiagramCell {
+    std::vector<double> extremes;  // [m] local extremes of the joint's x1 in the judged time, rising; none if it sticks
+    std::vector<double>
+        intervals;  // [s] between the beats of the verdict (analysis::Alternation), rising; may be empty
+};
+
+struct DiagramOptions {
+    int threads = 0;  // [1] 0: one per processor this process may use
+    std::stop_token stop{};
+    storage::KeptResults* kept = nullptr;          // where cells are kept by their index; must outlive the call
+    std::function<void(double share)> progress{};  // from any thread, one at a time
+};
+
+/// The diagram of a finished sweep over one axis; shape [cell], empty ones where a cell has no result or the contact sticks for good. Each cell is run
+/// again with its trace, sampled every 20 us or 200,000 times, from the start that it shows. The same for any number of
+/// threads. Throws `Error` (interrupted) when stopped.
+std::vector<DiagramCell> diagram(const SweepResult& result, const DiagramOptions& options);
+
+/// All that decides a diagram, as text: for what is kept of it.
+std::string diagram_text(const Study& study);
+
+std::string packed(const DiagramCell& cell);
+std::optional<DiagramCell> unpacked_diagram_cell(std::string_view text);
+
+}  // namespace stridor::sweep
