@@ -82,16 +82,18 @@ TEST_F(KeptResults, AKilledSearchEndsWithTheSameBytes) {
 }
 
 TEST_F(KeptResults, AnInterruptSaysThatTheSameCommandGoesOn) {
-    const std::vector<std::string> arguments =
-        with_points({"evaluate", "pair.toml", "--threads", "1", "--perturb-every", "1"});
-    Process process(launch(arguments, "cache"));
-    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    // far more than is heard until the signal comes
+    Process process(launch({"evaluate", "pair.toml", "--threads", "1", "--perturb-every", "1"}, "cache"));
+    const std::filesystem::path cache = folder_.path() / "cache" / "stridor";
+    while (process.is_running() && (!std::filesystem::exists(cache) || std::filesystem::is_empty(cache)))
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
     process.send(SIGINT);
     const Finished stopped = process.wait();
     ASSERT_EQ(stopped.exit_code, 4) << stopped.err;
     EXPECT_NE(stopped.err.find("same command again to go on"), std::string::npos) << stopped.err;
     EXPECT_FALSE(is_empty("cache"));
-    // a thread of it is heard again by nobody: other values are another computation
+    // other values are another computation, which neither uses nor removes it
     const Finished other =
         finish({"evaluate", "pair.toml", "--set", "chart.x.points=2", "--set", "chart.y.points=2"}, "cache");
     EXPECT_EQ(other.exit_code, 0) << other.err;
