@@ -31,7 +31,7 @@ TEST(PackedText, GivesBackWhatWasPutIn) {
 }
 
 TEST(PackedText, OfAnotherKindIsNotComplete) {
-    for (const char* text : {"", "3:abc", "1:7", "9:1", ":", "7", "18446744073709551615:1", "-1:5", "1:11:1"}) {
+    for (const char* text : {"", "3:abc", "1:7", "9:1", ":", "7", "18446744073709551615:1", "-1:5", "1:11:11:1"}) {
         Unpacking unpacking(text);
         unpacking.number();
         unpacking.number();
