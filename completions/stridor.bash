@@ -2,7 +2,7 @@
 _stridor() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=""
     if ((COMP_CWORD == 1)); then
-        COMPREPLY=($(compgen -W "init check simulate stability advise chart report figure listen rig convert library analyse classify evaluate compare match explore verify completion --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "init check simulate stability advise chart report figure listen rig convert library analyse classify evaluate compare match explore verify completion help --help --version" -- "$word"))
         return
     fi
     if [[ $previous == --set ]]; then
@@ -20,15 +20,15 @@ _stridor() {
         return
     fi
     case ${COMP_WORDS[1]} in
-        init) options="--help --out --output" ;;
+        init) options="--help --output" ;;
         check) options="--help --set --json" ;;
         simulate) options="--help --set --no-early --json --trace --trace-from --trace-to --trace-interval --history --figure --zoom" ;;
         stability) options="--help --set --over --figure --json" ;;
         advise) options="--help --set --over --tolerance --samples --seed --threads --json" ;;
-        chart) options="--help --set --no-early --x --y --output --out --threads --preview --json" ;;
+        chart) options="--help --set --no-early --x --y --out --threads --preview --json" ;;
         report) options="--help --set --no-early --output --x --y --points --no-chart --no-advice --threads" ;;
         figure) options="--help" ;;
-        listen) options="--help --set --cell --direction --judged --out --output --of --quantity --component --rate --seconds --level --full-scale --high-pass --fade --json" ;;
+        listen) options="--help --set --cell --direction --judged --output --of --quantity --component --rate --seconds --level --full-scale --high-pass --fade --json" ;;
         rig) options="--help" ;;
         convert) options="--help --full-scale --channel --dataset --rate --format --bits --json" ;;
         library) options="--help" ;;
@@ -36,7 +36,7 @@ _stridor() {
         classify) options="--help --full-scale --channel --dataset --rate --set --json" ;;
         evaluate) options="--help --planes --set --of --perturb-every --recordings --csv --threads --json" ;;
         compare) options="--help --label --library --of --quantity --json" ;;
-        match) options="--help --chart --set --best --every --store --output --out --with-level --threads --library --of --quantity --json" ;;
+        match) options="--help --chart --set --best --every --store --out --with-level --threads --library --of --quantity --json" ;;
         explore) options="--help --set --port --no-browser --unix-socket --library --threads --address --allow-remote --host-name" ;;
         verify) options="--help" ;;
         completion) options="--help" ;;
@@ -47,10 +47,10 @@ _stridor() {
             return
         fi
         case ${COMP_WORDS[2]} in
-            paper) options="--help --output --out --threads" ;;
-            friction-law) options="--help --set --out --output" ;;
-            contact-states) options="--help --set --out --output" ;;
-            compare) options="--help --label --library --of --quantity --detail --out --output" ;;
+            paper) options="--help --out --threads" ;;
+            friction-law) options="--help --set --output" ;;
+            contact-states) options="--help --set --output" ;;
+            compare) options="--help --label --library --of --quantity --detail --output" ;;
         esac
     fi
     if [[ ${COMP_WORDS[1]} == rig ]]; then
