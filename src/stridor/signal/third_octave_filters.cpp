@@ -123,8 +123,9 @@ void ThirdOctaveFilters::forget() {
 }
 
 void ThirdOctaveFilters::push(std::span<const double> samples, const std::function<void(const ThirdOctaves&)>& take) {
+    constexpr double greatest = 1e30;  // [unit] beyond every sound; its square and what is made of it are numbers
     for (const double sample : samples) {
-        filter(sample);
+        filter(std::clamp(sample, -greatest, greatest));
         smooth();
         if (count_++ % samples_per_power != 0) continue;
         forget();
