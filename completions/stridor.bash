@@ -20,7 +20,7 @@ _stridor() {
         return
     fi
     case ${COMP_WORDS[1]} in
-        init) options="--help --output" ;;
+        init) options="--help --output --force" ;;
         check) options="--help --set --json" ;;
         simulate) options="--help --set --no-early --json --trace --trace-from --trace-to --trace-interval --history --figure --zoom" ;;
         stability) options="--help --set --over --figure --json" ;;

@@ -1,5 +1,7 @@
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/io/atomic_file.hpp"
 #include "stridor/io/case_schema.hpp"
 #include "stridor/io/toml_writer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
@@ -10,8 +12,10 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace stridor::app {
@@ -21,6 +25,7 @@ namespace {
 struct InitOptions {
     std::string kind;
     std::string output;
+    bool is_forced = false;
 };
 
 std::string text_of(const std::string& kind) {
@@ -44,6 +49,23 @@ std::vector<std::string> kinds() {
     return kinds;
 }
 
+// a file that holds what somebody wrote is not lost; what init wrote itself may go
+void spare_others(const std::string& file) {
+    std::error_code ignored;
+    if (file.empty() || file == "-" || !std::filesystem::is_regular_file(file, ignored)) return;
+    const std::string there = io::read_file(file);
+    const std::vector<std::string> all = kinds();
+    const bool is_ours = std::any_of(all.begin(), all.end(), [&](const auto& kind) { return text_of(kind) == there; });
+    if (!there.empty() && !is_ours)
+        throw Error(ErrorKind::input, {"\"" + file + "\" is there already", "it holds other than `stridor init` writes",
+                                       "Name another file, or take --force to lose it."});
+}
+
+void init(const InitOptions& options) {
+    if (!options.is_forced) spare_others(options.output);
+    write_output(options.output, text_of(options.kind));
+}
+
 }  // namespace
 
 void add_init(CLI::App& program) {
@@ -58,10 +80,11 @@ void add_init(CLI::App& program) {
         ->required()
         ->check(CLI::IsMember(kinds()));
     add_output_file(*command, options->output, "file to write (default: stdout)");
+    command->add_flag("--force", options->is_forced, "write over a file that was changed by hand");
     command->footer(
         "Examples:\n  stridor init squeal -o squeal.toml\n  stridor init quiet | stridor simulate -\n"
         "  stridor init weatherstrip | stridor chart - --out seal");
-    command->callback([options] { write_output(options->output, text_of(options->kind)); });
+    command->callback([options] { init(*options); });
 }
 
 }  // namespace stridor::app

@@ -53,6 +53,9 @@ steps=$((steps + 1))
 
 # --- a first case
 step 0 'stridor init squeal -o squeal.toml'
+step 0 'stridor init creak -o squeal.toml && stridor init squeal -o squeal.toml'
+step 2 'sed "s/20 N/30 N/" squeal.toml > mine.toml; stridor init squeal -o mine.toml'
+says 'force'
 step 0 'stridor simulate squeal.toml'
 says 'squeal'
 says '1e-9 m/s|1 nm/s'
