@@ -156,6 +156,16 @@ void keep_calibration(const io::SignalFacts& facts, Entry& entry) {
     if (is_given) entry.calibration = is_one ? all.substr(0, all.find(';')) : all;
 }
 
+// of a file that does not say how long it is, by reading it
+std::uint64_t counted_frames(io::SignalFile& file) {
+    const std::size_t channels = file.layout().channels.size();
+    std::vector<double> block(4096 * channels);
+    std::uint64_t frames = 0;
+    while (const std::size_t read = file.read(block))
+        frames += read;
+    return frames;
+}
+
 }  // namespace
 
 std::vector<io::FullScale> full_scales_in(const std::string& calibration) {
@@ -249,7 +259,9 @@ noise_library::Probe probe_of(const HearingOptions& options, const Heard& heard)
         const signal::Layout& layout = file->layout();
         entry.rate = layout.rate;
         entry.channels = static_cast<double>(layout.channels.size());
-        if (layout.frames) entry.duration = static_cast<double>(*layout.frames) / layout.rate;
+        // judged by ear, it is read anyway, and its duration is known then
+        if (layout.frames || options.judging == Judging::none)
+            entry.duration = static_cast<double>(layout.frames ? *layout.frames : counted_frames(*file)) / layout.rate;
         for (const std::string& note : file->facts().notes)
             say("stridor: note: " + entry.file + ": " + note);
         take_facts(file->facts(), entry);

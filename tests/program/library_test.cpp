@@ -267,7 +267,9 @@ TEST_F(LibraryProgram, ReadsFromARunWhatTheUserDidNotSay) {
 
 TEST_F(LibraryProgram, JudgesAgainWhatHasNoVerdictAndKeepsTheUsersFigures) {
     write_text(folder_ / "run.csv", rig_run(""));
-    expect_done(with_file({"library", "add", "run.csv", "--no-verdict", "--figure", "kurtosis=3"}));
+    const Finished added = stridor(with_file({"library", "add", "run.csv", "--no-verdict", "--figure", "kurtosis=3"}));
+    EXPECT_EQ(added.exit_code, 0) << added.err;
+    EXPECT_EQ(added.out.find("nan"), std::string::npos) << added.out;
     EXPECT_EQ(stridor(with_file({"library", "judge"})).out, "   1  run.csv  squeal\n");
     EXPECT_NE(stridor(with_file({"library", "judge"})).err.find("nothing to judge"), std::string::npos);
     expect_done(with_file({"library", "edit", "1", "--figure", "level=60 dB"}));
