@@ -4,10 +4,12 @@
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <memory>
@@ -27,6 +29,13 @@ struct CheckOptions {
     bool json = false;
 };
 
+std::string temperature_table_text(const parameters::Case& c) {
+    std::string text = fmt::format("{:<20} = {}\n", "at", fmt::join(parameters::node_texts(c), ", "));
+    for (const parameters::TemperatureColumn& column : c.temperature.columns)
+        text += fmt::format("{:<20} = {}\n", column.key, fmt::join(parameters::value_texts(column), ", "));
+    return text;
+}
+
 std::string fields_text(const parameters::Case& c) {
     std::string text;
     std::string_view section;
@@ -39,8 +48,10 @@ std::string fields_text(const parameters::Case& c) {
         if (parameters::damping_ratio(c, field))
             value =
                 fmt::format("{:.6g} {} ({})", parameters::get_quantity(c, field), parameters::unit_of(field), value);
+        if (parameters::temperature_column(c, parameters::key_of(field)) != nullptr) value += ", over temperature";
         text += fmt::format("{:<20} = {:<16} ", field.name, value) +
                 styled("# " + symbol + std::string(field.sentence), Style::dim, STDOUT_FILENO) + "\n";
+        if (field.section == "temperature") text += temperature_table_text(c);
     }
     return text;
 }

@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/explorer/api.hpp"
 #include "stridor/explorer/gate.hpp"
 #include "stridor/explorer/link.hpp"
@@ -10,6 +11,7 @@
 #include "stridor/io/toml_document.hpp"
 #include "stridor/io/toml_study.hpp"
 #include "stridor/noise_library/library.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -48,6 +50,13 @@ void check(const ExploreOptions& options) {
                  "Leave --address out and use a tunnel (ssh -L), or add --allow-remote if that is what you want."});
 }
 
+// the page's own chart is over the friction, which cannot be set where it follows the temperature
+io::AxisTexts axes_over_temperature(const parameters::Case& c) {
+    const std::vector<double>& at = c.temperature.at;
+    return {"contact.preload=1:80:64:linear",
+            "temperature.value=" + base::shortest(at.front()) + ":" + base::shortest(at.back()) + ":64"};
+}
+
 explorer::World world_of(const ExploreOptions& options) {
     explorer::World world;
     world.threads = options.threads;
@@ -67,8 +76,11 @@ explorer::World world_of(const ExploreOptions& options) {
         return preset.samples = io::read_sampled_file(path);
     };
     const io::TomlDocument document = io::parse_toml(source);
-    static_cast<void>(io::read_case(document, keep));  // likewise
-    if (document.find("chart") != nullptr) preset.study = io::read_study(source);
+    const parameters::Case c = io::read_case(document, keep);  // likewise
+    if (document.find("chart") != nullptr)
+        preset.study = io::read_study(source);
+    else if (parameters::temperature_column(c, "contact.kinetic_friction") != nullptr)
+        preset.study = io::read_study(source, axes_over_temperature(c));
     world.presets.insert(world.presets.begin(), std::move(preset));
     return world;
 }

@@ -9,6 +9,7 @@
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_document.hpp"
 #include "stridor/io/toml_study.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 #include "stridor/report/design_report.hpp"
 #include "terminal.hpp"
 
@@ -65,15 +66,19 @@ bool has_chart_axes(const io::TomlSource& source) {
     return document.find("chart.x.parameter") != nullptr && document.find("chart.y.parameter") != nullptr;
 }
 
-// the axes asked for, else those of the file, else preload and friction around the design
+// the axes asked for, else those of the file, else preload and friction (or the temperature it follows)
 sweep::Study study_for(const ReportOptions& options, const io::TomlSource& source, const parameters::Case& c) {
     io::AxisTexts axes = options.axes;
     const bool is_own = axes.x.empty() && axes.y.empty() && !has_chart_axes(source);
     if (is_own) {
         axes.x = fmt::format("contact.preload={}:{}:{}:log", base::shortest(0.1 * c.contact.preload),
                              base::shortest(10.0 * c.contact.preload), options.points);
-        axes.y =
-            fmt::format("contact.kinetic_friction=0:{}:{}", base::shortest(c.contact.static_friction), options.points);
+        const std::vector<double>& at = c.temperature.at;
+        axes.y = parameters::temperature_column(c, "contact.kinetic_friction") == nullptr
+                     ? fmt::format("contact.kinetic_friction=0:{}:{}", base::shortest(c.contact.static_friction),
+                                   options.points)
+                     : fmt::format("temperature.value={}:{}:{}", base::shortest(at.front()), base::shortest(at.back()),
+                                   options.points);
     }
     sweep::Study study = io::read_study(source, axes);
     if (sweep::has_one_axis(study))

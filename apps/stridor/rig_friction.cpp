@@ -8,6 +8,7 @@
 #include "stridor/io/open_signal.hpp"
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_writer.hpp"
+#include "stridor/parameters/field.hpp"
 #include "stridor/signal/channel_name.hpp"
 #include "terminal.hpp"
 
@@ -139,8 +140,8 @@ std::string changed_case(const FrictionOptions& options, const io::FrictionTest&
     if (mu_s < mu_d)
         refuse(fmt::format("the static coefficient, {:g}, comes out below the kinetic one, {:g}", mu_s, mu_d),
                "the model needs it the other way round", "Is --preload right, and the sensor's zero?");
-    c.contact.static_friction = mu_s;
-    c.contact.kinetic_friction = mu_d;
+    parameters::set_quantity(c, *parameters::find_field("contact.static_friction"), mu_s);
+    parameters::set_quantity(c, *parameters::find_field("contact.kinetic_friction"), mu_d);
     return io::case_toml(c, {io::Comments::full, heading});
 }
 

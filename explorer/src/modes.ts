@@ -3,7 +3,7 @@ import * as api from "./api.ts";
 import { Asked } from "./asked.ts";
 import { h, select, setOptions, setText } from "./dom.ts";
 import { plain, quantity, symbolText, title, unitText } from "./format.ts";
-import { quantityOf, valueIn } from "./parameters.ts";
+import { followsTemperature, quantityOf, valueIn } from "./parameters.ts";
 import { Plot, type Curve } from "./plot.ts";
 import type { Design } from "./state.ts";
 import type { QuantityField, Stability, StabilityDirection, Start } from "./types.ts";
@@ -48,7 +48,8 @@ export class Modes implements ViewPart {
     this.last_ = context;
     const { simulation, state } = context;
     if (!simulation || context.step === "drag") return;
-    const known = this.quantities_.filter(({ key }) => valueIn(simulation.case, key) !== undefined && !key.startsWith("drive."));
+    const known = this.quantities_.filter(({ key }) => valueIn(simulation.case, key) !== undefined && !followsTemperature(simulation.case, key) && !key.startsWith("drive."));
+    if (!known.some(({ key }) => key === this.key_)) this.key_ = known[0]?.key ?? this.key_;
     setOptions(this.over_, known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")]));
     this.over_.value = this.key_;
     const usual = known.find(({ key }) => key === this.key_)?.usual ?? { from: 0, to: 1 };

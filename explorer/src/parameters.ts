@@ -13,6 +13,7 @@ const sectionTitles: Record<string, string> = {
   joint: "Joint",
   plate: "Plate",
   contact: "Contact",
+  temperature: "Temperature",
   drive: "Drive",
   run: "Run",
   verdict: "Thresholds of the verdict",
@@ -23,6 +24,12 @@ export function valueIn(resolved: Case, key: string): number | string | undefine
   const [section = "", name = ""] = key.split(".", 2);
   const part = resolved[section];
   return typeof part === "object" ? part[name] : undefined;
+}
+
+/** Does a quantity follow the temperature by a table of the file? It cannot be set then. */
+export function followsTemperature(resolved: Case, key: string): boolean {
+  const { temperature } = resolved;
+  return typeof temperature === "object" && key in temperature;
 }
 
 /** The value that a design gives a quantity: what was set, else what the case holds. */
@@ -82,6 +89,7 @@ export class Parameters {
       row.element.hidden = valueIn(resolved, key) === undefined && state.design.set[key] === undefined;
       row.element.classList.toggle("changed", state.design.set[key] !== undefined);
       if (value !== undefined) row.show(value, valueIn(preset, key));
+      for (const input of row.element.querySelectorAll("input")) input.disabled = followsTemperature(resolved, key);
     }
     for (const [, group] of this.groups_)
       group.hidden = ![...group.querySelectorAll<HTMLElement>(".row")].some((row) => !row.hidden);

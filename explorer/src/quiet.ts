@@ -3,7 +3,7 @@ import * as api from "./api.ts";
 import { Asked } from "./asked.ts";
 import { button, h, select, setOptions, setText, symbol } from "./dom.ts";
 import { exact, number, percent, plain, quantity, symbolParts, title } from "./format.ts";
-import { valueIn } from "./parameters.ts";
+import { followsTemperature, valueIn } from "./parameters.ts";
 import { share } from "./scale.ts";
 import { withValues, type Design } from "./state.ts";
 import type { Store } from "./store.ts";
@@ -140,7 +140,7 @@ export class Quiet implements ViewPart {
   private showTolerances_(): void {
     if (this.tolerances_.contains(document.activeElement)) return;
     const resolved = this.last_?.simulation?.case;
-    const known = this.quantities_.filter(({ key }) => resolved && valueIn(resolved, key) !== undefined);
+    const known = this.quantities_.filter(({ key }) => resolved && valueIn(resolved, key) !== undefined && !followsTemperature(resolved, key));
     const options = known.map(({ key }) => [key, title(key)] as const);
     const rows = this.wanted_.map((tolerance, at) => {
       const picker = select("Parameter", [], (key) => this.tolerate_(at, { ...tolerance, key }));

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
+#include <string>
+#include <utility>
 
 using stridor::support::Finished;
 using stridor::support::read_text;
@@ -80,6 +83,73 @@ TEST_F(ChartOfACase, OptionsTakeThePlaceOfTheFilesAxes) {
                               folder_.path());
     ASSERT_EQ(done.exit_code, 0) << done.err;
     EXPECT_NE(done.out.find("4 cells"), std::string::npos) << done.out;
+}
+
+// a stiffness and a friction by table over the temperature
+class ChartOverTemperature : public ChartOfACase {
+protected:
+    void SetUp() override {
+        std::string table =
+            "\n[temperature]\nvalue = \"23 degC\"\nat = [-30, 23, 80]\n"
+            "k1j = [\"4e6 N/m\", \"1e6 N/m\", \"2e5 N/m\"]\nmu_d = [0.3, 0.6, 0.7]\n";
+        std::string kept;
+        std::istringstream lines(run({"init", "squeal"}).out);
+        for (std::string line; std::getline(lines, line);)
+            if (!line.starts_with("flexural_stiffness") && !line.starts_with("kinetic_friction")) kept += line + "\n";
+        write_text(folder_ / "squeal.toml", kept + table);
+    }
+
+    Finished simulate(const std::string& set) const {
+        return run({"simulate", "squeal.toml", "--json", "--set", set}, folder_.path());
+    }
+};
+
+TEST_F(ChartOverTemperature, HasTheRunsOfEachTemperature) {
+    const Finished done = chart({"--x", "preload=20:40:2", "--y", "temperature=-30:80:3", "--out", "out"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(text("out/chart.svg").find("°C"), std::string::npos);
+    // near 23 degC it is the paper's squeal
+    EXPECT_NE(text("out/chart.csv").find("\n20,25,going,done,squeal"), std::string::npos) << text("out/chart.csv");
+    const Finished again = run({"chart", "out/chart.toml", "--out", "again"}, folder_.path());
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(text("again/chart.csv"), text("out/chart.csv"));
+    EXPECT_EQ(chart({"--x", "temperature=-30:80:3", "--out", "alone"}).exit_code, 0);
+}
+
+TEST_F(ChartOverTemperature, IsOfTheCasesThatASimulationSets) {
+    const Finished cold = simulate("temperature=-30 degC");
+    ASSERT_EQ(cold.exit_code, 0) << cold.err;
+    EXPECT_NE(cold.out.find("\"flexural_stiffness\": 4000000.0"), std::string::npos) << cold.out;
+    EXPECT_NE(cold.out.find("\"kinetic_friction\": 0.3"), std::string::npos);
+    // the same motion as of a file with these numbers
+    write_text(folder_ / "plain.toml", run({"init", "squeal"}).out);
+    const Finished plain = run({"simulate", "plain.toml", "--set", "k1j=4e6", "--set", "mu_d=0.3"}, folder_.path());
+    EXPECT_EQ(run({"simulate", "squeal.toml", "--set", "temperature=-30"}, folder_.path()).out, plain.out);
+}
+
+TEST_F(ChartOverTemperature, EndsWhereItsTableDoes) {
+    for (const auto& [axis, words] : {std::pair("temperature=-31:80:3", "between -30 and 80 degC"),
+                                      std::pair("mu_d=0.2:0.5:3", "contact.kinetic_friction cannot be set")}) {
+        const Finished refused = chart({"--x", axis, "--out", "out"});
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_NE(refused.err.find(words), std::string::npos) << refused.err;
+    }
+    EXPECT_EQ(simulate("temperature=100").exit_code, 2);
+    EXPECT_EQ(simulate("k1j=1e6").exit_code, 2);
+    const Finished scan = run({"stability", "squeal.toml", "--over", "temperature=-30:80"}, folder_.path());
+    EXPECT_EQ(scan.exit_code, 0) << scan.err;
+    EXPECT_EQ(run({"stability", "squeal.toml", "--over", "temperature=-30:81"}, folder_.path()).exit_code, 2);
+    EXPECT_EQ(run({"report", "squeal.toml", "--no-advice", "--points", "3", "-o", "r.html"}, folder_.path()).exit_code,
+              0);
+}
+
+// the library gets the case of a trace back from its lines
+TEST_F(ChartOverTemperature, GoesIntoTheLibraryWithATrace) {
+    ASSERT_EQ(run({"simulate", "squeal.toml", "--trace", "t.csv"}, folder_.path()).exit_code, 0);
+    const Finished added = run({"library", "add", "t.csv", "--library", "l.sqlite", "--no-verdict"}, folder_.path());
+    ASSERT_EQ(added.exit_code, 0) << added.err;
+    const Finished shown = run({"library", "show", "1", "--library", "l.sqlite", "--json"}, folder_.path());
+    EXPECT_NE(shown.out.find("joint.flexural_stiffness = [\\\"4e6 N/m\\\""), std::string::npos) << shown.out;
 }
 
 TEST_F(ChartOfACase, OneAxisAloneGivesADiagram) {

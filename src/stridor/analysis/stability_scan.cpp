@@ -18,6 +18,10 @@ void check(const parameters::Case& c, const parameters::Field& field, const Scan
                          base::shortest(range.to) + " at " + std::to_string(range.points) + " points",
                      "the ends must rise, and 2 to " + std::to_string(most_scan_points) + " points do",
                      range.from > range.to ? "Swap the ends?" : ""});
+    if (!field.belongs(c))
+        throw Error(ErrorKind::input,
+                    {range.key + " changes nothing", "this case, with its kind of drive and start, does not use it",
+                     "`stridor check FILE` lists what it uses."});
     // both ends must be values the parameter can take
     parameters::Case copy = c;
     parameters::set_quantity(copy, field, range.from);

@@ -1,6 +1,7 @@
 #include "stridor/chart/field_axis.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/parameters/field_name.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,14 +62,14 @@ Axis field_axis(const sweep::Axis& axis) {
 }
 
 Text field_label(const parameters::Field& field) {
-    const Text name(spelled(field.name));
+    const Text name(spelled(parameters::short_name(field)));
     return field.symbol.empty() ? name : name + " " + symbol(field.symbol);
 }
 
 Text setting(const parameters::Case& c, std::string_view key) {
     const parameters::Field* field = parameters::find_field(key);
     STRIDOR_EXPECT(field != nullptr);
-    const Text name = field->symbol.empty() ? Text(spelled(field->name)) : symbol(field->symbol);
+    const Text name = field->symbol.empty() ? Text(spelled(parameters::short_name(*field))) : symbol(field->symbol);
     return name + " = " + value_of(c, *field);
 }
 

@@ -12,10 +12,11 @@ namespace {
 
 constexpr double millimetres_per_point = 25.4 / 72.0;
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> greek{{{"alpha", "α"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> greek{{{"alpha", "α"},
                                                                                {"beta", "β"},
                                                                                {"gamma", "γ"},
                                                                                {"zeta", "ζ"},
+                                                                               {"theta", "θ"},
                                                                                {"lambda", "λ"},
                                                                                {"mu", "μ"},
                                                                                {"pi", "π"},
@@ -114,6 +115,7 @@ Text symbol(std::string_view name) {
 Text unit_text(std::string_view unit) {
     if (unit == "1") return {};
     if (unit == "deg") return "°";
+    if (unit == "degC") return "°C";
     constexpr std::string_view reference = "1e-9 m/s";  // of velocity levels
     const std::size_t at = unit.find(reference);
     if (at != std::string_view::npos)

@@ -4,6 +4,7 @@
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_document.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 
 #include <optional>
 #include <string>
@@ -68,6 +69,9 @@ Response share(const World& world, const Json& body, const std::stop_token&) {
     if (c.drive.kind == parameters::DriveKind::sampled)
         throw Error(ErrorKind::input, {"a sampled drive does not travel in a link",
                                        "its samples are in a file of this machine", "Send the case with that file."});
+    if (parameters::has_temperature_table(c))
+        throw Error(ErrorKind::input, {"a table over temperature does not travel in a link",
+                                       "a link holds one number for each quantity", "Send the case as a file."});
     const Preset& own = preset_named(world, text_in(body, "preset"));
     std::optional<Json> nearest;
     for (const Preset& preset : world.presets) {

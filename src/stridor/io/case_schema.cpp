@@ -3,11 +3,14 @@
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -82,6 +85,41 @@ Json section_schema() {
             {"properties", Json::object()}};
 }
 
+Json list_schema(const std::string& about) {
+    return {{"description", about}, {"type", "array"}, {"minItems", 2}, {"items", {{"type", {"number", "string"}}}}};
+}
+
+// the lists beside temperature.value, under every name that means one property
+void add_temperature_lists(Json& section) {
+    section["required"] = {"value", "at"};
+    Json& properties = section["properties"];
+    properties["at"] = list_schema("temperatures at which the lists below have their values, rising; degC");
+    for (const std::string_view key : parameters::keys_over_temperature()) {
+        const parameters::Field& field = *parameters::find_field(key);
+        const Json list = list_schema(std::string(field.sentence) + ", at each temperature");
+        properties[std::string(parameters::short_name(field))] = list;
+        properties[std::string(field.symbol)] = list;
+        Json& nested = properties[std::string(field.section)];
+        if (nested.is_null()) nested = {{"type", "object"}, {"additionalProperties", false}};
+        nested["properties"][std::string(field.name)] = list;
+    }
+}
+
+bool may_follow_temperature(const parameters::Field& field) {
+    const auto keys = parameters::keys_over_temperature();
+    return std::find(keys.begin(), keys.end(), parameters::key_of(field)) != keys.end();
+}
+
+// what a file without [temperature] has to say besides
+Json without_temperature() {
+    Json sections = Json::object();
+    for (const std::string_view key : parameters::keys_over_temperature()) {
+        const parameters::Field& field = *parameters::find_field(key);
+        sections[std::string(field.section)]["required"].push_back(field.name);
+    }
+    return {{"properties", std::move(sections)}};
+}
+
 Json axis_schema() {
     Json schema = section_schema();
     schema["required"] = {"parameter", "from", "to", "points"};
@@ -127,12 +165,16 @@ std::string json_schema() {
         if (!properties.contains(name)) properties[name] = section_schema();
         Json& section = properties[name];
         section["properties"][std::string(field.name)] = field_schema(field);
-        if (is_always_required(field)) section["required"].push_back(field.name);
+        if (is_always_required(field) && !may_follow_temperature(field)) section["required"].push_back(field.name);
     }
     for (const auto& [name, section] : properties.items())
         if (section.contains("required") && !section["required"].empty()) document["required"].push_back(name);
+    add_temperature_lists(properties["temperature"]);
     properties["drive"]["allOf"] = drive_conditions();
     properties["chart"] = chart_schema();
+    // last: they move what stands before
+    document["if"] = {{"not", {{"required", Json::array({"temperature"})}}}};
+    document["then"] = without_temperature();
     return document.dump(2);
 }
 

@@ -7,6 +7,7 @@
 #include "stridor/classification/verdict.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <nlohmann/json.hpp>
@@ -60,6 +61,15 @@ inline Json case_object(const parameters::Case& c) {
         else
             section[name] = parameters::value_text(c, field);
     }
+    if (!parameters::has_temperature_table(c)) return object;
+    object["temperature"]["at"] = c.temperature.at;
+    for (const parameters::TemperatureColumn& column : c.temperature.columns) {
+        Json& values = object["temperature"][column.key];
+        if (column.holds == parameters::TemperatureColumn::Holds::damping_ratio)
+            values = parameters::value_texts(column);
+        else
+            values = column.values;
+    }
     return object;
 }
 
@@ -70,6 +80,10 @@ inline Json case_units(const parameters::Case& c) {
         if (const auto* quantity = std::get_if<parameters::Quantity>(&field.kind);
             quantity != nullptr && field.belongs(c))
             units["case." + parameters::key_of(field)] = quantity->unit;
+    if (parameters::has_temperature_table(c)) units["case.temperature.at"] = parameters::unit_of("temperature.value");
+    for (const parameters::TemperatureColumn& column : c.temperature.columns)
+        if (column.holds == parameters::TemperatureColumn::Holds::quantity)
+            units["case.temperature." + column.key] = parameters::unit_of(column.key);
     return units;
 }
 

@@ -3,6 +3,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/complaints.hpp"
 #include "stridor/io/toml_case_keys.hpp"
+#include "stridor/io/toml_temperature.hpp"
 #include "stridor/parameters/check.hpp"
 
 #include <algorithm>
@@ -53,6 +54,9 @@ public:
     void read_kinds() {
         const std::vector<std::string> meant = check_known(*document_, complaints_);
         unread_.insert(unread_.end(), meant.begin(), meant.end());
+        const std::vector<std::string> untold = read_temperature_table(*document_, c_, complaints_);
+        unread_.insert(unread_.end(), untold.begin(), untold.end());
+        of_file_.temperature = c_.temperature;
         assign_all(of_file_, Pass::choices, Layer::file);
         assign_all(c_, Pass::choices, Layer::everything);
         const std::vector<std::string> missing = check_complete(c_, *document_, unread_, complaints_);
@@ -71,6 +75,7 @@ public:
         for (const parameters::Finding& finding : parameters::findings(c_)) {
             if (!is_sound(finding)) continue;
             const TomlEntry* entry = document_->find(finding.key);
+            if (entry == nullptr) entry = find_temperature_list(*document_, finding.key);
             complaints_.add({ErrorKind::input, finding.problem,
                              entry != nullptr ? entry->value_place : base::Place{document_->name, 0, 0, ""}});
         }
@@ -88,8 +93,12 @@ private:
             const bool is_choice = std::holds_alternative<Choice>(field->kind);
             const bool decides = layer == Layer::file || document_->find(entry.key) == &entry;
             if (!decides || is_choice != (pass == Pass::choices)) continue;
-            if (has_inner(*document_, entry) || !complaints_.keep([&] { assign(c, *field, entry); }))
-                unread_.push_back(entry.key);
+            if (!has_inner(*document_, entry) && complaints_.keep([&] { assign(c, *field, entry); })) continue;
+            unread_.push_back(entry.key);
+            // what follows the temperature is not known without it
+            if (field->section == "temperature")
+                for (const parameters::TemperatureColumn& column : c.temperature.columns)
+                    unread_.push_back(column.key);
         }
     }
 
@@ -137,7 +146,7 @@ void read_samples(Case& c, const TomlDocument& document, const SamplesReader& sa
 }  // namespace
 
 bool is_required(const parameters::Field& field) {
-    constexpr std::array<std::string_view, 4> sections{"joint", "plate", "contact", "drive"};
+    constexpr std::array<std::string_view, 5> sections{"joint", "plate", "contact", "temperature", "drive"};
     return std::find(sections.begin(), sections.end(), field.section) != sections.end() &&
            parameters::key_of(field) != "contact.impact";
 }

@@ -17,8 +17,8 @@ using SamplesReader = std::function<SampledMotion(const std::string& path)>;
 
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
 ///
-/// Everything in [joint], [plate], [contact] and [drive] that belongs to the case must be there, except contact.impact; the
-/// rest has defaults. Overrides win; a key of the file that an override made meaningless (drive.amplitude after
+/// Everything in [joint], [plate], [contact] and [drive] that belongs to the case must be there, except contact.impact
+/// and what follows the temperature (`read_temperature_table`); the rest has defaults. Overrides win; a key of the file that an override made meaningless (drive.amplitude after
 /// `--set drive.kind=constant`) is left out, and so is one that a change of the kind in the file left behind
 /// (`case_warnings`). A section [chart] is not looked at. A sampled drive's CSV is looked for beside the file (given by
 /// an override: in the current folder).

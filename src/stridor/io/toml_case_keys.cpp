@@ -2,9 +2,11 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/io/toml_case.hpp"
+#include "stridor/io/toml_temperature.hpp"
 #include "stridor/io/toml_writer.hpp"
 #include "stridor/parameters/field_name.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/soft_parts.hpp"
 
 #include <algorithm>
@@ -95,7 +97,8 @@ std::vector<Case> cases_to_start_from() {
 std::vector<std::string> check_known(const TomlDocument& document, Complaints& complaints) {
     std::vector<std::string> meant;
     for (const TomlEntry& entry : document.entries) {
-        if (is_chart_key(entry.key) || is_in_unknown_section(document, entry)) continue;
+        const bool is_read_elsewhere = is_chart_key(entry.key) || is_temperature_list(entry.key);
+        if (is_read_elsewhere || is_in_unknown_section(document, entry)) continue;
         const bool is_table = std::holds_alternative<TomlTable>(entry.value);
         if (is_section(entry.key)) {
             if (is_table) continue;
@@ -120,7 +123,8 @@ std::vector<std::string> check_complete(const Case& c, const TomlDocument& docum
     for (const Field& field : parameters::fields()) {
         const std::string key = parameters::key_of(field);
         const bool is_known = field.section != "drive" || field.name == "kind" || knows_drive;
-        const bool is_needed = is_known && is_required(field) && field.belongs(c);
+        const bool is_needed =
+            is_known && is_required(field) && field.belongs(c) && parameters::temperature_column(c, key) == nullptr;
         if (is_needed && document.find(key) == nullptr && !contains(unread, key)) missing.push_back(key);
     }
     if (!missing.empty()) complaints.add(missing_keys(c, document, missing));
@@ -129,6 +133,7 @@ std::vector<std::string> check_complete(const Case& c, const TomlDocument& docum
 
 bool is_idle(const Case& of_file, const Field& field, const TomlEntry& entry) {
     if (entry.origin != TomlOrigin::file || field.belongs(of_file)) return false;
+    if (parameters::home_of(of_file, field).empty()) return false;  // no kind was changed
     Case written;
     try {
         assign(written, field, entry);
@@ -146,10 +151,15 @@ void check_belonging(const Case& of_file, const Case& c, const TomlDocument& doc
         const Field* field = parameters::find_field(entry.key);
         const Case& judge = entry.origin == TomlOrigin::file ? of_file : c;
         if (field == nullptr || field->belongs(judge) || is_idle(of_file, *field, entry)) continue;
-        complaints.add({ErrorKind::input,
-                        {entry.key + " means nothing for this case",
-                         "it belongs to " + parameters::home_of(judge, *field), "Remove it, or change the other key."},
-                        entry.key_place});
+        const std::string home = parameters::home_of(judge, *field);
+        if (home.empty() && has_temperature_list(document)) continue;  // a table that has complaints of its own
+        complaints.add(
+            {ErrorKind::input,
+             {entry.key + " means nothing for this case",
+              home.empty() ? "nothing follows the temperature" : "it belongs to " + home,
+              home.empty() ? "Give [temperature] a table: at = [...] and, for example, axial_stiffness = [...]."
+                           : "Remove it, or change the other key."},
+             entry.key_place});
     }
 }
 

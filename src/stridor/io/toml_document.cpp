@@ -135,12 +135,18 @@ toml::table parsed(const std::string& text, const Places& places) {
 
 TomlValue array_value(const toml::array& array) {
     std::vector<std::string> texts;
+    std::vector<double> numbers;
     for (const toml::node& element : array) {
-        const auto text = element.value_exact<std::string>();
-        if (!text) return TomlUnfit{"a list of other things than text"};
-        texts.push_back(*text);
+        if (const auto text = element.value_exact<std::string>())
+            texts.push_back(*text);
+        else if (const auto number = element.value<double>(); number && element.is_number())
+            numbers.push_back(*number);
+        else
+            return TomlUnfit{"a list of other things than text or numbers"};
     }
-    return texts;
+    if (numbers.empty()) return texts;
+    if (texts.empty()) return numbers;
+    return TomlUnfit{"a list of text and numbers"};
 }
 
 TomlValue value_of(const toml::node& node) {
@@ -276,11 +282,23 @@ TomlEntry parse_override(const std::string& text) {
     return {full_key(key, place), std::string(value), TomlOrigin::override, place, place};
 }
 
+std::vector<std::string> listed(std::string text) {
+    std::erase_if(text, [](char c) { return c == '[' || c == ']' || c == '"'; });
+    std::vector<std::string> list;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(',', start), text.size());
+        list.emplace_back(base::trimmed(std::string_view(text).substr(start, end - start)));
+        start = end + 1;
+    }
+    return list;
+}
+
 std::string_view type_name(const TomlValue& value) {
     struct Name {
         std::string_view operator()(double) const { return "a number"; }
         std::string_view operator()(const std::string&) const { return "text"; }
         std::string_view operator()(const std::vector<std::string>&) const { return "a list"; }
+        std::string_view operator()(const std::vector<double>&) const { return "a list of numbers"; }
         std::string_view operator()(const TomlTable&) const { return "a section"; }
         std::string_view operator()(const TomlUnfit& unfit) const { return unfit.type; }
     };

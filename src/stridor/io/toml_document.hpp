@@ -27,7 +27,8 @@ struct TomlUnfit {
     std::string_view type;  // "a boolean"
 };
 
-using TomlValue = std::variant<double, std::string, std::vector<std::string>, TomlTable, TomlUnfit>;
+using TomlValue =
+    std::variant<double, std::string, std::vector<std::string>, std::vector<double>, TomlTable, TomlUnfit>;
 
 enum class TomlOrigin { file, override };
 
@@ -57,7 +58,10 @@ TomlDocument parse_toml(const TomlSource& source);
 /// short name of several keys.
 TomlEntry parse_override(const std::string& text);
 
-/// "a number", "text", "a list", "a section" or the name of an unfit type.
+/// The items of a list that an override writes as "going,coming", or as TOML does.
+std::vector<std::string> listed(std::string text);
+
+/// "a number", "text", "a list", "a list of numbers", "a section" or the name of an unfit type.
 std::string_view type_name(const TomlValue& value);
 
 /// The same error about a key that stands somewhere; the key is named if the error does not name it.

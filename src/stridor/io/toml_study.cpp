@@ -161,15 +161,7 @@ sweep::Axis read_axis(const TomlDocument& document, const std::string& prefix, C
 // overrides write lists as "going,coming" or as TOML does
 std::vector<std::string> list_of(const TomlEntry& entry) {
     if (const auto* list = std::get_if<std::vector<std::string>>(&entry.value)) return *list;
-    std::string text = text_of(entry, "a list of text");
-    std::erase_if(text, [](char c) { return c == '[' || c == ']' || c == '"'; });
-    std::vector<std::string> list;
-    for (std::size_t start = 0; start <= text.size();) {
-        const std::size_t end = std::min(text.find(',', start), text.size());
-        list.emplace_back(base::trimmed(std::string_view(text).substr(start, end - start)));
-        start = end + 1;
-    }
-    return list;
+    return listed(text_of(entry, "a list of text"));
 }
 
 // names of an enumeration out of a list, if the document has it

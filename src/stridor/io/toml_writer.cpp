@@ -1,6 +1,7 @@
 #include "stridor/io/toml_writer.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
@@ -114,6 +115,31 @@ std::string list_text(const Items& items, Name name) {
     return "[" + text + "]";
 }
 
+// the table below temperature.value
+std::string table_lines(const Case& c, const TomlOptions& options) {
+    const std::string about = options.comments == Comments::full
+                                  ? "# what follows the temperature: its values at these, linear between them\n"
+                                  : "";
+    const auto line = [](std::string_view key, std::string_view unit, const std::vector<double>& values) {
+        std::string list;
+        for (const double value : values)
+            list += (list.empty() ? "" : ", ") + quantity_text(value, unit);
+        return std::string(key) + " = [" + list + "]\n";
+    };
+    std::string text = about + line("at", "degC", c.temperature.at);
+    for (const parameters::TemperatureColumn& column : c.temperature.columns)
+        text += column.holds == parameters::TemperatureColumn::Holds::damping_ratio
+                    ? column.key + " = " + list_text(parameters::value_texts(column), std::identity{}) + "\n"
+                    : line(column.key, parameters::unit_of(column.key), column.values);
+    return text;
+}
+
+// does a file of this case have a line for it, be it as a comment?
+bool has_line(const Case& c, const Field& field, const TomlOptions& options) {
+    if (parameters::temperature_column(c, parameters::key_of(field)) != nullptr) return false;
+    return field.belongs(c) || (options.comments == Comments::full && !parameters::home_of(c, field).empty());
+}
+
 }  // namespace
 
 std::string describe_values(const parameters::Field& field) {
@@ -135,12 +161,13 @@ std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
     std::string text = heading(options);
     std::string_view section;
     for (const Field& field : parameters::fields()) {
+        if (!has_line(c, field, options)) continue;
         const bool is_used = field.belongs(c);
-        if (!is_used && options.comments == Comments::none) continue;
         if (field.section != section) text += (text.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
         section = field.section;
         if (options.comments == Comments::full) text += comment(field, is_used ? "" : parameters::home_of(c, field));
         text += (is_used ? "" : "#") + toml_line(c, field) + "\n";
+        if (section == "temperature") text += table_lines(c, options);
     }
     return text;
 }

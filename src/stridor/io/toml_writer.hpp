@@ -17,6 +17,7 @@ struct TomlOptions {
 };
 
 /// A case as a TOML file, generated from the field table: every key that belongs to it, quantities with their units.
+/// What follows the temperature stands in [temperature] alone.
 ///
 /// Reading it back gives a case with an identical `parameters::canonical_text`.
 std::string case_toml(const parameters::Case& c, const TomlOptions& options = {});

@@ -38,6 +38,23 @@ struct DampingRatios {
     std::optional<double> plate{};     // [1] of plate.damping: with m2 and k2y
 };
 
+/// One property by table over the temperature.
+struct TemperatureColumn {
+    enum class Holds { quantity, damping_ratio };
+    std::string key;             // of its field: "joint.axial_stiffness"
+    std::vector<double> values;  // at the nodes, in the field's unit or a share of critical [1], shape [node]
+    Holds holds = Holds::quantity;
+};
+
+/// The temperature of the parts and the properties that follow it by table, linear between nodes. Who sets it through its
+/// field sets them with it; their numbers stand in `Joint`, `Plate` and `Contact`, which alone decide the
+/// motion.
+struct Temperature {
+    double value = 23.0;                       // [degC]
+    std::vector<double> at{};                  // [degC] nodes, rising, shape [node]; none: nothing follows
+    std::vector<TemperatureColumn> columns{};  // in the order of the field table
+};
+
 /// What happens when a separation ends.
 enum class ImpactLaw {
     plastic,      // no rebound; the tangential impulse obeys the same friction cone as the forces
@@ -125,6 +142,7 @@ struct Case {
     Run run;
     Thresholds verdict;
     DampingRatios damping_ratios{};
+    Temperature temperature{};
 };
 
 }  // namespace stridor::parameters

@@ -5,6 +5,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/damping_ratio.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,8 @@ constexpr Range any{};
 constexpr Range positive{0.0, infinity, Range::Low::open};
 constexpr Range not_negative{0.0, infinity, Range::Low::closed};
 constexpr Range share{0.0, 1.0, Range::Low::closed};
+// from absolute zero to where no rubber or plastic is left
+constexpr Range temperatures{-273.15, 2000.0, Range::Low::closed};
 constexpr Range before_the_end{0.0, 0.99, Range::Low::closed};
 
 constexpr UsualRange between(double from, double to) {
@@ -122,6 +125,9 @@ const std::array table{
           choice<&Case::contact, &Contact::impact, ImpactLaw>(impact_names), always},
     Field{"contact", "restitution", "e", "velocity after an impact over that before it, impact = restitution",
           quantity<&Case::contact, &Contact::restitution>("1", share, between(0.0, 1.0)), rebounds},
+
+    Field{"temperature", "value", "theta", "temperature of the parts, at which the table below is read",
+          quantity<&Case::temperature, &Temperature::value>("degC", temperatures), has_temperature_table},
 
     Field{"drive", "kind", "", "how the plate is moved", choice<&Case::drive, &Drive::kind, DriveKind>(drive_names),
           always},
@@ -268,19 +274,43 @@ double get_quantity(const Case& c, const Field& field) {
     return std::get<Quantity>(field.kind).get(c);
 }
 
+namespace {
+
+bool is_temperature_of_table(const Case& c, const Field& field) {
+    return has_temperature_table(c) && field.section == "temperature";
+}
+
+void refuse_follower(const Case& c, const Field& field) {
+    if (temperature_column(c, key_of(field)) == nullptr) return;
+    throw Error(ErrorKind::input, {key_of(field) + " cannot be set", "it follows the temperature by a table",
+                                   "Set temperature.value instead, or take it out of [temperature]."});
+}
+
+}  // namespace
+
+Range range_of(const Case& c, const Field& field) {
+    if (is_temperature_of_table(c, field)) return {c.temperature.at.front(), c.temperature.at.back()};
+    return std::get<Quantity>(field.kind).range;
+}
+
 void set_quantity(Case& c, const Field& field, double value) {
+    refuse_follower(c, field);
     const auto& quantity = std::get<Quantity>(field.kind);
-    if (!std::isfinite(value) || !contains(quantity.range, value))
-        throw Error(ErrorKind::input, {key_of(field) + " = " + base::shortest(value) + " is out of range",
-                                       "it must be " + (std::isfinite(value) ? range_text(quantity.range, quantity.unit)
-                                                                             : std::string("finite")),
-                                       ""});
+    const Range range = range_of(c, field);
+    if (!std::isfinite(value) || !contains(range, value))
+        throw Error(ErrorKind::input,
+                    {key_of(field) + " = " + base::shortest(value) + " is out of range",
+                     "it must be " + (std::isfinite(value) ? range_text(range, quantity.unit) : std::string("finite")) +
+                         (is_temperature_of_table(c, field) ? ", where the table ends" : ""),
+                     is_temperature_of_table(c, field) ? "Extend the table in [temperature]." : ""});
     quantity.set(c, value);
     if (std::optional<double>* ratio = damping_ratio_of(c, key_of(field))) ratio->reset();
+    keep_temperature_table(c);
     keep_damping_ratios(c);
 }
 
 void set_from_text(Case& c, const Field& field, std::string_view text) {
+    refuse_follower(c, field);
     std::optional<double>* known = damping_ratio_of(c, key_of(field));
     if (const std::optional<double> ratio = known == nullptr ? std::nullopt : parse_damping_ratio(text)) {
         if (!(*ratio >= 0.0 && *ratio <= most_damping_ratio))
@@ -315,13 +345,28 @@ std::string value_text(const Case& c, const Field& field) {
     return std::get<Text>(field.kind).get(c);
 }
 
+namespace {
+
+std::string listed(const std::vector<std::string>& texts) {
+    std::string list;
+    for (const std::string& text : texts)
+        list += (list.empty() ? "" : ", ") + text;
+    return list;
+}
+
+}  // namespace
+
 std::string canonical_text(const Case& c) {
     std::string text;
     for (const Field& field : table) {
         const bool names_a_thing =
             std::holds_alternative<Text>(field.kind);  // a title or a file name changes no result
-        if (field.belongs(c) && !names_a_thing) text += key_of(field) + " = " + value_text(c, field) + "\n";
+        const bool follows = temperature_column(c, key_of(field)) != nullptr;
+        if (field.belongs(c) && !names_a_thing && !follows) text += key_of(field) + " = " + value_text(c, field) + "\n";
     }
+    if (has_temperature_table(c)) text += "temperature.at = " + listed(node_texts(c)) + "\n";
+    for (const TemperatureColumn& column : c.temperature.columns)
+        text += "temperature." + column.key + " = " + listed(value_texts(column)) + "\n";
     if (c.drive.kind == DriveKind::sampled) {
         std::string samples;
         for (std::size_t k = 0; k < c.drive.times.size(); ++k)

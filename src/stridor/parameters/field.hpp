@@ -91,7 +91,7 @@ std::string_view unit_of(const Field& field);
 std::string_view unit_of(std::string_view key);
 
 /// The choices that would give a field a meaning: "drive.kind = "sinusoidal" or drive.kind = "sampled""; empty if none
-/// alone does.
+/// alone does, as for the temperature of a case without a table.
 std::string home_of(const Case& c, const Field& field);
 
 /// Is its value the name of a file that is opened?
@@ -99,8 +99,12 @@ bool names_file(const Field& field);
 
 double get_quantity(const Case& c, const Field& field);
 
-/// Sets a quantity, in its unit, and the dampings that are shares of critical with it (`DampingRatios`); a damping that
-/// is set itself is a share no more. Throws `Error` (input) without a place for a value out of range.
+/// What a quantity may be in this case: the field's range; for a temperature that has a table, the table's.
+Range range_of(const Case& c, const Field& field);
+
+/// Sets a quantity, in its unit. With the temperature it sets what follows it by table, and with any of these the
+/// dampings that are shares of critical (`DampingRatios`); a damping that is set itself is a share no more. Throws
+/// `Error` (input) without a place for a value out of range, and for a quantity that follows the temperature.
 void set_quantity(Case& c, const Field& field, double value);
 
 /// Sets a field from what a user wrote ("20 N", "0.6", "sinusoidal"); throws `Error` (input) without a place. Of the
@@ -116,7 +120,8 @@ std::string value_text(const Case& c, const Field& field);
 
 /// Every field that belongs to this case as "section.key = value unit", a line each, shortest round-trip numbers.
 /// Two cases that would run alike have the same text, whatever files they came from; a sampled drive is named by
-/// the hash of its samples.
+/// the hash of its samples. What follows the temperature is its whole table: "temperature.at = -30 degC, 80 degC",
+/// "temperature.joint.axial_stiffness = 60000 N/m, 12000 N/m".
 std::string canonical_text(const Case& c);
 
 }  // namespace stridor::parameters

@@ -47,11 +47,15 @@ std::string ending_alike(std::string_view name) {
 
 }  // namespace
 
+std::string_view short_name(const Field& field) {
+    return field.name == "value" ? field.section : field.name;
+}
+
 std::vector<const Field*> fields_called(std::string_view name) {
     if (const Field* field = find_field(name)) return {field};
     std::vector<const Field*> called;
     for (const Field& field : fields())
-        if (!name.empty() && (field.name == name || field.symbol == name)) called.push_back(&field);
+        if (!name.empty() && (short_name(field) == name || field.symbol == name)) called.push_back(&field);
     return called;
 }
 
@@ -75,7 +79,7 @@ std::string similar_key(std::string_view name) {
     if (std::string near = nearest_key(name); !near.empty()) return near;
     std::vector<std::string_view> names;
     for (const Field& field : fields())
-        names.push_back(field.name);
+        names.push_back(short_name(field));
     const std::vector<const Field*> near = fields_called(base::nearest_name(last_part(name), names));
     return near.size() == 1 ? key_of(*near.front()) : std::string();
 }

@@ -7,8 +7,12 @@
 #include <vector>
 
 /// What users call fields. Wherever a key is taken, it is taken in any of three spellings and shown in the first: the
-/// key ("contact.kinetic_friction"), its last part ("kinetic_friction"), the symbol ("mu_d").
+/// key ("contact.kinetic_friction"), its last part ("kinetic_friction"), the symbol ("mu_d"). The last part of
+/// temperature.value is "temperature".
 namespace stridor::parameters {
+
+/// The last part of a key; of temperature.value, which is the value of its section, "temperature".
+std::string_view short_name(const Field& field);
 
 /// The fields a name may mean: the one with that key, else all whose last part or symbol it is; none if it is unknown.
 std::vector<const Field*> fields_called(std::string_view name);

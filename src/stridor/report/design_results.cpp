@@ -3,6 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/io/wav.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"
@@ -72,6 +73,19 @@ integration::Motion motion_of(const Case& design, const std::stop_token& stop) {
 
 }  // namespace
 
+namespace {
+
+// over the friction, or over the temperature that it follows
+analysis::ScanRange telling_range(const Case& design) {
+    constexpr std::string_view friction = "contact.kinetic_friction";
+    const std::vector<double>& at = design.temperature.at;
+    if (parameters::temperature_column(design, friction) != nullptr)
+        return {"temperature.value", at.front(), at.back()};
+    return {std::string(friction), 0.0, design.contact.static_friction};
+}
+
+}  // namespace
+
 DesignResults basic_results(const Case& design, const std::stop_token& stop) {
     DesignResults results;
     results.design = design;
@@ -86,8 +100,7 @@ DesignResults basic_results(const Case& design, const std::stop_token& stop) {
         if (error.kind() != ErrorKind::input) throw;
         results.without_sound = error.problem().what + " (" + error.problem().why + ").";
     }
-    results.stability = analysis::scan_stability(
-        design, analysis::ScanRange{"contact.kinetic_friction", 0.0, design.contact.static_friction});
+    results.stability = analysis::scan_stability(design, telling_range(design));
     return results;
 }
 

@@ -6,6 +6,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,9 @@ double octaves(const DesignParameter& parameter) {
 std::vector<const Field*> quantities_of(const Case& c) {
     std::vector<const Field*> found;
     for (const Field& field : parameters::fields())
-        if (std::holds_alternative<Quantity>(field.kind) && field.belongs(c)) found.push_back(&field);
+        if (std::holds_alternative<Quantity>(field.kind) && field.belongs(c) &&
+            parameters::temperature_column(c, parameters::key_of(field)) == nullptr)
+            found.push_back(&field);
     return found;
 }
 
@@ -111,6 +114,9 @@ const Field& quantity_named(const Case& c, std::string_view name) {
         refuse("\"" + std::string(name) + "\" changes nothing",
                "this case, with its kind of drive and start, does not use it",
                "`stridor check FILE` lists what it uses.");
+    if (parameters::temperature_column(c, parameters::key_of(field)) != nullptr)
+        refuse(parameters::key_of(field) + " cannot be set", "it follows the temperature by a table",
+               "Vary temperature instead, or take it out of [temperature].");
     return field;
 }
 

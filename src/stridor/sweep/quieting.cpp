@@ -61,7 +61,7 @@ DesignChange change_of(const DesignSpace& space, std::vector<ParameterChange> se
 double neighbour(const DesignSpace& space, const ParameterChange& change, int steps) {
     const DesignParameter& range = space.parameters[change.parameter];
     const double size = change.to != 0.0 ? std::abs(change.to) : range.to - range.from;
-    const parameters::Range& allowed = std::get<parameters::Quantity>(field_of(space, change.parameter).kind).range;
+    const parameters::Range allowed = parameters::range_of(space.base, field_of(space, change.parameter));
     return std::clamp(change.to + steps * neighbourhood * size, allowed.low, allowed.high);
 }
 

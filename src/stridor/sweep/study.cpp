@@ -7,6 +7,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/starts.hpp"
 
@@ -209,7 +210,10 @@ double value_at(const Axis& axis, int index) {
 
 Axis resting_axis(const Case& c, const Axis& x) {
     constexpr std::string_view preload = "contact.preload";
-    const std::string key(x.parameter == preload ? "contact.kinetic_friction" : preload);
+    constexpr std::string_view friction = "contact.kinetic_friction";
+    // beside preload: what does not follow the temperature
+    const bool is_free = parameters::temperature_column(c, friction) == nullptr;
+    const std::string key(x.parameter != preload ? preload : is_free ? friction : "joint.incidence_angle");
     const double value = parameters::get_quantity(c, *parameters::find_field(key));
     return {key, value, value, 1, Scale::linear};
 }

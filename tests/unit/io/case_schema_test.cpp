@@ -24,7 +24,10 @@ TEST(CaseSchema, DescribesEveryFieldOnce) {
     EXPECT_EQ(schema["additionalProperties"], false);
     std::size_t described = 0;
     for (const auto& [name, section] : schema["properties"].items())
-        if (name != "chart" && name != "title") described += section["properties"].size();
+        if (name == "temperature")
+            ++described;  // its value; the lists are no fields
+        else if (name != "chart" && name != "title")
+            described += section["properties"].size();
     EXPECT_EQ(described + 1, parameters::fields().size());
     const Json& preload = schema["properties"]["contact"]["properties"]["preload"];
     EXPECT_EQ(preload["exclusiveMinimum"], 0.0);
@@ -37,6 +40,14 @@ TEST(CaseSchema, RequiresWhatTheReaderRequires) {
         EXPECT_TRUE(lists(schema["required"], section)) << section;
     EXPECT_FALSE(lists(schema["required"], "run"));
     EXPECT_TRUE(lists(schema["properties"]["contact"]["required"], "preload"));
+    // what may follow the temperature must be there without a table only
+    EXPECT_FALSE(lists(schema["properties"]["contact"]["required"], "kinetic_friction"));
+    EXPECT_EQ(schema["if"]["not"]["required"], Json::array({"temperature"}));
+    EXPECT_TRUE(lists(schema["then"]["properties"]["contact"]["required"], "kinetic_friction"));
+    EXPECT_FALSE(lists(schema["required"], "temperature"));
+    EXPECT_EQ(schema["properties"]["temperature"]["required"], Json::array({"value", "at"}));
+    for (const char* name : {"at", "axial_stiffness", "k1i", "joint"})
+        EXPECT_TRUE(schema["properties"]["temperature"]["properties"].contains(name)) << name;
     EXPECT_FALSE(lists(schema["properties"]["contact"]["required"], "impact"));
     const Json& drive = schema["properties"]["drive"];
     EXPECT_EQ(drive["required"], Json::array({"kind"}));

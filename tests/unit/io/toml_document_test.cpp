@@ -43,11 +43,15 @@ TEST(TomlDocument, LaterOverridesWinOverEarlierOnesAndTheFile) {
 }
 
 TEST(TomlDocument, KnowsTypesThatNoKeyTakes) {
-    const TomlDocument document = parse("a = true\nb = 1979-05-27\nc = [1, 2]\nd = [\"x\"]\n");
+    const TomlDocument document =
+        parse("a = true\nb = 1979-05-27\nc = [true]\nd = [\"x\"]\ne = [1, 2.5]\nf = [1, \"x\"]\n");
     EXPECT_EQ(type_name(document.find("a")->value), "a boolean");
     EXPECT_EQ(type_name(document.find("b")->value), "a date or time");
-    EXPECT_EQ(type_name(document.find("c")->value), "a list of other things than text");
+    EXPECT_EQ(type_name(document.find("c")->value), "a list of other things than text or numbers");
     EXPECT_EQ(type_name(document.find("d")->value), "a list");
+    EXPECT_EQ(type_name(document.find("e")->value), "a list of numbers");
+    EXPECT_EQ(std::get<std::vector<double>>(document.find("e")->value), (std::vector<double>{1.0, 2.5}));
+    EXPECT_EQ(type_name(document.find("f")->value), "a list of text and numbers");
 }
 
 TEST(TomlDocument, PointsAtWhatIsNotToml) {

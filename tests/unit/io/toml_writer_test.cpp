@@ -34,7 +34,9 @@ Case random_case() {
     for (const Field& field : parameters::fields()) {
         if (const auto* choice = std::get_if<parameters::Choice>(&field.kind))
             choice->set(c, *support::whole_between(0, static_cast<int>(choice->names.size()) - 1));
-        if (const auto* quantity = std::get_if<Quantity>(&field.kind)) quantity->set(c, random_value(*quantity));
+        // without a table there is no temperature
+        const auto* quantity = std::get_if<Quantity>(&field.kind);
+        if (quantity != nullptr && field.section != "temperature") quantity->set(c, random_value(*quantity));
     }
     if (c.drive.kind == parameters::DriveKind::sampled) c.drive.kind = parameters::DriveKind::constant;
     c.contact.kinetic_friction = c.contact.static_friction * 0.7;
@@ -93,8 +95,10 @@ TEST(TomlWriter, ExplainsEveryKeyWithSymbolUnitAndRange) {
     const std::string text = case_toml(parameters::paper_case(parameters::PaperCase::squeal));
     for (const Field& field : parameters::fields())
         EXPECT_EQ(text.find("# " + std::string(field.sentence)) != std::string::npos, field.belongs({})) << field.name;
-    for (const Field& field : parameters::fields())
-        EXPECT_NE(text.find(std::string(field.sentence)), std::string::npos) << field.name;
+    for (const Field& field : parameters::fields()) {
+        const bool has_home = field.belongs({}) || !parameters::home_of({}, field).empty();
+        EXPECT_EQ(text.find(std::string(field.sentence)) != std::string::npos, has_home) << field.name;
+    }
     EXPECT_NE(text.find("# mass of the joint (m1) [kg, above 0]\nmass = \"0.1 kg\"\n"), std::string::npos) << text;
     EXPECT_NE(text.find("# how the motion starts: \"rest\", \"stuck\" or \"sliding\"\n"), std::string::npos) << text;
 }

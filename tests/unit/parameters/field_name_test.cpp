@@ -21,6 +21,8 @@ TEST(FieldName, IsKeyLastPartOrSymbol) {
         EXPECT_EQ(key_of(field_named(name)), "contact.kinetic_friction");
     EXPECT_EQ(key_of(field_named("F")), "contact.preload");
     EXPECT_EQ(key_of(field_named("title")), "title");
+    EXPECT_EQ(key_of(field_named("temperature")), "temperature.value");
+    EXPECT_TRUE(fields_called("value").empty());
 }
 
 TEST(FieldName, OfEveryFieldIsItsKey) {
