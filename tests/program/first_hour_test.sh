@@ -99,6 +99,15 @@ step 0 'stridor simulate constant.toml'
 says 'amplitude'
 says 'warning'
 
+# --- a part that stiffens in the cold
+awk '/^axial_stiffness = /{ next } { print } END {
+    print "[temperature]\nvalue = \"23 degC\"\nat = [\"-30 degC\", \"80 degC\"]\naxial_stiffness = [\"2e7 N/m\", \"5e6 N/m\"]" }' \
+    squeal.toml > cold.toml
+step 0 'stridor simulate cold.toml --set temperature=-10'
+step 2 'stridor simulate cold.toml --set temperature=100'
+says '80'
+step 0 'stridor chart cold.toml --x temperature=-30:80:6 --y preload=5:40:5 --out cold'
+
 # --- tables
 step 0 'stridor simulate squeal.toml --trace trace.csv'
 step 0 'stridor classify trace.csv --channel velocity_x1'
