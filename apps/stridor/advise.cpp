@@ -7,6 +7,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/json_advice.hpp"
+#include "stridor/io/range_text.hpp"
 #include "stridor/sweep/advice.hpp"
 #include "terminal.hpp"
 
@@ -41,16 +42,14 @@ std::string_view unit_named(const parameters::Case& c, const std::string& name) 
 }
 
 sweep::AskedRange range_from(const parameters::Case& c, const std::string& text) {
-    const std::size_t equals = text.find('=');
-    sweep::AskedRange range{std::string(base::trimmed(text.substr(0, equals)))};
-    if (equals == std::string::npos) return range;
-    const std::string ends = text.substr(equals + 1);
-    const std::size_t colon = ends.find(':');
-    if (colon == std::string::npos || ends.find(':', colon + 1) != std::string::npos)
+    const std::optional<io::RangeText> said = io::split_range(text);
+    if (!said) return {std::string(base::trimmed(text))};
+    if (said->parts.size() != 2)
         throw unreadable("--over", text, "KEY or KEY=FROM:TO", "For example contact.kinetic_friction=0:0.8.");
-    const std::string_view unit = unit_named(c, range.name);
-    range.from = base::parse_quantity(ends.substr(0, colon), unit);
-    range.to = base::parse_quantity(ends.substr(colon + 1), unit);
+    sweep::AskedRange range{std::string(said->key)};
+    const io::RangeEnds ends = io::read_range_ends(said->parts[0], said->parts[1], unit_named(c, range.name));
+    range.from = ends.from;
+    range.to = ends.to;
     return range;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "stridor/base/error.hpp"
 #include "stridor/noise_library/library.hpp"
 #include "stridor/noise_library/recording.hpp"
 
+#include <exception>
 #include <map>
 #include <memory>
 #include <string>
@@ -68,6 +70,20 @@ std::string judged_line(const noise_library::Entry& entry);
 
 /// What became of many recordings: numbers, then a line for each that was known (if they are few) or refused.
 std::string summary_text(const noise_library::Arrivals& arrivals);
+
+/// Runs work over many recordings, then has it say what became of all, also where an error ended it, which is thrown
+/// after that.
+template <typename Work>
+void run_and_tell(Work& work) {
+    std::exception_ptr end;
+    try {
+        work.run();
+    } catch (const Error&) {
+        end = std::current_exception();
+    }
+    work.tell();
+    if (end) std::rethrow_exception(end);
+}
 
 /// The subcommands that put entries in and out.
 void add_library_add(CLI::App& library);

@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <exception>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -203,14 +202,7 @@ private:
 void add(const AddOptions& options) {
     const Interrupt interrupt;
     Adder adder(options, interrupt.token());
-    std::exception_ptr end;
-    try {
-        adder.run();
-    } catch (const Error&) {
-        end = std::current_exception();
-    }
-    adder.tell();
-    if (end) std::rethrow_exception(end);
+    run_and_tell(adder);
 }
 
 struct JudgeOptions {

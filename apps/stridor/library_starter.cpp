@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <memory>
 #include <optional>
@@ -172,14 +171,7 @@ private:
 void fill(const StarterOptions& options) {
     const Interrupt interrupt;
     Starter starter(options, interrupt.token());
-    std::exception_ptr end;
-    try {
-        starter.run();
-    } catch (const Error&) {
-        end = std::current_exception();
-    }
-    starter.tell();
-    if (end) std::rethrow_exception(end);
+    run_and_tell(starter);
 }
 
 }  // namespace

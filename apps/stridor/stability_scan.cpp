@@ -1,14 +1,11 @@
 #include "stability_scan.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/base/quantity.hpp"
-#include "stridor/base/text.hpp"
+#include "stridor/io/range_text.hpp"
 #include "stridor/parameters/field_name.hpp"
 
-#include <charconv>
 #include <optional>
-#include <string_view>
-#include <vector>
+#include <string>
 
 namespace stridor::app {
 
@@ -26,32 +23,19 @@ Error bad_points(const std::string& text) {
              "a whole number from 2 to " + std::to_string(analysis::most_scan_points), ""}};
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts(1);
-    for (const char letter : text)
-        if (letter == separator)
-            parts.emplace_back();
-        else
-            parts.back() += letter;
-    return parts;
-}
-
 analysis::ScanRange parse_range(const std::string& over) {
-    const std::size_t equals = over.find('=');
-    if (equals == std::string::npos) throw bad_range(over);
-    const std::vector<std::string> parts = split(over.substr(equals + 1), ':');
-    if (parts.size() < 2 || parts.size() > 3) throw bad_range(over);
+    const std::optional<io::RangeText> text = io::split_range(over);
+    if (!text || text->parts.size() < 2 || text->parts.size() > 3) throw bad_range(over);
+    const parameters::Field& field = parameters::quantity_named(text->key);
+    const io::RangeEnds ends = io::read_range_ends(text->parts[0], text->parts[1], parameters::unit_of(field));
     analysis::ScanRange range;
-    const parameters::Field& field = parameters::quantity_named(base::trimmed(over.substr(0, equals)));
     range.key = parameters::key_of(field);
-    range.from = base::parse_quantity(parts[0], parameters::unit_of(field));
-    range.to = base::parse_quantity(parts[1], parameters::unit_of(field));
-    if (parts.size() == 3) {
-        const std::string& text = parts[2];
-        const auto result = std::from_chars(text.data(), text.data() + text.size(), range.points);
-        const bool is_whole = result.ec == std::errc{} && result.ptr == text.data() + text.size();
-        if (!is_whole || range.points < 2 || range.points > analysis::most_scan_points) throw bad_points(text);
-    }
+    range.from = ends.from;
+    range.to = ends.to;
+    if (text->parts.size() == 2) return range;
+    const std::optional<int> points = io::read_points(text->parts[2], analysis::most_scan_points);
+    if (!points) throw bad_points(std::string(text->parts[2]));
+    range.points = *points;
     return range;
 }
 

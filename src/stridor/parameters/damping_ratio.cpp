@@ -5,6 +5,7 @@
 #include "stridor/base/text.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace stridor::parameters {
 
@@ -31,11 +32,15 @@ std::string damping_ratio_text(double ratio) {
     return std::string(ratio_words) + base::shortest(ratio);
 }
 
-std::optional<double>* damping_ratio_of(Case& c, std::string_view key) {
+const std::optional<double>* damping_ratio_of(const Case& c, std::string_view key) {
     if (key == "joint.axial_damping") return &c.damping_ratios.axial;
     if (key == "joint.flexural_damping") return &c.damping_ratios.flexural;
     if (key == "plate.damping") return &c.damping_ratios.plate;
     return nullptr;
+}
+
+std::optional<double>* damping_ratio_of(Case& c, std::string_view key) {
+    return const_cast<std::optional<double>*>(damping_ratio_of(std::as_const(c), key));  // of a case that may change
 }
 
 void keep_damping_ratios(Case& c) {

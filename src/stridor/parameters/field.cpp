@@ -281,7 +281,7 @@ bool is_temperature_of_table(const Case& c, const Field& field) {
 }
 
 void refuse_follower(const Case& c, const Field& field) {
-    if (temperature_column(c, key_of(field)) == nullptr) return;
+    if (!has_temperature_table(c) || temperature_column(c, key_of(field)) == nullptr) return;
     throw Error(ErrorKind::input, {key_of(field) + " cannot be set", "it follows the temperature by a table",
                                    "Set temperature.value instead, or take it out of [temperature]."});
 }
@@ -329,8 +329,7 @@ void set_from_text(Case& c, const Field& field, std::string_view text) {
 }
 
 std::optional<double> damping_ratio(const Case& c, const Field& field) {
-    Case copy = c;
-    const std::optional<double>* ratio = damping_ratio_of(copy, key_of(field));
+    const std::optional<double>* ratio = damping_ratio_of(c, key_of(field));
     return ratio == nullptr ? std::nullopt : *ratio;
 }
 
