@@ -1,7 +1,8 @@
 // Your own structure: a mass on a belt, started stuck, through the engine that the paper's system uses.
 //
 // The engine sees M u'' + C u' + K u = f0 + n N + t T with gap n.u and tangential position t.u. Fill a Structure, say
-// which stretches of time count, and read the rates. For two degrees of freedom the engine is compiled already.
+// which stretches of time count, and read the rates. The exact engine takes two or three degrees of freedom,
+// beta_2 any number.
 //
 // Closed form: D = (mu_s - mu_d) F / k, lambda = w0 D / V, stick share lambda / (lambda + pi - atan lambda).
 
@@ -24,13 +25,14 @@ int main() {
     constexpr double velocity = 0.04;  // [m/s] of the belt
     const model::Coulomb friction{0.6, 0.2};
 
-    model::Structure<dofs> structure;
+    model::Structure structure = model::structure_of_size(dofs);
     structure.mass.diagonal() << mass, mass;
     structure.stiffness(0, 0) = stiffness;
     structure.load << 0.0, -preload;
-    structure.normal << 0.0, 1.0;
-    structure.tangent << 1.0, 0.0;
-    structure.friction = friction;
+    model::ContactPoint& contact = structure.contacts.front();
+    contact.normal << 0.0, 1.0;
+    contact.tangent << 1.0, 0.0;
+    contact.friction = friction;
 
     parameters::Drive belt;
     belt.kind = parameters::DriveKind::constant;

@@ -33,7 +33,7 @@ record::Recorder whole_run(double from, double to, record::TraceRequest trace = 
     if (from > 0.0) schedule.spans.push_back({0.0, from, record::Phase::all, record::Use::unused});
     schedule.spans.push_back({from, to, record::Phase::all, record::Use::judged});
     schedule.phases = {record::Phase::all};
-    return {schedule, {record::KeepHistory::no, trace}, model::mass_on_belt_dofs};
+    return {schedule, {record::KeepHistory::no, trace}, 2};
 }
 
 parameters::Drive constant_drive(double velocity) {

@@ -288,7 +288,7 @@ std::vector<Result> results(integration::InstructionSet set) {
     add_early("early.lip", support::seal_lip());
     add_by_both("sampled", sampled_drive());
     add_run("impact.normal-only", bouncing(ImpactLaw::normal_only));
-    add_by_both("impact.restitution", bouncing(ImpactLaw::restitution));
+    add_run("impact.restitution.exact", bouncing(ImpactLaw::restitution));
     all.push_back(chart("chart.plain", pair()));
     all.push_back(chart("chart.refined", refined_with_starts()));
     all.push_back(stability());

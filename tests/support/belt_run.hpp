@@ -28,8 +28,8 @@ inline integration::Motion integrate(const BeltRun& run) {
     parameters::Case c;
     c.drive = constant_drive(1.0);  // one phase, whatever really drives the belt
     c.run.duration = c.run.window = run.duration;
-    return integration::integrate_beta_2<2>(model::mass_on_belt(run.belt), run.drive, run.start, run.settings,
-                                            record::Recorder(record::schedule(c), run.request, 2));
+    return integration::integrate_beta_2(model::mass_on_belt(run.belt), run.drive, run.start, run.settings,
+                                         record::Recorder(record::schedule(c), run.request, 2));
 }
 
 }  // namespace stridor::support

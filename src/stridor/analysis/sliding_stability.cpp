@@ -1,8 +1,7 @@
-// Not a template: eigenvalue solvers are slow to compile, so one instance serves structures of all sizes.
-
 #include "stridor/analysis/sliding_stability.hpp"
 
 #include "stridor/model/complement.hpp"
+#include "stridor/model/equilibrium.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -58,6 +57,15 @@ SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenva
     else if (fastest->growth > rounding * largest)
         result.kind = fastest->frequency > 0.0 ? StabilityKind::flutter : StabilityKind::divergence;
     return result;
+}
+
+SlidingStability sliding_stability(const model::Structure& structure, parameters::Direction direction) {
+    const model::ContactPoint& contact = model::only_contact(structure, "stability of sliding");
+    const std::vector<double> ratios =
+        model::sliding_ratios(structure, direction == parameters::Direction::going ? 1.0 : -1.0);
+    const SlidingMotion motion{structure.mass, structure.damping, structure.stiffness, contact.normal,
+                               contact.normal + ratios.front() * contact.tangent};
+    return classify_modes(eigenvalues(motion), model::equilibrium(structure, ratios).normal_forces(0));
 }
 
 }  // namespace stridor::analysis

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "stridor/model/equilibrium.hpp"
 #include "stridor/model/structure.hpp"
 #include "stridor/parameters/case.hpp"
 
@@ -57,14 +56,8 @@ struct SlidingMotion {
 /// Its eigenvalues [1/s], 2 (dofs - 1) of them, complex ones in conjugate pairs.
 std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion);
 
-/// Stability of sliding in one direction. The static friction coefficient plays no part.
-template <int dofs>
-SlidingStability sliding_stability(const model::Structure<dofs>& structure, parameters::Direction direction) {
-    const double mu = structure.friction.kinetic_coefficient;
-    const double signed_friction = direction == parameters::Direction::going ? mu : -mu;
-    const SlidingMotion motion{structure.mass, structure.damping, structure.stiffness, structure.normal,
-                               structure.normal + signed_friction * structure.tangent};
-    return classify_modes(eigenvalues(motion), model::equilibrium(structure, signed_friction).normal_force);
-}
+/// Stability of sliding in one direction, of a structure with one contact. The limit of the stick plays no part. Throws
+/// `Error` (input) what `only_contact` refuses.
+SlidingStability sliding_stability(const model::Structure& structure, parameters::Direction direction);
 
 }  // namespace stridor::analysis

@@ -7,15 +7,18 @@
 //
 // Eliminating v gives pₙ₊₁ = pₙ + h aₙ: the state is (u, p). With A = M + β h C and s = (β + 1/2) h² the contact forces
 // move the end of the step by s A⁻¹ (n N + t T). Free predictor u*: gap n.u* > 0 is separation. Else the stick trial:
-// n.uₙ₊₁ = 0 and t.(uₙ₊₁ - uₙ) = x2ₙ₊₁ - x2ₙ; if |T| <= mu_s N it sticks, else T = sign(T) mu_d N and N closes the gap.
+// n.uₙ₊₁ = 0 and t.(uₙ₊₁ - uₙ) = x2ₙ₊₁ - x2ₙ; if the law of friction holds it sticks, else T is its share of N and N closes the gap.
 //
 // Energy: ½ p.M p + ½ uₙ.K (uₙ - h pₙ) changes over a step by exactly h vₙ.(f0 + n N + t T - C vₙ) when β = 1/2.
 
 #include "stridor/integration/beta_2.hpp"
 
+#include "stridor/base/error.hpp"
 #include "stridor/integration/energy_held.hpp"
 #include "stridor/integration/sticking.hpp"
+#include "stridor/model/contact_forces.hpp"
 #include "stridor/model/frequencies.hpp"
+#include "stridor/model/sized_structure.hpp"
 
 #include <Eigen/LU>
 
@@ -28,7 +31,7 @@ namespace stridor::integration {
 namespace {
 
 using model::ContactState;
-using model::Structure;
+using model::SizedStructure;
 
 // so often a run looks for a stop request and for numbers that left double precision: a tenth of a millisecond
 constexpr long steps_between_checks = 4096;
@@ -37,11 +40,18 @@ constexpr double most_unexplained = 1e-6;
 // above 1/2 beta_2 damps by intent, of first order in the step: its residual is a figure to read, not a check
 constexpr double everything = 1.0;
 
+// the law of friction for a contact that slips, or would, one way
+struct SlipLaw {
+    double limit;      // [1] of the stick
+    double ratio;      // [1] T/N
+    double stiffness;  // [N/m] of the gap
+};
+
 // what a step needs and never changes
 template <int dofs>
 struct Coefficients {
-    using Vector = typename Structure<dofs>::Vector;
-    using Matrix = typename Structure<dofs>::Matrix;
+    using Vector = typename SizedStructure<dofs>::Vector;
+    using Matrix = typename SizedStructure<dofs>::Matrix;
 
     double h;              // [s]
     double end_of_step;    // [s^2] s
@@ -55,21 +65,22 @@ struct Coefficients {
     Vector tangent;        // t
     // inverse of the 2 by 2 compliance s [n t]ᵀ A⁻¹ [n t]
     double stick_nn, stick_nt, stick_tt;  // [N/m]
-    double slip_pushed, slip_pulled;      // [N/m] gap stiffness while slipping with T = +mu_d N, -mu_d N
-    double mu_s, mu_d;                    // [1]
+    std::array<SlipLaw, 2> slip;          // shape [slip]
     Matrix damping;                       // C
     Vector load;                          // f0
 };
 
 template <int dofs>
-Coefficients<dofs> prepare(const Structure<dofs>& structure, const Beta2& settings) {
+Coefficients<dofs> prepare(const SizedStructure<dofs>& structure, const model::FrictionLaw& friction,
+                           const Beta2& settings) {
     Coefficients<dofs> c;
     const double h = settings.step;
     c.h = h;
     c.end_of_step = (settings.beta_2 + 0.5) * h * h;
     c.half_velocity = settings.beta_2 * h;
-    const typename Structure<dofs>::Matrix effective_mass = structure.mass + settings.beta_2 * h * structure.damping;
-    const typename Structure<dofs>::Matrix inverse = effective_mass.inverse();
+    const typename SizedStructure<dofs>::Matrix effective_mass =
+        structure.mass + settings.beta_2 * h * structure.damping;
+    const typename SizedStructure<dofs>::Matrix inverse = effective_mass.inverse();
     c.from_u = -(inverse * structure.stiffness);
     c.from_p = -(inverse * structure.damping);
     c.from_load = inverse * structure.load;
@@ -77,30 +88,30 @@ Coefficients<dofs> prepare(const Structure<dofs>& structure, const Beta2& settin
     c.from_tangent = inverse * structure.tangent;
     c.normal = structure.normal;
     c.tangent = structure.tangent;
-    c.mu_s = structure.friction.static_coefficient;
-    c.mu_d = structure.friction.kinetic_coefficient;
     c.damping = structure.damping;
     c.load = structure.load;
 
     const double nn = structure.normal.dot(c.from_normal);
     const double nt = structure.normal.dot(c.from_tangent);
     const double tt = structure.tangent.dot(c.from_tangent);
-    model::require_no_painleve(nn, nt, c.mu_d);
+    model::require_no_painleve(nn, nt, friction);
     const double determinant = c.end_of_step * (nn * tt - nt * nt);
     c.stick_nn = tt / determinant;
     c.stick_nt = -nt / determinant;
     c.stick_tt = nn / determinant;
-    c.slip_pushed = 1.0 / (c.end_of_step * (nn + c.mu_d * nt));
-    c.slip_pulled = 1.0 / (c.end_of_step * (nn - c.mu_d * nt));
+    for (const model::Slip way : model::slips) {
+        const double ratio = slip_ratio(friction, way);
+        c.slip[index_of(way)] = {stick_limit(friction, way), ratio, 1.0 / (c.end_of_step * (nn + ratio * nt))};
+    }
     return c;
 }
 
 // the moving part of a run
 template <int dofs>
 struct State {
-    typename Structure<dofs>::Vector u;  // [m]
-    typename Structure<dofs>::Vector p;  // [m/s]
-    double last_increment = 0.0;         // [m] of the plate, the step before
+    typename SizedStructure<dofs>::Vector u;  // [m]
+    typename SizedStructure<dofs>::Vector p;  // [m/s]
+    double last_increment = 0.0;              // [m] of the plate, the step before
     ContactState contact = ContactState::slip;
     bool has_contact = false;  // false until the first step
 };
@@ -108,16 +119,16 @@ struct State {
 // what one step computed at its beginning, time n h
 template <int dofs>
 struct Step {
-    typename Structure<dofs>::Vector velocity;      // [m/s] vₙ
-    typename Structure<dofs>::Vector acceleration;  // [m/s^2] aₙ
-    double normal_force = 0.0;                      // [N]
-    double friction_force = 0.0;                    // [N]
+    typename SizedStructure<dofs>::Vector velocity;      // [m/s] vₙ
+    typename SizedStructure<dofs>::Vector acceleration;  // [m/s^2] aₙ
+    double normal_force = 0.0;                           // [N]
+    double friction_force = 0.0;                         // [N]
     ContactState contact = ContactState::separation;
 };
 
 template <int dofs>
 inline Step<dofs> step(const Coefficients<dofs>& c, State<dofs>& state, double increment) {
-    using Vector = typename Structure<dofs>::Vector;
+    using Vector = typename SizedStructure<dofs>::Vector;
     Step<dofs> now;
     const Vector free_acceleration = c.from_load + c.from_u * state.u + c.from_p * state.p;
     const Vector moved = state.u + c.h * state.p;
@@ -128,15 +139,15 @@ inline Step<dofs> step(const Coefficients<dofs>& c, State<dofs>& state, double i
         const double sliding = increment - c.tangent.dot(predicted - state.u);
         const double stick_normal = c.stick_nt * sliding - c.stick_nn * gap;
         const double stick_friction = c.stick_tt * sliding - c.stick_nt * gap;
-        if (std::abs(stick_friction) <= c.mu_s * stick_normal) {
+        const SlipLaw& law = c.slip[index_of(model::slip_against(stick_friction))];
+        if (std::abs(stick_friction) <= law.limit * stick_normal) {
             now.contact = ContactState::stick;
             now.normal_force = stick_normal;
             now.friction_force = stick_friction;
         } else {
             now.contact = ContactState::slip;
-            const bool is_pushed = stick_friction > 0.0;
-            now.normal_force = -gap * (is_pushed ? c.slip_pushed : c.slip_pulled);
-            now.friction_force = (is_pushed ? c.mu_d : -c.mu_d) * now.normal_force;
+            now.normal_force = -gap * law.stiffness;
+            now.friction_force = law.ratio * now.normal_force;
         }
         now.acceleration += c.from_normal * now.normal_force + c.from_tangent * now.friction_force;
     }
@@ -153,16 +164,17 @@ struct Work {
 };
 
 template <int dofs>
-double half_step_energy(const Structure<dofs>& structure, const State<dofs>& state, double h) {
+double half_step_energy(const SizedStructure<dofs>& structure, const State<dofs>& state, double h) {
     return 0.5 * state.p.dot(structure.mass * state.p) +
            0.5 * state.u.dot(structure.stiffness * (state.u - h * state.p));
 }
 
 template <int dofs>
-void store_sample(record::Trace& trace, const Step<dofs>& now, const typename Structure<dofs>::Vector& displacement,
-                  double time, double surface_velocity, double gap) {
+void store_sample(record::Trace& trace, const Step<dofs>& now,
+                  const typename SizedStructure<dofs>::Vector& displacement, double time, double surface_velocity,
+                  double gap) {
     trace.time.push_back(time);
-    for (int dof = 0; dof < dofs; ++dof) {
+    for (Eigen::Index dof = 0; dof < displacement.size(); ++dof) {
         const auto place = static_cast<std::size_t>(dof);
         trace.displacement[place].push_back(displacement(dof));
         trace.velocity[place].push_back(now.velocity(dof));
@@ -178,17 +190,23 @@ void store_sample(record::Trace& trace, const Step<dofs>& now, const typename St
 // one run: the loop over blocks of steps between which something outside the motion happens
 template <int dofs>
 class Runner {
+    using Vector = typename SizedStructure<dofs>::Vector;
+
 public:
-    Runner(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start, const Beta2& settings,
-           record::Recorder& recorder)
-        : structure_(structure),
-          coefficients_(prepare(structure, settings)),
+    Runner(const model::Structure& structure, const model::ContactPoint& contact, const parameters::Drive& drive,
+           const Start& start, const Beta2& settings, record::Recorder& recorder)
+        : whole_(structure),
+          structure_(structure, contact),
+          coefficients_(prepare(structure_, contact.friction, settings)),
           drive_settings_(drive),
           drive_(drive, settings.step),
-          recorder_(recorder) {
+          recorder_(recorder),
+          vibration_(static_cast<std::size_t>(structure_.load.size())),
+          far_(Vector::Zero(structure_.load.size())),
+          fast_(far_) {
         const model::SurfaceMotion surface = drive_.at(0.0);
-        const InitialState<dofs> initial = initial_state(structure, start, surface.velocity);
-        const model::Instant<dofs> first = model::instant(structure, initial.displacement, initial.velocity, surface);
+        const InitialState initial = initial_state(structure, start, surface.velocity);
+        const model::Instant first = model::instant(structure, initial.displacement, initial.velocity, surface);
         state_.u = initial.displacement;
         // v₀ = p₀ + β h a₀ must be the given velocity
         state_.p = initial.velocity - coefficients_.half_velocity * first.acceleration;
@@ -205,24 +223,25 @@ private:
     void advance(long end);
     void sample();
     void note(const Step<dofs>& now, double increment);
-    void add_velocity(const typename Structure<dofs>::Vector& velocity);
+    void add_velocity(const typename SizedStructure<dofs>::Vector& velocity);
     void look();
     void widen_reach();
     double held() const;
 
-    const Structure<dofs>& structure_;
+    const model::Structure& whole_;
+    SizedStructure<dofs> structure_;  // the same
     Coefficients<dofs> coefficients_;
     const parameters::Drive& drive_settings_;
     ImposedMotion drive_;
     record::Recorder& recorder_;
     State<dofs> state_;
     Work<dofs> work_;
-    std::array<record::Vibration, static_cast<std::size_t>(dofs)> vibration_{};
-    double initial_energy_ = 0.0;  // [J]
+    std::vector<record::Vibration> vibration_;  // shape [dof]
+    double initial_energy_ = 0.0;               // [J]
     // largest that displacements and velocities have been at changes of state and ends of blocks
-    typename Structure<dofs>::Vector far_ = Structure<dofs>::Vector::Zero();   // [m]
-    typename Structure<dofs>::Vector fast_ = Structure<dofs>::Vector::Zero();  // [m/s]
-    long n_ = 0;                                                               // number of the next step
+    Vector far_;   // [m]
+    Vector fast_;  // [m/s]
+    long n_ = 0;   // number of the next step
 };
 
 template <int dofs>
@@ -250,8 +269,8 @@ double Runner<dofs>::held() const {
 }
 
 template <int dofs>
-inline void Runner<dofs>::add_velocity(const typename Structure<dofs>::Vector& velocity) {
-    for (int dof = 0; dof < dofs; ++dof) {
+inline void Runner<dofs>::add_velocity(const typename SizedStructure<dofs>::Vector& velocity) {
+    for (Eigen::Index dof = 0; dof < velocity.size(); ++dof) {
         record::Vibration& sum = vibration_[static_cast<std::size_t>(dof)];
         const double square = velocity(dof) * velocity(dof);
         sum.square_time += square;
@@ -309,7 +328,7 @@ Outcome Runner<dofs>::run(std::stop_token stop) {
     for (std::size_t k = 0; k < spans.size(); ++k) {
         const long span_begin = n_;
         const long span_end = step_at(spans[k].to);
-        vibration_ = {};
+        std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
         while (n_ < span_end) {
             long end = std::min(span_end, n_ + steps_between_checks);
             if (next_sample >= n_ && next_sample <= last_sample) {
@@ -354,7 +373,7 @@ record::Outlook Runner<dofs>::outlook(const Outcome& outcome) const {
     if (outcome.reason != Reason::completed || state_.contact != ContactState::stick) return {};
     const model::SurfaceMotion surface = drive_.at(outcome.time);
     // p is the velocity half a step ago: what it misses of the vibration is far below any margin that proves something
-    return outlook_of_stick(structure_, drive_settings_,
+    return outlook_of_stick(whole_, drive_settings_,
                             {state_.u, state_.p, surface.velocity, surface.acceleration, outcome.time});
 }
 
@@ -364,22 +383,23 @@ double stable_step(double beta_2, double angular_frequency) {
     return std::sqrt(2.0 / beta_2) / angular_frequency;
 }
 
-template <int dofs>
-Motion integrate_beta_2(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
+Motion integrate_beta_2(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
                         const Beta2& settings, record::Recorder recorder, std::stop_token stop) {
+    const model::ContactPoint& contact = model::only_contact(structure, "the beta_2 engine");
+    if (!std::holds_alternative<model::Plastic>(contact.impact))
+        throw Error(ErrorKind::input,
+                    {"the beta_2 engine cannot solve this structure",
+                     "its impacts are what its steps make of them: plastic", "Use the exact engine."});
     const double fastest = model::natural_frequencies(structure, ContactState::separation).back();
     if (settings.step > stable_step(settings.beta_2, fastest))
         return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
-    Runner<dofs> runner(structure, drive, start, settings, recorder);
-    const Outcome outcome = runner.run(std::move(stop));
-    const EnergyBalance balance = runner.energy();
-    const double most = settings.beta_2 > 0.5 ? everything : most_unexplained;
-    return {weighed(outcome, balance, most), balance, recorder.finish(outcome.time, runner.outlook(outcome))};
+    return model::with_size(model::dofs_of(structure), [&](auto size) -> Motion {
+        Runner<size()> runner(structure, contact, drive, start, settings, recorder);
+        const Outcome outcome = runner.run(std::move(stop));
+        const EnergyBalance balance = runner.energy();
+        const double most = settings.beta_2 > 0.5 ? everything : most_unexplained;
+        return {weighed(outcome, balance, most), balance, recorder.finish(outcome.time, runner.outlook(outcome))};
+    });
 }
-
-template Motion integrate_beta_2<2>(const Structure<2>&, const parameters::Drive&, const Start&, const Beta2&,
-                                    record::Recorder, std::stop_token);
-template Motion integrate_beta_2<3>(const Structure<3>&, const parameters::Drive&, const Start&, const Beta2&,
-                                    record::Recorder, std::stop_token);
 
 }  // namespace stridor::integration

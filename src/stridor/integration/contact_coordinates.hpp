@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/model/structure.hpp"
+#include "stridor/model/sized_structure.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -19,8 +19,8 @@ namespace stridor::integration {
 /// the load scale, so that all but the scale is the same for every preload.
 template <int dofs>
 struct ContactCoordinates {
-    using Vector = typename model::Structure<dofs>::Vector;
-    using Matrix = typename model::Structure<dofs>::Matrix;
+    using Vector = typename model::SizedStructure<dofs>::Vector;
+    using Matrix = typename model::SizedStructure<dofs>::Matrix;
 
     Matrix basis = Matrix::Zero();      // [1] B, columns x, (y,) g
     Vector mass = Vector::Zero();       // [kg] diagonal of B.M B, all there is of it
@@ -32,9 +32,9 @@ struct ContactCoordinates {
 };
 
 template <int dofs>
-ContactCoordinates<dofs> contact_coordinates(const model::Structure<dofs>& structure) {
+ContactCoordinates<dofs> contact_coordinates(const model::SizedStructure<dofs>& structure) {
     static_assert(dofs == 2 || dofs == 3);
-    using Vector = typename model::Structure<dofs>::Vector;
+    using Vector = typename model::SizedStructure<dofs>::Vector;
     const Vector& n = structure.normal;
     const Vector& t = structure.tangent;
     ContactCoordinates<dofs> c;

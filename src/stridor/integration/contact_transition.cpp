@@ -2,10 +2,12 @@
 // g = g' = g'' = 0 and g''' decides; after an impact with N < 0 g = g' = 0 and g'' decides; where slip begins or turns w = 0 and
 // w' decides (w'' where mu_s = mu_d). The order of the zero goes with the state.
 //
-// Impact, coordinates orthogonal under M: P_n = -m_g g' (1 + e) - (t.r) P_t and P_t changes x' by P_t / m_x. P_t ends the slip if
-// the cone mu_s P_n allows it, else P_t = -sign(w) mu_d P_n. Kinetic energy goes into g', into friction and to the drive.
+// Impact: the law gives P_n and P_t, and P_t changes x' by P_t / m_x. Kinetic energy goes into g', into friction and to the
+// drive.
 
 #include "stridor/integration/contact_transition.hpp"
+
+#include "stridor/integration/exact_flow.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,42 +52,25 @@ Transition open_contact(const Flows& flows, const Lanes& closed_state, int multi
     return next;
 }
 
-struct Impulses {
-    double normal = 0.0;      // [N*s]
-    double tangential = 0.0;  // [N*s]
-    bool stops = false;       // the slip ends
-};
-
-Impulses impulses(const Flows& flows, double closing, double w, const Impact& impact, double restitution) {
-    const double coupling = flows.tangent_on_gap;
-    const double straight = -flows.mass[flows.dofs - 1] * closing * (1.0 + restitution);
-    if (impact.law == parameters::ImpactLaw::normal_only) return {straight, 0.0, false};
-    const double stopping = -flows.mass[0] * w;
-    const double normal = straight - coupling * stopping;
-    if (std::abs(stopping) <= flows.static_friction * normal) return {normal, stopping, true};
-    const double ratio = std::copysign(flows.kinetic_friction, stopping);
-    const double slipping = straight / (1.0 + ratio * coupling);
-    return {slipping, ratio * slipping, false};
-}
-
-Transition land(const Flows& flows, const Lanes& open_state, const SurfaceNumbers& surface, const Impact& impact) {
+Transition land(const Flows& flows, const model::ContactPoint& contact, const Lanes& open_state,
+                const SurfaceNumbers& surface) {
     const Places at(flows);
     const double closing = open_state.at[at.gap_speed];
     const double before = open_state.at[at.speed];
     const double w = before - surface.velocity;
     const double m_g = flows.mass[flows.dofs - 1];
-    const double restitution = impact.law == parameters::ImpactLaw::restitution ? impact.restitution : 0.0;
-    const Impulses P = impulses(flows, closing, w, impact, restitution);
+    const model::Impulses P =
+        model::impulses(contact.impact, {m_g, flows.mass[0], flows.tangent_on_gap}, contact.friction, {closing, w});
     const double speed = P.stops ? surface.velocity : before + P.tangential / flows.mass[0];
 
     Lanes closed_state = open_state;
     closed_state.at[at.speed] = speed;
     closed_state.at[at.surface] = surface.velocity;
     closed_state.at[at.surface + 1] = surface.partner;
-    double normal_loss = 0.5 * m_g * closing * closing * (1.0 - restitution * restitution);
+    double normal_loss = 0.5 * m_g * closing * closing * (1.0 - P.restitution * P.restitution);
 
     Transition next;
-    const double rebound = -restitution * closing;
+    const double rebound = -P.restitution * closing;
     const double N = dot(flow_of(flows, Mode::stick).normal_force, closed_state);
     const bool flies = rebound > 0.0 && (N <= 0.0 || 2.0 * rebound * m_g > shortest_flight * N);
     if (flies) {
@@ -125,23 +110,24 @@ Transition close_contact(const Flows& flows, const Lanes& closed_state, double s
         if (N >= 0.0 && holds(flows, closed_state)) return {Mode::stick, 0, closed_state};
         direction = -dot(flow_of(flows, Mode::stick).friction_force, closed_state);
     }
-    const Mode mode = direction > 0.0 ? Mode::slip_forward : Mode::slip_backward;
+    const Mode mode = slip_mode(model::slip_of(direction));
     if (dot(flow_of(flows, mode).normal_force, closed_state) < 0.0) return open_contact(flows, closed_state, 2);
     Transition next{mode, slip_velocity == 0.0 ? 1 : 0, closed_state};
     next.slip_velocity = slip_velocity;
     return next;
 }
 
-Transition follow(const Flows& flows, Mode mode, int test, const Lanes& state, const SurfaceNumbers& surface,
-                  const Impact& impact) {
-    if (mode == Mode::open) return land(flows, state, surface, impact);
+Transition follow(const Flows& flows, const model::ContactPoint& contact, Mode mode, int test, const Lanes& state,
+                  const SurfaceNumbers& surface) {
+    if (mode == Mode::open) return land(flows, contact, state, surface);
     if (is_slip(mode) && test == 0) return open_contact(flows, state, 3);
     const Places at(flows);
     Lanes stuck = state;
     stuck.at[at.speed] = stuck.at[at.surface];  // w = 0
     if (is_slip(mode)) return close_contact(flows, stuck, 0.0);
-    const int order = flows.static_friction > flows.kinetic_friction ? 1 : 2;
-    return {test == 0 ? Mode::slip_backward : Mode::slip_forward, order, stuck};
+    const model::Slip way = test == 0 ? model::Slip::backward : model::Slip::forward;
+    const bool force_drops = stick_limit(contact.friction, way) > std::abs(slip_ratio(contact.friction, way));
+    return {slip_mode(way), force_drops ? 1 : 2, stuck};
 }
 
 }  // namespace stridor::integration

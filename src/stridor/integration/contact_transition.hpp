@@ -1,16 +1,10 @@
 #pragma once
 
 #include "stridor/integration/exact_tables.hpp"
-#include "stridor/parameters/case.hpp"
+#include "stridor/model/structure.hpp"
 
 /// How a contact goes on once its state has ended: by the signs of forces, velocities and what is zero by construction.
 namespace stridor::integration {
-
-/// The law of impacts.
-struct Impact {
-    parameters::ImpactLaw law = parameters::ImpactLaw::plastic;
-    double restitution = 0.0;  // [1] restitution law: rebound velocity over closing velocity
-};
 
 /// The drive's two numbers at an instant: V, and what turns it (see `exact_tables.hpp`).
 struct SurfaceNumbers {
@@ -42,7 +36,7 @@ double force_rounding(const Lanes& row, const Lanes& s);
 Transition close_contact(const Flows& flows, const Lanes& closed_state, double slip_velocity);
 
 /// What follows when event function number `test` of a contact state has reached zero.
-Transition follow(const Flows& flows, Mode mode, int test, const Lanes& state, const SurfaceNumbers& surface,
-                  const Impact& impact);
+Transition follow(const Flows& flows, const model::ContactPoint& contact, Mode mode, int test, const Lanes& state,
+                  const SurfaceNumbers& surface);
 
 }  // namespace stridor::integration

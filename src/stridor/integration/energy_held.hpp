@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/model/structure.hpp"
+#include "stridor/model/sized_structure.hpp"
 
 namespace stridor::integration {
 
@@ -11,8 +11,9 @@ namespace stridor::integration {
 ///
 /// The last term is of forces that cancel: the contact carries the preload, and both are known to their rounding only.
 template <int dofs>
-double energy_held(const model::Structure<dofs>& structure, const typename model::Structure<dofs>::Vector& far,
-                   const typename model::Structure<dofs>::Vector& fast) {
+double energy_held(const model::SizedStructure<dofs>& structure,
+                   const typename model::SizedStructure<dofs>::Vector& far,
+                   const typename model::SizedStructure<dofs>::Vector& fast) {
     constexpr double rounding = 1.1e-16;
     return 0.5 * far.dot(structure.stiffness.cwiseAbs() * far) + 0.5 * fast.dot(structure.mass.cwiseAbs() * fast) +
            structure.load.cwiseAbs().dot(far) +

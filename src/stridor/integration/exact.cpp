@@ -11,6 +11,7 @@
 
 #include "stridor/integration/exact.hpp"
 
+#include "stridor/base/error.hpp"
 #include "stridor/integration/event_root.hpp"
 #include "stridor/integration/exact_runner.hpp"
 #include "stridor/integration/sticking.hpp"
@@ -19,11 +20,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace stridor::integration {
-
-using model::Structure;
 
 namespace {
 
@@ -42,12 +43,15 @@ constexpr double most_unexplained = 1e-9;
 }  // namespace
 
 template <int dofs>
-Runner<dofs>::Runner(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
-                     const Exact& settings, SharedFlows<dofs>& shared, record::Recorder& recorder, std::stop_token stop)
-    : structure_(structure),
-      coordinates_(contact_coordinates(structure)),
+Runner<dofs>::Runner(const model::Structure& structure, const model::ContactPoint& contact,
+                     const parameters::Drive& drive, const Start& start, const Exact& settings,
+                     SizedFlows<dofs>& shared, record::Recorder& recorder, std::stop_token stop)
+    : whole_(structure),
+      contact_(contact),
+      structure_(structure, contact),
+      coordinates_(contact_coordinates(structure_)),
       kernel_(kernel(settings.instruction_set, dofs)),
-      flows_(shared.of(coordinates_, structure.friction,
+      flows_(shared.of(coordinates_, contact.friction,
                        drive.kind == parameters::DriveKind::sinusoidal ? drive.frequency : 0.0, kernel_)),
       settings_(settings),
       drive_settings_(drive),
@@ -64,7 +68,7 @@ Runner<dofs>::Runner(const Structure<dofs>& structure, const parameters::Drive& 
 
 template <int dofs>
 void Runner<dofs>::begin(const Start& start) {
-    const InitialState<dofs> initial = initial_state(structure_, start, drive_.at(0.0).velocity);
+    const InitialState initial = initial_state(whole_, start, drive_.at(0.0).velocity);
     const auto inverse = coordinates_.basis.inverse().eval();
     const Vector z = inverse * initial.displacement;
     const Vector speed = inverse * initial.velocity;
@@ -202,7 +206,7 @@ void Runner<dofs>::step() {
     if (reach > 0.0) multiplicity_ = 0;
     if (crossing.test >= 0) {
         const SurfaceNumbers drive = mode_ == Mode::open ? surface(origin_) : SurfaceNumbers{};
-        enter(follow(flows_, mode_, crossing.test, s_, drive, {settings_.impact, settings_.restitution}));
+        enter(follow(flows_, contact_, mode_, crossing.test, s_, drive));
         if (may_end_early_) watch_for_cycle();
     } else if (boundary == Boundary::knot) {
         turn_knot(book_.next_stop_time());  // not the sum of steps, which may fall short of it by rounding
@@ -279,7 +283,7 @@ record::Outlook Runner<dofs>::outlook(const Outcome& outcome) const {
     if (outcome.reason != Reason::completed || mode_ != Mode::stick) return {};
     const Position last = position(s_, mode_);
     const model::SurfaceMotion motion = drive_.at(outcome.time);
-    return outlook_of_stick(structure_, drive_settings_,
+    return outlook_of_stick(whole_, drive_settings_,
                             {last.displacement, last.velocity, motion.velocity, motion.acceleration, outcome.time});
 }
 
@@ -330,10 +334,10 @@ void Runner<dofs>::sample(double tau, double time) {
     }
     const bool is_open = mode_ == Mode::open;
     const double N = is_open ? 0.0 : std::max(0.0, dot(flow().normal_force, s));
-    const double slip_friction = mode_ == Mode::slip_forward ? -flows_.kinetic_friction : flows_.kinetic_friction;
     trace.surface_velocity.push_back(is_open ? drive_.at(time).velocity : s.at[V]);
     trace.normal_force.push_back(N);
-    trace.friction_force.push_back(mode_ == Mode::stick ? dot(flow().friction_force, s) : slip_friction * N);
+    trace.friction_force.push_back(mode_ == Mode::stick ? dot(flow().friction_force, s)
+                                                        : flows_.slip_ratio[static_cast<int>(mode_)] * N);
     trace.gap.push_back(is_open ? std::max(0.0, s.at[G]) : 0.0);
     trace.state.push_back(contact_of(mode_));
 }
@@ -341,26 +345,34 @@ void Runner<dofs>::sample(double tau, double time) {
 namespace {
 
 template <int dofs>
-void require_valid_contact(const Structure<dofs>& structure) {
-    const typename Structure<dofs>::Vector pushed = structure.mass.inverse() * structure.normal;
-    model::require_no_painleve(structure.normal.dot(pushed), structure.tangent.dot(pushed),
-                               structure.friction.kinetic_coefficient);
+void require_valid_contact(const model::SizedStructure<dofs>& structure, const model::FrictionLaw& friction) {
+    const typename model::SizedStructure<dofs>::Vector pushed = structure.mass.inverse() * structure.normal;
+    model::require_no_painleve(structure.normal.dot(pushed), structure.tangent.dot(pushed), friction);
 }
 
 }  // namespace
 
-template <int dofs>
-Motion integrate_exact(const Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
-                       const Exact& settings, record::Recorder recorder, std::stop_token stop,
-                       SharedFlows<dofs>& shared) {
-    require_valid_contact(structure);
-    Runner<dofs> runner(structure, drive, start, settings, shared, recorder, std::move(stop));
-    return runner.run();
+Motion integrate_exact(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
+                       const Exact& settings, record::Recorder recorder, std::stop_token stop, SharedFlows& shared) {
+    const model::ContactPoint& contact = model::only_contact(structure, "the exact engine");
+    const auto run = [&](auto size) {
+        require_valid_contact<size()>({structure, contact}, contact.friction);
+        Runner<size()> runner(structure, contact, drive, start, settings, shared.of_size<size()>(), recorder,
+                              std::move(stop));
+        return runner.run();
+    };
+    const int dofs = model::dofs_of(structure);
+    if (dofs == 2) return run(model::Size<2>());
+    if (dofs == 3) return run(model::Size<3>());
+    throw Error(ErrorKind::input, {"the exact engine cannot solve this structure",
+                                   "it has " + std::to_string(dofs) + " degrees of freedom instead of two or three",
+                                   "Use the beta_2 engine."});
 }
 
-template Motion integrate_exact<2>(const Structure<2>&, const parameters::Drive&, const Start&, const Exact&,
-                                   record::Recorder, std::stop_token, SharedFlows<2>&);
-template Motion integrate_exact<3>(const Structure<3>&, const parameters::Drive&, const Start&, const Exact&,
-                                   record::Recorder, std::stop_token, SharedFlows<3>&);
+Motion integrate_exact(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
+                       const Exact& settings, record::Recorder recorder, std::stop_token stop) {
+    SharedFlows own;
+    return integrate_exact(structure, drive, start, settings, std::move(recorder), std::move(stop), own);
+}
 
 }  // namespace stridor::integration

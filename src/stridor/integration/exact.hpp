@@ -8,14 +8,11 @@
 #include "stridor/parameters/case.hpp"
 
 #include <stop_token>
-#include <utility>
 
 namespace stridor::integration {
 
 /// Settings of the exact engine.
 struct Exact {
-    parameters::ImpactLaw impact = parameters::ImpactLaw::plastic;
-    double restitution = 0.0;  // [1] restitution law only: rebound velocity over impact velocity
     parameters::EarlyEnding early_ending = parameters::EarlyEnding::proven;
     InstructionSet instruction_set = widest_instruction_set();  // changes the speed, never a bit
 };
@@ -27,24 +24,15 @@ struct Exact {
 ///
 /// Under a constant drive and without a trace a run ends early, as `settled`, once silence is proven or a limit cycle found,
 /// unless the settings say never; the record is filled to the end all the same. The energy balance is that of the time
-/// until then. `shared` keeps what was prepared for the next run. Returns `diverged` with the
-/// time where a number left double precision, `chattering` where events pile up without time going on, `cancelled` soon
-/// after a stop request. Throws `Error` (numerical) for a Painleve configuration and what `initial_state` throws.
-template <int dofs>
-Motion integrate_exact(const model::Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
-                       const Exact& settings, record::Recorder recorder, std::stop_token stop,
-                       SharedFlows<dofs>& shared);
-
-template <int dofs>
-Motion integrate_exact(const model::Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
-                       const Exact& settings, record::Recorder recorder, std::stop_token stop = {}) {
-    SharedFlows<dofs> own;
-    return integrate_exact(structure, drive, start, settings, std::move(recorder), std::move(stop), own);
-}
-
-extern template Motion integrate_exact<2>(const model::Structure<2>&, const parameters::Drive&, const Start&,
-                                          const Exact&, record::Recorder, std::stop_token, SharedFlows<2>&);
-extern template Motion integrate_exact<3>(const model::Structure<3>&, const parameters::Drive&, const Start&,
-                                          const Exact&, record::Recorder, std::stop_token, SharedFlows<3>&);
+/// until then. `shared` keeps what was prepared for the next run. Returns `diverged` with the time where a number left double
+/// precision, `chattering` where events pile up without time going on, `cancelled` soon after a stop request.
+///
+/// It solves structures with two or three degrees of freedom and one contact with any law of friction and of impacts in
+/// `model`. Throws `Error`: input for any other, by name; numerical for a Painleve configuration; what `initial_state`
+/// throws.
+Motion integrate_exact(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
+                       const Exact& settings, record::Recorder recorder, std::stop_token stop, SharedFlows& shared);
+Motion integrate_exact(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
+                       const Exact& settings, record::Recorder recorder, std::stop_token stop = {});
 
 }  // namespace stridor::integration

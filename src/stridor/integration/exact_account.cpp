@@ -44,8 +44,7 @@ Totals totals(const Flows& flows, const Account& account) {
         const double on_surface = integral(flow, full.on_surface, part.on_surface);
         if (flow.mode == Mode::stick) sum.drive_work += on_surface;
         if (!is_slip(flow.mode)) continue;
-        // T = -+mu_d N
-        const double friction = flow.mode == Mode::slip_forward ? -flows.kinetic_friction : flows.kinetic_friction;
+        const double friction = flows.slip_ratio[m];
         sum.drive_work += friction * on_surface;
         sum.friction_loss -= friction * integral(flow, full.on_slip, part.on_slip);
     }

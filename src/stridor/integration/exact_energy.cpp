@@ -32,7 +32,8 @@ typename Runner<dofs>::Position Runner<dofs>::seen(const Lanes& s, Mode mode, co
 
 template <int dofs>
 double Runner<dofs>::stored(const Position& here) const {
-    return model::kinetic_energy(structure_, here.velocity) + model::elastic_energy(structure_, here.displacement);
+    return model::kinetic_energy(structure_.mass, here.velocity) +
+           model::elastic_energy(structure_.stiffness, here.displacement);
 }
 
 template <int dofs>

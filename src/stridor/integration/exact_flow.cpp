@@ -144,7 +144,7 @@ Lanes scaled(const Lanes& a, double factor) {
 template <int dofs>
 class Preparation {
 public:
-    Preparation(const ContactCoordinates<dofs>& c, const model::Coulomb& friction, double drive_frequency,
+    Preparation(const ContactCoordinates<dofs>& c, const model::FrictionLaw& friction, double drive_frequency,
                 const Kernel& loops)
         : c_(c),
           friction_(friction),
@@ -155,8 +155,8 @@ public:
         describe();
         set_open(flows_.flow[static_cast<int>(Mode::open)]);
         set_stick(flows_.flow[static_cast<int>(Mode::stick)]);
-        set_slip(flows_.flow[static_cast<int>(Mode::slip_forward)], Mode::slip_forward, 1.0);
-        set_slip(flows_.flow[static_cast<int>(Mode::slip_backward)], Mode::slip_backward, -1.0);
+        for (const model::Slip way : model::slips)
+            set_slip(flows_.flow[static_cast<int>(slip_mode(way))], way);
         return flows_;
     }
 
@@ -192,8 +192,6 @@ private:
             }
         }
         flows_.tangent_on_gap = c_.tangent_on_gap;
-        flows_.static_friction = friction_.static_coefficient;
-        flows_.kinetic_friction = friction_.kinetic_coefficient;
     }
 
     // largest rate [1/s] of z'' = -M^-1 (K z + C z'): norms of the matrices scaled by the square roots of the masses
@@ -316,16 +314,20 @@ private:
         set_powers(flow, Mode::stick, a, std::max(rate(closed, 0.0), omega_));
         flow.friction_force = sum(internal_force(0), surface_acceleration(), c_.mass(0));
         flow.normal_force = sum(internal_force(closed), flow.friction_force, -c_.tangent_on_gap);
-        const Lanes limit = scaled(flow.normal_force, friction_.static_coefficient);
-        set_test(flow, sum(limit, flow.friction_force, -1.0));
-        set_test(flow, sum(limit, flow.friction_force, 1.0));
+        set_test(flow, sum(scaled(flow.normal_force, stick_limit(friction_, model::Slip::backward)),
+                           flow.friction_force, -1.0));
+        set_test(flow, sum(scaled(flow.normal_force, stick_limit(friction_, model::Slip::forward)), flow.friction_force,
+                           1.0));
         set_velocities(flow, closed);
         set_sampled(flow.friction_force, flow.force, flow.force_series);
         set_sampled(unit(surface_lane(closed)), flow.surface, flow.surface_series);
     }
 
-    void set_slip(Flow& flow, Mode mode, double sign) {
-        const double friction = -sign * friction_.kinetic_coefficient;  // T/N
+    void set_slip(Flow& flow, model::Slip way) {
+        const Mode mode = slip_mode(way);
+        const double friction = slip_ratio(friction_, way);  // T/N
+        const double sign = way == model::Slip::forward ? 1.0 : -1.0;
+        flows_.slip_ratio[static_cast<int>(mode)] = friction;
         flow.normal_force = scaled(internal_force(closed), 1.0 / (1.0 + friction * c_.tangent_on_gap));
         flow.friction_force = scaled(flow.normal_force, friction);
         Rows a = closed_generator();
@@ -342,7 +344,7 @@ private:
     }
 
     const ContactCoordinates<dofs>& c_;
-    model::Coulomb friction_;
+    const model::FrictionLaw& friction_;
     const Kernel& loops_;
     double omega_;          // [rad/s]
     Matrix8 transposed_{};  // of A h
@@ -352,12 +354,12 @@ private:
 }  // namespace
 
 template <int dofs>
-Flows prepare_flows(const ContactCoordinates<dofs>& coordinates, const model::Coulomb& friction, double drive_frequency,
-                    const Kernel& loops) {
+Flows prepare_flows(const ContactCoordinates<dofs>& coordinates, const model::FrictionLaw& friction,
+                    double drive_frequency, const Kernel& loops) {
     return Preparation<dofs>(coordinates, friction, drive_frequency, loops).run();
 }
 
-template Flows prepare_flows<2>(const ContactCoordinates<2>&, const model::Coulomb&, double, const Kernel&);
-template Flows prepare_flows<3>(const ContactCoordinates<3>&, const model::Coulomb&, double, const Kernel&);
+template Flows prepare_flows<2>(const ContactCoordinates<2>&, const model::FrictionLaw&, double, const Kernel&);
+template Flows prepare_flows<3>(const ContactCoordinates<3>&, const model::FrictionLaw&, double, const Kernel&);
 
 }  // namespace stridor::integration

@@ -15,8 +15,9 @@ namespace stridor::integration {
 template <int dofs>
 class Runner {
 public:
-    Runner(const model::Structure<dofs>& structure, const parameters::Drive& drive, const Start& start,
-           const Exact& settings, SharedFlows<dofs>& shared, record::Recorder& recorder, std::stop_token stop);
+    Runner(const model::Structure& structure, const model::ContactPoint& contact, const parameters::Drive& drive,
+           const Start& start, const Exact& settings, SizedFlows<dofs>& shared, record::Recorder& recorder,
+           std::stop_token stop);
 
     Motion run();
 
@@ -26,8 +27,8 @@ private:
     static constexpr int F = load_lane(closed);
     static constexpr int V = surface_lane(closed);
     static constexpr int G = gap_lane(closed);
-    using Vector = typename model::Structure<dofs>::Vector;
-    using Matrix = typename model::Structure<dofs>::Matrix;
+    using Vector = typename model::SizedStructure<dofs>::Vector;
+    using Matrix = typename model::SizedStructure<dofs>::Matrix;
 
     // what ended a step: an event function, or none
     struct Crossing {
@@ -75,7 +76,9 @@ private:
     void watch_for_silence();
     void watch_for_cycle();
 
-    const model::Structure<dofs>& structure_;
+    const model::Structure& whole_;
+    const model::ContactPoint& contact_;
+    model::SizedStructure<dofs> structure_;  // the same
     ContactCoordinates<dofs> coordinates_;
     const Kernel& kernel_;
     const Flows& flows_;

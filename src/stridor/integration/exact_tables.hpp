@@ -82,8 +82,7 @@ struct Flows {
     double mass[most_coordinates];                       // [kg] of x, (y,) g
     double damping[most_coordinates][most_coordinates];  // [N*s/m]
     double tangent_on_gap;                               // [1]
-    double static_friction;                              // [1]
-    double kinetic_friction;                             // [1]
+    double slip_ratio[modes];                            // [1] T/N while it slips; 0 in other states
     Flow flow[modes];
 };
 

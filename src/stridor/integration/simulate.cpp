@@ -28,10 +28,9 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
     record::Recorder recorder(record::schedule(c), request, model::rubbing_system_dofs);
     switch (c.run.engine) {
         case parameters::Engine::exact:
-            return integrate_exact(
-                model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
-                {c.contact.impact, c.contact.restitution, c.run.early_ending, workspace.instruction_set},
-                std::move(recorder), std::move(stop), workspace.flows);
+            return integrate_exact(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
+                                   {c.run.early_ending, workspace.instruction_set}, std::move(recorder),
+                                   std::move(stop), workspace.flows);
         case parameters::Engine::beta_2:
             return integrate_beta_2(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
                                     {c.run.step, c.run.beta_2}, std::move(recorder), std::move(stop));

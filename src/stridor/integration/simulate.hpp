@@ -20,7 +20,7 @@ Cost cost(const parameters::Case& c);
 
 /// What runs of many cases, one after the other, may share: it saves time and changes nothing.
 struct Workspace {
-    SharedFlows<model::rubbing_system_dofs> flows;
+    SharedFlows flows;
     InstructionSet instruction_set = widest_instruction_set();  // of the exact engine's loops
 };
 

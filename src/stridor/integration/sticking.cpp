@@ -46,16 +46,20 @@ struct Margin {
 
 class Stick {
 public:
-    Stick(const StuckStructure& s, const StuckState& now) : s_(s), now_(now) {
+    Stick(const model::Structure& s, const model::ContactPoint& point, const StuckState& now)
+        : s_(s),
+          limits_{stick_limit(point.friction, model::Slip::backward),
+                  stick_limit(point.friction, model::Slip::forward)},
+          now_(now) {
         MatrixXd contact(s.load.size(), 2);
-        contact << s.normal, s.tangent;
+        contact << point.normal, point.tangent;
         forces_ = (contact.transpose() * contact).inverse() * contact.transpose();
         carried_ = forces_.row(1).transpose();
         free_ = model::orthogonal_complement(contact);
         mass_ = model::reduced(free_, s.mass, free_);
         damping_ = model::reduced(free_, s.damping, free_);
         stiffness_ = model::reduced(free_, s.stiffness, free_);
-        x_ = s.tangent.dot(now.displacement);
+        x_ = point.tangent.dot(now.displacement);
     }
 
     bool is_dissipative() const {
@@ -67,10 +71,10 @@ public:
     std::array<Margin, 2> under_sinusoidal_drive(double omega) const;
 
 private:
-    // mu_s N - T and mu_s N + T
+    // mu_s N - T, which ends in slip backward, and mu_s N + T, forward
     template <typename Forces>
     auto margin_of(const Forces& forces, std::size_t k) const {
-        return s_.static_friction * forces(0) + (k == 0 ? -1.0 : 1.0) * forces(1);
+        return limits_[k] * forces(0) + (k == 0 ? -1.0 : 1.0) * forces(1);
     }
 
     // what free motions must balance at rest when the contact stands at x, moving with V
@@ -80,7 +84,8 @@ private:
 
     double vibration(std::size_t k, const VectorXd& e, const VectorXd& e_rate) const;
 
-    const StuckStructure& s_;
+    const model::Structure& s_;
+    std::array<double, 2> limits_;  // [1] of the stick, shape [margin]
     const StuckState& now_;
     MatrixXd forces_;                      // shape [2][dof]: N and T of a force along n and t
     VectorXd carried_;                     // r
@@ -95,8 +100,8 @@ double Stick::vibration(std::size_t k, const VectorXd& e, const VectorXd& e_rate
     const MatrixXd of_place = forces_ * (s_.stiffness * free_ - inertia * stiffness_);
     const MatrixXd of_rate = forces_ * (s_.damping * free_ - inertia * damping_);
     const double sign = k == 0 ? -1.0 : 1.0;
-    const VectorXd a = (s_.static_friction * of_place.row(0) + sign * of_place.row(1)).transpose();
-    const VectorXd b = (s_.static_friction * of_rate.row(0) + sign * of_rate.row(1)).transpose();
+    const VectorXd a = (limits_[k] * of_place.row(0) + sign * of_place.row(1)).transpose();
+    const VectorXd b = (limits_[k] * of_rate.row(0) + sign * of_rate.row(1)).transpose();
     const double twice_energy = e_rate.dot(mass_ * e_rate) + e.dot(stiffness_ * e);
     return std::sqrt(twice_energy * (a.dot(stiffness_.inverse() * a) + b.dot(mass_.inverse() * b)));
 }
@@ -117,10 +122,10 @@ std::array<Margin, 2> Stick::under_constant_drive() const {
     for (std::size_t k = 0; k < margins.size(); ++k) {
         margins[k].now = margin_of(f_now, k);
         margins[k].slope = margin_of(f_slope, k);
-        const double slope_size = s_.static_friction * std::abs(f_slope(0)) + std::abs(f_slope(1));
+        const double slope_size = limits_[k] * std::abs(f_slope(0)) + std::abs(f_slope(1));
         if (std::abs(margins[k].slope) <= margin_rounding * slope_size) margins[k].slope = 0.0;
         margins[k].vibration = vibration(k, e, e_rate);
-        margins[k].rounding = margin_rounding * (s_.static_friction * std::abs(f_now(0)) + std::abs(f_now(1)));
+        margins[k].rounding = margin_rounding * (limits_[k] * std::abs(f_now(0)) + std::abs(f_now(1)));
     }
     return margins;
 }
@@ -149,8 +154,8 @@ std::array<Margin, 2> Stick::under_sinusoidal_drive(double omega) const {
         const Complex swing = margin_of(f_swing, k);
         margins[k].amplitude = std::sqrt(swing.real() * swing.real() + swing.imag() * swing.imag());
         margins[k].vibration = vibration(k, e, e_rate);
-        margins[k].rounding = margin_rounding * (s_.static_friction * std::abs(f_centre(0)) + std::abs(f_centre(1)) +
-                                                 margins[k].amplitude);
+        margins[k].rounding =
+            margin_rounding * (limits_[k] * std::abs(f_centre(0)) + std::abs(f_centre(1)) + margins[k].amplitude);
     }
     return margins;
 }
@@ -175,9 +180,10 @@ Outlook judge(const std::array<Margin, 2>& margins, double time) {
 
 }  // namespace
 
-Outlook outlook_of_stick(const StuckStructure& structure, const parameters::Drive& drive, const StuckState& now) {
+Outlook outlook_of_stick(const model::Structure& structure, const parameters::Drive& drive, const StuckState& now) {
+    const model::ContactPoint& contact = model::only_contact(structure, "the outlook of a stick");
     if (drive.kind == parameters::DriveKind::sampled) return {};
-    const Stick stick(structure, now);
+    const Stick stick(structure, contact, now);
     if (!stick.is_dissipative()) return {};
     if (drive.kind == parameters::DriveKind::constant) return judge(stick.under_constant_drive(), now.time);
     constexpr double two_pi = 6.283185307179586476925;

@@ -8,17 +8,6 @@
 
 namespace stridor::integration {
 
-/// A structure of any size with its contact, as `model::Structure`.
-struct StuckStructure {
-    Eigen::MatrixXd mass;          // [kg] shape [dof][dof]
-    Eigen::MatrixXd damping;       // [N*s/m] shape [dof][dof]
-    Eigen::MatrixXd stiffness;     // [N/m] shape [dof][dof]
-    Eigen::VectorXd load;          // [N] f0, shape [dof]
-    Eigen::VectorXd normal;        // [1] n, shape [dof]
-    Eigen::VectorXd tangent;       // [1] t, shape [dof]
-    double static_friction = 0.0;  // [1] mu_s
-};
-
 /// A stuck contact at one instant.
 struct StuckState {
     Eigen::VectorXd displacement;       // [m] u, shape [dof]
@@ -30,20 +19,11 @@ struct StuckState {
 
 /// Does a contact that sticks now stick for ever, if the drive goes on as it is?
 ///
-/// `sticks` is proven by a bound on the energy of the vibration that is left, `releases` by the forces that the drive
-/// itself builds up (derivation: sticking.cpp); `unknown` where that vibration may or may not end the stick, for a
-/// sampled drive, and where a free motion has no stiffness or negative damping. A release under a constant drive comes
-/// with
-/// its time,
-/// about.
-record::Outlook outlook_of_stick(const StuckStructure& structure, const parameters::Drive& drive,
+/// `sticks` is proven by a bound on the energy of the vibration that is left, `releases` by the forces that the drive itself
+/// builds up (derivation: sticking.cpp); `unknown` where that vibration may or may not end the stick, for a sampled drive,
+/// and where a free motion has no stiffness or negative damping. A release under a constant drive comes with its time,
+/// about. Throws `Error` (input) what `only_contact` refuses.
+record::Outlook outlook_of_stick(const model::Structure& structure, const parameters::Drive& drive,
                                  const StuckState& now);
-
-template <int dofs>
-record::Outlook outlook_of_stick(const model::Structure<dofs>& s, const parameters::Drive& drive,
-                                 const StuckState& now) {
-    return outlook_of_stick(
-        {s.mass, s.damping, s.stiffness, s.load, s.normal, s.tangent, s.friction.static_coefficient}, drive, now);
-}
 
 }  // namespace stridor::integration

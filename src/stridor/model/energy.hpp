@@ -1,19 +1,19 @@
 #pragma once
 
-#include "stridor/model/structure.hpp"
+#include <Eigen/Core>
 
 namespace stridor::model {
 
-/// Kinetic energy, v.M v / 2 [J].
-template <int dofs>
-double kinetic_energy(const Structure<dofs>& structure, const typename Structure<dofs>::Vector& v) {
-    return 0.5 * v.dot(structure.mass * v);
+/// Kinetic energy, v.M v / 2 [J], of velocities [m/s] and a mass matrix [kg] of any size.
+template <typename Matrix, typename Vector>
+double kinetic_energy(const Eigen::MatrixBase<Matrix>& mass, const Eigen::MatrixBase<Vector>& v) {
+    return 0.5 * v.dot(mass * v);
 }
 
-/// Elastic energy, u.K u / 2 [J]; the work of the constant load is counted apart.
-template <int dofs>
-double elastic_energy(const Structure<dofs>& structure, const typename Structure<dofs>::Vector& u) {
-    return 0.5 * u.dot(structure.stiffness * u);
+/// Elastic energy, u.K u / 2 [J], of displacements [m]; the work of the constant load is counted apart.
+template <typename Matrix, typename Vector>
+double elastic_energy(const Eigen::MatrixBase<Matrix>& stiffness, const Eigen::MatrixBase<Vector>& u) {
+    return 0.5 * u.dot(stiffness * u);
 }
 
 }  // namespace stridor::model

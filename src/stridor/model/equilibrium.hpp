@@ -2,33 +2,24 @@
 
 #include "stridor/model/structure.hpp"
 
-#include <Eigen/LU>
+#include <vector>
 
 namespace stridor::model {
 
-/// A state of rest or of steady sliding: displacements and normal force that balance.
-template <int dofs>
+/// A state of rest or of steady sliding: displacements and normal forces that balance.
 struct Equilibrium {
-    typename Structure<dofs>::Vector displacement;  // [m] u
-    double normal_force = 0.0;                      // [N] N
+    Eigen::VectorXd displacement;   // [m] u, shape [dof]
+    Eigen::VectorXd normal_forces;  // [N] N, shape [contact]
 };
 
-/// Solves K u = f0 + (n + signed_friction t) N with the contact closed, n.u = 0.
+/// Solves K u = f0 + sum of (n + ratio t) N with all contacts closed, g0 + n.u = 0.
 ///
-/// `signed_friction` is T/N: 0 at rest, +mu_d while the surface moves going (V > 0), -mu_d coming. A negative
-/// normal force or a singular system (the divergence boundary) comes out as such; the caller decides.
-template <int dofs>
-Equilibrium<dofs> equilibrium(const Structure<dofs>& structure, double signed_friction) {
-    using Bordered = Eigen::Matrix<double, dofs + 1, dofs + 1>;
-    Bordered system = Bordered::Zero();
-    system.template topLeftCorner<dofs, dofs>() = structure.stiffness;
-    system.template topRightCorner<dofs, 1>() = -(structure.normal + signed_friction * structure.tangent);
-    system.template bottomLeftCorner<1, dofs>() = structure.normal.transpose();
-    Eigen::Matrix<double, dofs + 1, 1> right = Eigen::Matrix<double, dofs + 1, 1>::Zero();
-    right.template head<dofs>() = structure.load;
-    // no rank test: next to the boundary the system is badly scaled, and its solution still right
-    const Eigen::Matrix<double, dofs + 1, 1> solution = system.partialPivLu().solve(right);
-    return {solution.template head<dofs>(), solution(dofs)};
-}
+/// `ratios` [1] are T/N, shape [contact]: 0 at rest, `slip_ratio` while it slides. A negative normal force or a singular
+/// system (the divergence boundary) comes out as such; the caller decides.
+Equilibrium equilibrium(const Structure& structure, const std::vector<double>& ratios);
+
+/// T/N of each contact [1], shape [contact], over a surface that moves with this velocity [m/s], not zero: it slips the
+/// other way.
+std::vector<double> sliding_ratios(const Structure& structure, double surface_velocity);
 
 }  // namespace stridor::model

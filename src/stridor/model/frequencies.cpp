@@ -1,5 +1,3 @@
-// Not a template: eigenvalue solvers are slow to compile and are run once per case, so one instance serves all sizes.
-
 #include "stridor/model/frequencies.hpp"
 
 #include "stridor/model/complement.hpp"
@@ -23,6 +21,18 @@ std::vector<double> natural_frequencies(const Eigen::MatrixXd& mass, const Eigen
     for (const double squared : solver.eigenvalues())
         frequencies.push_back(std::sqrt(squared > 0.0 ? squared : 0.0));
     return frequencies;
+}
+
+std::vector<double> natural_frequencies(const Structure& structure, ContactState state) {
+    const Eigen::Index each = state == ContactState::separation ? 0 : state == ContactState::slip ? 1 : 2;
+    const auto contacts = static_cast<Eigen::Index>(structure.contacts.size());
+    Eigen::MatrixXd blocked(dofs_of(structure), each * contacts);
+    for (Eigen::Index k = 0; k < contacts; ++k) {
+        const ContactPoint& contact = structure.contacts[static_cast<std::size_t>(k)];
+        if (each > 0) blocked.col(each * k) = contact.normal;
+        if (each > 1) blocked.col(each * k + 1) = contact.tangent;
+    }
+    return natural_frequencies(structure.mass, structure.stiffness, blocked);
 }
 
 }  // namespace stridor::model

@@ -15,16 +15,10 @@ namespace stridor::model {
 std::vector<double> natural_frequencies(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
                                         const Eigen::MatrixXd& blocked);
 
-/// Undamped natural angular frequencies [rad/s], rising, of the structure with its contact held in one state.
+/// Undamped natural angular frequencies [rad/s], rising, of the structure with all its contacts held in one state.
 ///
-/// Separation: all degrees of freedom free. Slip: the gap closed, no friction (mu = 0). Stick: gap closed and the
-/// tangential position fixed. The constraints are n.u = 0 and t.u = 0; the rest is a symmetric eigenvalue problem.
-template <int dofs>
-std::vector<double> natural_frequencies(const Structure<dofs>& structure, ContactState state) {
-    Eigen::MatrixXd blocked(dofs, 2);
-    blocked << structure.normal, structure.tangent;
-    const int constraints = state == ContactState::separation ? 0 : state == ContactState::slip ? 1 : 2;
-    return natural_frequencies(structure.mass, structure.stiffness, blocked.leftCols(constraints));
-}
+/// Separation: all degrees of freedom free. Slip: the gaps closed, no friction (mu = 0). Stick: gaps closed and the
+/// tangential positions fixed. The constraints are n.u = 0 and t.u = 0; the rest is a symmetric eigenvalue problem.
+std::vector<double> natural_frequencies(const Structure& structure, ContactState state);
 
 }  // namespace stridor::model

@@ -2,15 +2,16 @@
 
 namespace stridor::model {
 
-Structure<mass_on_belt_dofs> mass_on_belt(const Belt& belt) {
-    Structure<mass_on_belt_dofs> structure;
+Structure mass_on_belt(const Belt& belt) {
+    Structure structure = structure_of_size(2);
+    ContactPoint& contact = structure.contacts.front();
     structure.mass.diagonal() << belt.mass, belt.mass;
     structure.damping(0, 0) = belt.damping;
     structure.stiffness(0, 0) = belt.stiffness;
     structure.load << 0.0, -belt.preload;
-    structure.normal << 0.0, 1.0;
-    structure.tangent << 1.0, 0.0;
-    structure.friction = belt.friction;
+    contact.normal << 0.0, 1.0;
+    contact.tangent << 1.0, 0.0;
+    contact.friction = belt.friction;
     return structure;
 }
 

@@ -13,10 +13,8 @@ struct Belt {
     Coulomb friction;
 };
 
-/// Number of unknowns: u = (x, y) [m], along and across the belt.
-inline constexpr int mass_on_belt_dofs = 2;
-
-/// The belt oscillator as a structure with a contact; nothing but the preload acts across the belt.
-Structure<mass_on_belt_dofs> mass_on_belt(const Belt& belt);
+/// The belt oscillator as a structure with a contact, u = (x, y) [m], along and across the belt; nothing but the preload
+/// acts across it.
+Structure mass_on_belt(const Belt& belt);
 
 }  // namespace stridor::model

@@ -16,18 +16,20 @@ Eigen::Matrix2d rotated(double axial, double flexural, const base::SineCosine& a
 
 }  // namespace
 
-Structure<rubbing_system_dofs> rubbing_system(const parameters::Case& c) {
+Structure rubbing_system(const parameters::Case& c) {
     const base::SineCosine angle = base::sine_cosine_of_degrees(c.joint.incidence_angle);
-    Structure<rubbing_system_dofs> structure;
+    Structure structure = structure_of_size(rubbing_system_dofs);
+    ContactPoint& contact = structure.contacts.front();
     structure.mass.diagonal() << c.joint.mass, c.joint.mass, c.plate.mass;
     structure.damping.topLeftCorner<2, 2>() = rotated(c.joint.axial_damping, c.joint.flexural_damping, angle);
     structure.damping(2, 2) = c.plate.damping;
     structure.stiffness.topLeftCorner<2, 2>() = rotated(c.joint.axial_stiffness, c.joint.flexural_stiffness, angle);
     structure.stiffness(2, 2) = c.plate.stiffness;
     structure.load << 0.0, -c.contact.preload, c.contact.preload;
-    structure.normal << 0.0, 1.0, -1.0;
-    structure.tangent << 1.0, 0.0, 0.0;
-    structure.friction = {c.contact.static_friction, c.contact.kinetic_friction};
+    contact.normal << 0.0, 1.0, -1.0;
+    contact.tangent << 1.0, 0.0, 0.0;
+    contact.friction = friction_law(c.contact);
+    contact.impact = impact_law(c.contact);
     return structure;
 }
 

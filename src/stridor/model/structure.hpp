@@ -1,30 +1,49 @@
 #pragma once
 
-#include "stridor/model/coulomb.hpp"
+#include "stridor/model/friction/law.hpp"
+#include "stridor/model/impact/law.hpp"
 
 #include <Eigen/Core>
 
+#include <string_view>
+#include <vector>
+
 namespace stridor::model {
 
-/// A linear structure with one unilateral frictional contact, what every engine sees:
-///
-///     M u'' + C u' + K u = f0 + n N + t T,    gap g = n.u >= 0,    slip velocity w = t.u' - V,    N >= 0
-///
-/// V(t) is the imposed tangential velocity of the other surface. Displacements are measured from the preloaded rest
-/// position. The paper's joint on a plate is one builder (`rubbing_system`), the mass on a belt another
-/// (`mass_on_belt`). The number of degrees of freedom is known to the compiler.
-template <int dofs>
-struct Structure {
-    using Vector = Eigen::Matrix<double, dofs, 1>;
-    using Matrix = Eigen::Matrix<double, dofs, dofs>;
-
-    Matrix mass = Matrix::Zero();       // [kg] M, symmetric, positive definite
-    Matrix damping = Matrix::Zero();    // [N*s/m] C, symmetric
-    Matrix stiffness = Matrix::Zero();  // [N/m] K, symmetric
-    Vector load = Vector::Zero();       // [N] f0, constant
-    Vector normal = Vector::Zero();     // [1] n: gap = n.u
-    Vector tangent = Vector::Zero();    // [1] t: tangential position = t.u
-    Coulomb friction;
+/// A point at which a structure rubs on a surface that moves with the imposed velocity V(t).
+struct ContactPoint {
+    Eigen::VectorXd normal;    // [1] n, shape [dof]: gap g = g0 + n.u
+    Eigen::VectorXd tangent;   // [1] t, shape [dof]: tangential position t.u
+    double initial_gap = 0.0;  // [m] g0
+    FrictionLaw friction{};
+    ImpactLaw impact{};
+    double drive_share = 1.0;  // [1] of V(t) that the surface has here
 };
+
+/// A linear structure with unilateral frictional contacts, what every engine sees:
+///
+///     M u'' + C u' + K u = f0 + sum over contacts of (n N + t T)
+///     gap g = g0 + n.u >= 0,    slip velocity w = t.u' - share V,    N >= 0
+///
+/// Displacements are measured from the preloaded rest position. The paper's joint on a plate is one builder
+/// (`rubbing_system`), the mass on a belt another (`mass_on_belt`). It may have any number of degrees of freedom and of
+/// contacts; an engine refuses by name what it cannot solve.
+struct Structure {
+    Eigen::MatrixXd mass;       // [kg] M, symmetric, positive definite, shape [dof][dof]
+    Eigen::MatrixXd damping;    // [N*s/m] C, symmetric, shape [dof][dof]
+    Eigen::MatrixXd stiffness;  // [N/m] K, symmetric, shape [dof][dof]
+    Eigen::VectorXd load;       // [N] f0, constant, shape [dof]
+    std::vector<ContactPoint> contacts;
+};
+
+/// Matrices and load of zeros for so many degrees of freedom, and as many contacts with normals and tangents of zeros.
+Structure structure_of_size(int dofs, int contacts = 1);
+
+/// Number of degrees of freedom.
+int dofs_of(const Structure& structure);
+
+/// The contact of a structure that has one, closed at rest, on a surface that moves with all of V(t). `solver` says who
+/// can solve no other: throws `Error` (input) with its name.
+const ContactPoint& only_contact(const Structure& structure, std::string_view solver);
 
 }  // namespace stridor::model

@@ -27,10 +27,10 @@ parameters::Case moving(double speed, double duration) {
     return c;
 }
 
-Motion run(const model::Structure<2>& structure, double speed, double duration, const Start& start,
-           const Beta2& settings, const record::Request& request = {}) {
+Motion run(const model::Structure& structure, double speed, double duration, const Start& start, const Beta2& settings,
+           const record::Request& request = {}) {
     const parameters::Case c = moving(speed, duration);
-    return integrate_beta_2<2>(structure, c.drive, start, settings, record::Recorder(record::schedule(c), request, 2));
+    return integrate_beta_2(structure, c.drive, start, settings, record::Recorder(record::schedule(c), request, 2));
 }
 
 TEST(StableStep, IsThatOfTheExplicitNewmarkScheme) {
@@ -87,7 +87,7 @@ TEST(Beta2, WithoutATraceKeepsNone) {
 TEST(Beta2, RefusesAPainleveConfiguration) {
     auto structure = model::mass_on_belt(belt);
     structure.mass(0, 1) = structure.mass(1, 0) = 0.5;
-    structure.friction = {2.5, 2.1};  // above 1 / 0.5
+    structure.contacts[0].friction = model::Coulomb{2.5, 2.1};  // above 1 / 0.5
     const auto thrown = support::thrown_by([&] { run(structure, velocity, 0.01, {}, {1e-6, 0.5}); });
     EXPECT_EQ(thrown.kind, ErrorKind::numerical);
     EXPECT_TRUE(thrown.says("Painleve")) << thrown.message;

@@ -25,8 +25,7 @@ Case constant_squeal(double duration) {
 
 // the engine itself: what a case must be to get here is checked before it
 Motion run(const Case& c, const record::Request& request, std::stop_token stop) {
-    return integrate_exact(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
-                           {c.contact.impact, c.contact.restitution, c.run.early_ending},
+    return integrate_exact(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation}, {c.run.early_ending},
                            record::Recorder(record::schedule(c), request, model::rubbing_system_dofs), std::move(stop));
 }
 

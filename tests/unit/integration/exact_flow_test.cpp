@@ -41,9 +41,9 @@ const Flow& in(const Flows& flows, Mode mode) {
 }
 
 Flows table_1_flows(double drive_frequency) {
-    const model::Structure<3> structure = model::rubbing_system(parameters::paper_case(parameters::PaperCase::squeal));
-    return prepare_flows(contact_coordinates(structure), structure.friction, drive_frequency,
-                         kernel(InstructionSet::baseline, 3));
+    const model::Structure structure = model::rubbing_system(parameters::paper_case(parameters::PaperCase::squeal));
+    return prepare_flows(contact_coordinates(model::SizedStructure<3>(structure, structure.contacts[0])),
+                         structure.contacts[0].friction, drive_frequency, kernel(InstructionSet::baseline, 3));
 }
 
 constexpr Mode all_modes[]{Mode::open, Mode::stick, Mode::slip_forward, Mode::slip_backward};
@@ -51,9 +51,9 @@ constexpr Mode all_modes[]{Mode::open, Mode::stick, Mode::slip_forward, Mode::sl
 // m x'' + c x' + k x = mu_d F around x = mu_d F/k, slipping backward: a damped vibration
 TEST(ExactFlow, AdvancesTheDampedOscillatorByItsClosedForm) {
     const double m = 0.3, k = 2e5, c = 17.0, F = 90.0, mu = 0.4;
-    const model::Structure<2> belt = model::mass_on_belt({m, k, c, F, {0.5, mu}});
-    const Flows flows =
-        prepare_flows(contact_coordinates(belt), belt.friction, 0.0, kernel(InstructionSet::baseline, 3));
+    const model::Structure belt = model::mass_on_belt({m, k, c, F, {0.5, mu}});
+    const Flows flows = prepare_flows(contact_coordinates(model::SizedStructure<2>(belt, belt.contacts[0])),
+                                      belt.contacts[0].friction, 0.0, kernel(InstructionSet::baseline, 3));
     const Flow& flow = in(flows, Mode::slip_backward);
     const double decay = c / (2.0 * m), rate = std::sqrt(k / m - decay * decay);
     const double x0 = 1e-3, v0 = -0.2, rest = mu * F / k;

@@ -18,8 +18,9 @@ namespace {
 const Flows& table_1_flows() {
     static const auto flows = [] {
         const auto structure = model::rubbing_system(parameters::paper_case(parameters::PaperCase::squeal));
-        return std::make_unique<Flows>(prepare_flows(contact_coordinates(structure), structure.friction, 5.0,
-                                                     kernel(InstructionSet::baseline, 3)));
+        return std::make_unique<Flows>(
+            prepare_flows(contact_coordinates(model::SizedStructure<3>(structure, structure.contacts[0])),
+                          structure.contacts[0].friction, 5.0, kernel(InstructionSet::baseline, 3)));
     }();
     return *flows;
 }

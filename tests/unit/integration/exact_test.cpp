@@ -61,7 +61,7 @@ TEST(Exact, HoldsAtTheLimitOfFrictionWhenThePlateStops) {
         const model::Belt belt{1.3, 3e5, 10.0, 97.0, {mu, mu}};
         for (const double direction : {-0.1, 0.1}) {
             Case c = constant_case(direction, Initial::sliding);
-            const Motion motion = integrate_exact<2>(
+            const Motion motion = integrate_exact(
                 model::mass_on_belt(belt), sampled({0.0, 1e-3, 1e-2}, {direction, 0.0, 0.0}), {Initial::sliding, 0.0},
                 {}, record::Recorder(record::schedule(c), {record::KeepHistory::yes, {}}, 2));
             EXPECT_EQ(motion.outcome.reason, Reason::completed) << mu;
@@ -88,9 +88,8 @@ TEST(Exact, HoldsAtTheLimitOfFrictionOnAPlateThatBends) {
 
 Motion by(InstructionSet set, const Case& c) {
     const double interval = c.run.duration / 997.0;
-    return integrate_exact<3>(
-        model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
-        {c.contact.impact, c.contact.restitution, c.run.early_ending, set},
+    return integrate_exact(
+        model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation}, {c.run.early_ending, set},
         record::Recorder(record::schedule(c), {record::KeepHistory::yes, {0.0, c.run.duration, interval}}, 3));
 }
 

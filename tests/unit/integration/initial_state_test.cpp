@@ -12,7 +12,7 @@ namespace {
 using parameters::Initial;
 using support::thrown_by;
 
-model::Structure<3> structure_with(double kinetic_friction) {
+model::Structure structure_with(double kinetic_friction) {
     parameters::Case c;
     c.contact.kinetic_friction = kinetic_friction;
     c.contact.static_friction = 2.0 * kinetic_friction;
@@ -28,7 +28,7 @@ TEST(InitialState, AtRestStandsWhileThePlateMoves) {
 TEST(InitialState, StuckMovesWithThePlate) {
     const auto state = initial_state(structure_with(0.6), {Initial::stuck, 0.0}, -0.1);
     EXPECT_LT(state.displacement.norm(), 1e-20);
-    EXPECT_EQ(state.velocity, (model::Structure<3>::Vector(-0.1, 0.0, 0.0)));
+    EXPECT_EQ(state.velocity, (Eigen::Vector3d(-0.1, 0.0, 0.0)));
 }
 
 // nothing accelerates in steady sliding, whichever way
@@ -36,8 +36,8 @@ TEST(InitialState, SlidingIsInBalanceBesidesItsPerturbation) {
     const auto structure = structure_with(0.6);
     for (const double velocity : {-0.1, 0.1}) {
         const auto state = initial_state(structure, {Initial::sliding, 1e-3}, velocity);
-        EXPECT_EQ(state.velocity, (model::Structure<3>::Vector(1e-3, 0.0, 0.0)));
-        const auto now = model::instant<3>(structure, state.displacement, {0.0, 0.0, 0.0}, {velocity, 0.0});
+        EXPECT_EQ(state.velocity, (Eigen::Vector3d(1e-3, 0.0, 0.0)));
+        const auto now = model::instant(structure, state.displacement, Eigen::Vector3d(0.0, 0.0, 0.0), {velocity, 0.0});
         EXPECT_EQ(now.state, model::ContactState::slip);
         EXPECT_GT(now.friction_force * velocity, 0.0);
         EXPECT_LT(now.acceleration.norm(), 1e-10);  // forces of 20 N at rounding, on 0.1 kg

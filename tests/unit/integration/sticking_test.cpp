@@ -23,14 +23,14 @@ record::Ending ending(const Case& c) {
 }
 
 record::Outlook at_rest(const Case& c) {
-    const model::Structure<3> structure = model::rubbing_system(c);
+    const model::Structure structure = model::rubbing_system(c);
     const Eigen::Vector3d carried(c.drive.velocity, 0.0, 0.0);
     return outlook_of_stick(structure, c.drive, {Eigen::Vector3d::Zero(), carried, c.drive.velocity, 0.0, 0.0});
 }
 
 // N grows with x by k2y Kxy/(Kyy + k2y), T by Kxx - Kxy²/(Kyy + k2y): their ratio is the friction that locks
 double locking_friction(const Case& c) {
-    const model::Structure<3> s = model::rubbing_system(c);
+    const model::Structure s = model::rubbing_system(c);
     const double Kxx = s.stiffness(0, 0), Kxy = s.stiffness(0, 1), both = s.stiffness(1, 1) + c.plate.stiffness;
     return (Kxx - Kxy * Kxy / both) / (c.plate.stiffness * Kxy / both);
 }
@@ -114,7 +114,7 @@ TEST(Stick, OfASampledDriveIsUnknown) {
 // a free vibration that could break the stick leaves it open
 TEST(Stick, WithMuchVibrationLeftIsUnknown) {
     Case c = support::seal_lip();
-    const model::Structure<3> structure = model::rubbing_system(c);
+    const model::Structure structure = model::rubbing_system(c);
     const Eigen::Vector3d shaken(0.05, -0.5, -0.5);
     EXPECT_EQ(outlook_of_stick(structure, c.drive, {Eigen::Vector3d::Zero(), shaken, 0.05, 0.0, 0.0}).future,
               Future::unknown);
@@ -122,7 +122,7 @@ TEST(Stick, WithMuchVibrationLeftIsUnknown) {
 
 // no free motion at all: the mass on a belt
 TEST(Stick, WithoutFreeMotionsIsDecidedByTheDrive) {
-    const model::Structure<2> belt = model::mass_on_belt({});
+    const model::Structure belt = model::mass_on_belt({});
     parameters::Drive drive;
     drive.kind = parameters::DriveKind::constant;
     drive.velocity = 0.1;

@@ -21,14 +21,14 @@ double closed_form(const Case& c, double signed_friction) {
 }
 
 TEST(Equilibrium, AtRestIsThePreloadWithoutDisplacement) {
-    const auto balance = equilibrium(rubbing_system({}), 0.0);
-    EXPECT_NEAR(balance.normal_force, 20.0, 1e-13);
+    const auto balance = equilibrium(rubbing_system({}), {0.0});
+    EXPECT_NEAR(balance.normal_forces(0), 20.0, 1e-13);
     EXPECT_LT(balance.displacement.norm(), 1e-20);
 }
 
 TEST(Equilibrium, SlidingDigsInWhileGoingAndEasesWhileComing) {
-    EXPECT_GT(equilibrium(rubbing_system({}), 0.6).normal_force, 20.0);
-    EXPECT_LT(equilibrium(rubbing_system({}), -0.6).normal_force, 20.0);
+    EXPECT_GT(equilibrium(rubbing_system({}), {0.6}).normal_forces(0), 20.0);
+    EXPECT_LT(equilibrium(rubbing_system({}), {-0.6}).normal_forces(0), 20.0);
 }
 
 RC_GTEST_PROP(Equilibrium, SlidingFollowsTheClosedForm, ()) {
@@ -40,20 +40,21 @@ RC_GTEST_PROP(Equilibrium, SlidingFollowsTheClosedForm, ()) {
     const double exact = closed_form(c, signed_friction);
     RC_PRE(exact > 0.0 && exact < 100.0 * c.contact.preload);
     const auto structure = rubbing_system(c);
-    const auto balance = equilibrium(structure, signed_friction);
+    const auto balance = equilibrium(structure, {signed_friction});
     // conditioning: stiffness ratio 100 times the distance 100 from divergence, at rounding 1e-16
-    RC_ASSERT(std::abs(balance.normal_force - exact) < 1e-11 * exact);
+    RC_ASSERT(std::abs(balance.normal_forces(0) - exact) < 1e-11 * exact);
 
-    const Structure<3>::Vector rest = structure.stiffness * balance.displacement - structure.load -
-                                      (structure.normal + signed_friction * structure.tangent) * balance.normal_force;
+    const Eigen::Vector3d rest =
+        structure.stiffness * balance.displacement - structure.load -
+        (structure.contacts[0].normal + signed_friction * structure.contacts[0].tangent) * balance.normal_forces(0);
     RC_ASSERT(rest.norm() < 1e-11 * exact);
-    RC_ASSERT(std::abs(structure.normal.dot(balance.displacement)) < 1e-11 * exact / c.plate.stiffness);
+    RC_ASSERT(std::abs(structure.contacts[0].normal.dot(balance.displacement)) < 1e-11 * exact / c.plate.stiffness);
 }
 
 // beyond divergence the formal normal force is negative: the contact digs in
 TEST(Equilibrium, BeyondDivergenceIsNegative) {
-    EXPECT_LT(equilibrium(rubbing_system({}), 4.2).normal_force, 0.0);
-    EXPECT_GT(equilibrium(rubbing_system({}), 4.1).normal_force, 0.0);
+    EXPECT_LT(equilibrium(rubbing_system({}), {4.2}).normal_forces(0), 0.0);
+    EXPECT_GT(equilibrium(rubbing_system({}), {4.1}).normal_forces(0), 0.0);
 }
 
 }  // namespace

@@ -28,12 +28,12 @@ TEST(RubbingSystem, KeepsMassesLoadAndDirectionsOfTheContact) {
     Case c;
     c.contact.preload = 200.0;
     const auto structure = rubbing_system(c);
-    EXPECT_EQ(structure.mass.diagonal(), (Structure<3>::Vector(0.1, 0.1, 0.4)));
-    EXPECT_EQ(structure.load, (Structure<3>::Vector(0.0, -200.0, 200.0)));
-    EXPECT_EQ(structure.normal, (Structure<3>::Vector(0.0, 1.0, -1.0)));
-    EXPECT_EQ(structure.tangent, (Structure<3>::Vector(1.0, 0.0, 0.0)));
-    EXPECT_EQ(structure.friction.static_coefficient, 0.8);
-    EXPECT_EQ(structure.friction.kinetic_coefficient, 0.6);
+    EXPECT_EQ(structure.mass.diagonal(), (Eigen::Vector3d(0.1, 0.1, 0.4)));
+    EXPECT_EQ(structure.load, (Eigen::Vector3d(0.0, -200.0, 200.0)));
+    EXPECT_EQ(structure.contacts[0].normal, (Eigen::Vector3d(0.0, 1.0, -1.0)));
+    EXPECT_EQ(structure.contacts[0].tangent, (Eigen::Vector3d(1.0, 0.0, 0.0)));
+    EXPECT_EQ(structure.contacts[0].friction, FrictionLaw(Coulomb{0.8, 0.6}));
+    EXPECT_EQ(structure.contacts[0].impact, ImpactLaw(Plastic{}));
     // equal dashpots along and across: the same in every direction
     EXPECT_NEAR(structure.damping(0, 0), 1.0, 1e-15);
     EXPECT_NEAR(structure.damping(1, 1), 1.0, 1e-15);
@@ -44,10 +44,10 @@ TEST(RubbingSystem, KeepsMassesLoadAndDirectionsOfTheContact) {
 TEST(RubbingSystem, IsUncoupledUprightAndLyingDown) {
     Case c;
     c.joint.incidence_angle = 90.0;
-    EXPECT_EQ(rubbing_system(c).stiffness.diagonal(), (Structure<3>::Vector(1e6, 1e7, 1e6)));
+    EXPECT_EQ(rubbing_system(c).stiffness.diagonal(), (Eigen::Vector3d(1e6, 1e7, 1e6)));
     EXPECT_EQ(rubbing_system(c).stiffness(0, 1), 0.0);
     c.joint.incidence_angle = 0.0;
-    EXPECT_EQ(rubbing_system(c).stiffness.diagonal(), (Structure<3>::Vector(1e7, 1e6, 1e6)));
+    EXPECT_EQ(rubbing_system(c).stiffness.diagonal(), (Eigen::Vector3d(1e7, 1e6, 1e6)));
     EXPECT_EQ(rubbing_system(c).stiffness(0, 1), 0.0);
 }
 

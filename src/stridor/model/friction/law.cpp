@@ -1,0 +1,23 @@
+#include "stridor/model/friction/law.hpp"
+
+#include <cmath>
+
+namespace stridor::model {
+
+double stick_limit(const FrictionLaw& law, Slip way) {
+    return std::visit([way](const auto& each) { return stick_limit(each, way); }, law);
+}
+
+double slip_ratio(const FrictionLaw& law, Slip way) {
+    return std::visit([way](const auto& each) { return slip_ratio(each, way); }, law);
+}
+
+bool holds(const FrictionLaw& law, double normal_force, double friction_force) {
+    return std::abs(friction_force) <= stick_limit(law, slip_against(friction_force)) * normal_force;
+}
+
+FrictionLaw friction_law(const parameters::Contact& contact) {
+    return Coulomb{contact.static_friction, contact.kinetic_friction};
+}
+
+}  // namespace stridor::model
