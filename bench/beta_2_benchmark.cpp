@@ -61,8 +61,8 @@ std::size_t size_of(const record::Record& record) {
     return bytes;
 }
 
-// The counter `record_bytes` grows with the simulated time only until the kept instants of changes are full: at most two
-// phases of nine kinds of 8192 instants, 1.2 MB, however long the run.
+// The counter `record_bytes` grows with the simulated time only until the kept instants of changes are full: at most
+// two phases of nine kinds of 8192 instants, 1.2 MB, however long the run.
 void beta_2_record_size(benchmark::State& state) {
     const auto duration = static_cast<double>(state.range(1));
     const Case c = table_1(state.range(0), duration, 1e-6);

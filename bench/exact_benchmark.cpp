@@ -1,4 +1,5 @@
-// Speed of the exact engine: a second of each case of Table 1 at a constant velocity, by instruction set, and the set-up.
+// Speed of the exact engine: a second of each case of Table 1 at a constant velocity,
+// by instruction set, and the set-up.
 
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/rubbing_system.hpp"

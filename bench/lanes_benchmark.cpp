@@ -1,8 +1,9 @@
 // What the lanes of a register should be: the eight numbers of one cell, or eight cells side by side?
 //
-// One step of the exact engine is s = exp(A h) s, seven columns of a matrix; its bounds and integrals are products of the same
-// kind. Cells side by side take their matrix entries lane by lane from tables of their own, for they are in contact states of
-// their own; only cells in the same state of the same structure could share them. Eight cells, one step each, AVX-512.
+// One step of the exact engine is s = exp(A h) s, seven columns of a matrix; its bounds and integrals are products
+// of the same kind. Cells side by side take their matrix entries lane by lane from tables of their own, for they are
+// in contact states of their own; only cells in the same state of the same structure could share them. Eight cells,
+// one step each, AVX-512.
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,9 @@
 // Time and accuracy of the engines and of general solvers on the same equations, as Markdown tables.
 //
-// The four columns of Table 1 at a constant velocity of +-0.1 m/s, started at rest, one simulated second; and a small chart
-// over the ranges of Figure 8. Errors are differences from the reference of 33 digits (tests/support/quad_reference), which is
-// computed once per case and does not belong to the measurement. Times are processor time of the thread, medians of runs.
+// The four columns of Table 1 at a constant velocity of +-0.1 m/s, started at rest, one simulated second; and a small
+// chart over the ranges of Figure 8. Errors are differences from the reference of 33 digits
+// (tests/support/quad_reference), which is computed once per case and does not belong to the measurement. Times are
+// processor time of the thread, medians of runs.
 
 #include "peers/agreement.hpp"
 #include "peers/peer.hpp"

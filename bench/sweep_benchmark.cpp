@@ -43,7 +43,8 @@ void sweep_cells(benchmark::State& state) {
 }
 BENCHMARK(sweep_cells)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-// Figure 8's pair as it stands in the paper's axes, without its drawing: so many points along each axis, so many levels of refinement
+// Figure 8's pair as it stands in the paper's axes, without its drawing: so many points along each axis,
+// so many levels of refinement
 void sweep_pair(benchmark::State& state) {
     sweep::Study study = sweep::figure_8();
     study.x.points = study.y.points = static_cast<int>(state.range(0));

@@ -24,8 +24,8 @@ struct Asked {
     std::variant<Recorded, SimulatedSound> source;
 };
 
-/// Understands an argument (`sound_forms`), and says on stderr what is noteworthy of a recording. Throws `Error` (input) for what
-/// names nothing that can be heard.
+/// Understands an argument (`sound_forms`), and says on stderr what is noteworthy of a recording. Throws `Error`
+/// (input) for what names nothing that can be heard.
 Asked asked_sound(const std::string& text, const LibraryOption& library);
 
 }  // namespace stridor::app

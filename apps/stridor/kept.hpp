@@ -8,12 +8,12 @@
 
 namespace stridor::app {
 
-/// Finished parts of a long command, kept in the user's cache folder ($XDG_CACHE_HOME or ~/.cache, stridor/) until the command
-/// ends: the same command goes on from them.
+/// Finished parts of a long command, kept in the user's cache folder ($XDG_CACHE_HOME or ~/.cache, stridor/) until the
+/// command ends: the same command goes on from them.
 class Kept {
 public:
-    /// `command` names the file, `what` is all that decides the results. Where nothing can be kept (no such folder, another
-    /// process has it) the work is done without, and stderr says so.
+    /// `command` names the file, `what` is all that decides the results. Where nothing can be kept (no such folder,
+    /// another process has it) the work is done without, and stderr says so.
     Kept(const std::string& command, const std::string& what);
 
     /// Nothing where nothing can be kept.

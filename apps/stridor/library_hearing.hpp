@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-/// What a recording tells of itself when it comes into a library: its own words, what is heard in it, what was measured.
+/// What a recording tells of itself when it comes into a library: its own words,
+/// what is heard in it, what was measured.
 namespace stridor::app {
 
 enum class Judging { by_ear, none };
@@ -25,8 +26,8 @@ struct HearingOptions {
 /// How much of a recording is analysed [1].
 using Heard = std::function<void(double share)>;
 
-/// What an entry's calibration says the number 1 of its file stands for, of every channel or of each; nothing if that is no
-/// calibration a program reads.
+/// What an entry's calibration says the number 1 of its file stands for, of every channel or of each; nothing if that
+/// is no calibration a program reads.
 std::vector<io::FullScale> full_scales_in(const std::string& calibration);
 
 /// The greatest velocity of a drive [m/s] to six digits, for 2 pi f A has no short text; unknown of a sampled one.
@@ -40,9 +41,11 @@ std::string profile_of(const parameters::Drive& drive);
 /// Throws `Error` (input) for a simulated sound that is said to be a recording.
 void take_facts(const io::SignalFacts& facts, noise_library::Entry& entry);
 
-/// Listens to a recording that lies open, and puts category, verdict and figures into its entry; figures of the user's stay.
+/// Listens to a recording that lies open, and puts category, verdict and figures into its entry;
+/// figures of the user's stay.
 ///
-/// Says on stderr why, where nothing in it can be heard. Throws `Error` (input) for a damaged file or an unknown channel.
+/// Says on stderr why, where nothing in it can be heard. Throws `Error` (input)
+/// for a damaged file or an unknown channel.
 void judge(const io::SignalInput& input, const HearingOptions& options, noise_library::Entry& entry,
            const Heard& heard = {});
 

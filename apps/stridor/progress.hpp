@@ -32,7 +32,8 @@ private:
 /// Does a display say how long it will still take?
 enum class TimeLeft { hidden, shown };
 
-/// Shows on stderr how far a long piece of work is: a line that is redrawn in a terminal, a line per 10 % anywhere else.
+/// Shows on stderr how far a long piece of work is: a line that is redrawn in a terminal,
+/// a line per 10 % anywhere else.
 class ShareDisplay {
 public:
     /// `what` begins the line: "analysed".

@@ -32,8 +32,8 @@ std::optional<std::size_t> imposed_velocity(const signal::Layout& layout);
 /// The channels of a file that has one friction force, as they say themselves; nothing for any other.
 std::optional<FrictionChannels> friction_channels(const signal::Layout& layout);
 
-/// The channels that may be heard: sound pressures; without any accelerations, then what is not calibrated, then velocities
-/// but the imposed one. A force is no sound.
+/// The channels that may be heard: sound pressures; without any accelerations, then what is not calibrated, then
+/// velocities but the imposed one. A force is no sound.
 std::vector<std::size_t> audible_channels(const signal::Layout& layout);
 
 /// The usual speed [m/s] of a measured velocity: its 95th percentile.

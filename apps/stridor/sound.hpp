@@ -14,8 +14,8 @@
 
 namespace stridor::app {
 
-/// A sound of one channel that is made block by block and read again from its beginning, as often as wanted: in a temporary file
-/// without a name, so that hours of it never stand in memory.
+/// A sound of one channel that is made block by block and read again from its beginning, as often as wanted: in a
+/// temporary file without a name, so that hours of it never stand in memory.
 class Spool final : public signal::Source {
 public:
     Spool(double rate, std::string unit);

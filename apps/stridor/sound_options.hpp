@@ -24,8 +24,8 @@ struct SoundOptions {
 /// Adds the file, --full-scale, --channel, --dataset, --rate and --set.
 void add_sound_options(CLI::App& command, SoundOptions& options);
 
-/// Reads, analyses and judges the recording that the options name; says on stderr what is noteworthy, and how far it is.
-/// With a field the channels in Pa get their sound quality, heard in it.
+/// Reads, analyses and judges the recording that the options name; says on stderr what is noteworthy, and how far it
+/// is. With a field the channels in Pa get their sound quality, heard in it.
 io::SoundReport listen_to(const SoundOptions& options, std::optional<signal::SoundField> field = {});
 
 /// "0.28 - 0.78 s  squeal ...": the segments of a channel as a table.

@@ -43,7 +43,7 @@ parameters::Drive constant_drive(double velocity) {
     return drive;
 }
 
-// --- frequencies and stability -----------------------------------------------------------------------------------------
+// --- frequencies and stability ---------------------------------------------------------------------------------------
 
 std::vector<Check> natural_frequency_checks() {
     const auto structure = model::rubbing_system(parameters::paper_case(PaperCase::squeal));
@@ -102,7 +102,7 @@ std::vector<Check> stability_checks() {
     return checks;
 }
 
-// --- closed forms ---------------------------------------------------------------------------------------------------------
+// --- closed forms ----------------------------------------------------------------------------------------------------
 
 integration::Motion run_belt(const model::Belt& belt, const parameters::Drive& drive, parameters::Engine engine,
                              record::Recorder recorder) {
@@ -114,7 +114,8 @@ integration::Motion run_belt(const model::Belt& belt, const parameters::Drive& d
     return integration::integrate_beta_2(structure, drive, start, {1e-6, 0.5}, std::move(recorder));
 }
 
-// stick-slip on a belt: D = (mu_s - mu_d) F / k, lambda = w0 D / V; stick time 2 lambda / w0, slip time 2 (pi - atan lambda) / w0
+// stick-slip on a belt: D = (mu_s - mu_d) F / k, lambda = w0 D / V; stick time 2 lambda / w0,
+// slip time 2 (pi - atan lambda) / w0
 double belt_stick_fraction(double lambda, parameters::Engine engine) {
     const double w0 = 100.0;  // [rad/s] about 1e5 steps of 1e-6 s a cycle
     const model::Belt belt{1.0, w0 * w0, 0.0, 10.0, {0.6, 0.2}};
@@ -138,8 +139,9 @@ std::vector<Check> belt_checks() {
     return checks;
 }
 
-// Den Hartog's x'' + x = cos(g t + phase) - r sign(x') is a mass on a shaken belt: with z = x1 - x2 and x2 = A sin(g t),
-// z'' + z = (g^2 - 1) A sin(g t) + T / m, so A = 1 / (g^2 - 1) gives a unit force; z is what the formula speaks of.
+// Den Hartog's x'' + x = cos(g t + phase) - r sign(x') is a mass on a shaken belt: with z = x1 - x2 and
+// x2 = A sin(g t), z'' + z = (g^2 - 1) A sin(g t) + T / m, so A = 1 / (g^2 - 1) gives a unit force; z is
+// what the formula speaks of.
 double den_hartog_amplitude(double g, double r, parameters::Engine engine) {
     const double w0 = 100.0;  // [rad/s] time runs w0 times faster than in the formula
     const double amplitude = 1.0 / (g * g - 1.0);
@@ -198,7 +200,7 @@ std::vector<Check> order_checks() {
     return checks;
 }
 
-// --- the paper's cases ------------------------------------------------------------------------------------------------------
+// --- the paper's cases -----------------------------------------------------------------------------------------------
 
 struct ExpectedRates {
     PaperCase which;

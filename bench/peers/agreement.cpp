@@ -17,7 +17,8 @@ std::array<double, model::contact_states> rates(const ContactHistory& history, d
     return shares;
 }
 
-// number of the first change of `history` from number `start` on that enters a state at about a time; its size if there is none
+// number of the first change of `history` from number `start` on that enters a state at about a time;
+// its size if there is none
 std::size_t find(const ContactHistory& history, std::size_t start, const record::ContactInterval& entered,
                  double tolerance) {
     for (std::size_t k = start; k < history.size() && history[k].from <= entered.from + tolerance; ++k)

@@ -13,10 +13,10 @@ enum class Parting {
 
 /// How far a history tells the same story as the reference.
 ///
-/// A change of state is met if the other history enters the same state within the tolerance. What lies between two met changes is
-/// common as well if both histories go through the same states there, somewhat late; else those of the reference are missed and
-/// those of the other are extra. The two have parted at the last met change before `lost_changes` of the reference in a row that
-/// are not met.
+/// A change of state is met if the other history enters the same state within the tolerance. What lies between two met
+/// changes is common as well if both histories go through the same states there, somewhat late; else those of the
+/// reference are missed and those of the other are extra. The two have parted at the last met change before
+/// `lost_changes` of the reference in a row that are not met.
 struct Agreement {
     double until = 0.0;  // [s] the last met change, or the end
     int common = 0;      // [1] changes of state up to `until`

@@ -1,6 +1,7 @@
-// CVODE finds roots of the event functions by itself, from sign changes between the ends of its steps, and starts anew after each.
-// Nothing here is stiff: Adams formulas, their implicit equation solved by fixed-point iteration. A function that is zero at the
-// start (the gap after lift-off, w after a stick) is left out by CVODE until it has moved away.
+// CVODE finds roots of the event functions by itself, from sign changes between the ends of its steps, and starts
+// anew after each. Nothing here is stiff: Adams formulas, their implicit equation solved by fixed-point
+// iteration. A function that is zero at the start (the gap after lift-off, w after a stick) is left out by CVODE
+// until it has moved away.
 
 #include "peers/cvode.hpp"
 

@@ -1,6 +1,6 @@
-// odeint integrates smooth equations; events are the user's. After each step the event functions are looked at in its middle and
-// at its end, through the dense output; the first that is negative is located by bisection, and the stepper starts anew there
-// with the step size it had.
+// odeint integrates smooth equations; events are the user's. After each step the event functions are looked at in its
+// middle and at its end, through the dense output; the first that is negative is located by bisection, and the stepper
+// starts anew there with the step size it had.
 
 #include "peers/odeint.hpp"
 

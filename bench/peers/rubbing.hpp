@@ -8,8 +8,9 @@
 #include <cstddef>
 #include <stdexcept>
 
-/// What a user of a general solver writes himself: the equations of Elmaian et al. (2012) at constant V, first order in time,
-/// with the event functions of each contact state and what happens at an event. All of it inlines into the solvers' loops.
+/// What a user of a general solver writes himself: the equations of Elmaian et al. (2012) at constant V, first
+/// order in time, with the event functions of each contact state and what happens at an event. All of it inlines
+/// into the solvers' loops.
 ///
 ///     m1 x1'' + Cxx x1' + Cxy y1' + Kxx x1 + Kxy y1 = T
 ///     m1 y1'' + Cxy x1' + Cyy y1' + Kxy x1 + Kyy y1 = N - F

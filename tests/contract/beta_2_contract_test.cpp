@@ -9,8 +9,8 @@ void choose(parameters::Case& c) {
     c.run.beta_2 = 0.5;
 }
 
-// At beta_2 = 0.5 the balance is exact but for rounding. Each of the 1e4 steps rounds forces of the size K u by 2^-53; the
-// sums are held against the turnover, of which elastic energy may be a large part many times over: 1e4 steps 1e-16.
+// At beta_2 = 0.5 the balance is exact but for rounding. Each of the 1e4 steps rounds forces of the size K u by 2^-53;
+// the sums are held against the turnover, of which elastic energy may be a large part many times over: 1e4 steps 1e-16.
 const EngineUnderTest beta_2{"beta_2", choose, 1e-12, 1e-3};
 
 INSTANTIATE_TEST_SUITE_P(Beta2, EngineContract, testing::Values(beta_2), testing::PrintToStringParamName());

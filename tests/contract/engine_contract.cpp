@@ -142,7 +142,8 @@ TEST_P(EngineContract, BalancesItsEnergy) {
         EXPECT_LT(std::abs(motion.energy.relative_residual()), GetParam().energy_tolerance) << c.title;
         EXPECT_GT(motion.energy.dashpot_loss, 0.0);
         EXPECT_GT(motion.energy.friction_loss, 0.0);
-        // an impact only loses; at lift-off a scheme with steps may do work over a part of one step, a share h of the whole
+        // an impact only loses; at lift-off a scheme with steps may do work over a part of one step,
+        // a share h of the whole
         EXPECT_GT(motion.energy.impact_loss, -100.0 * c.run.step * motion.energy.friction_loss);
     }
 }

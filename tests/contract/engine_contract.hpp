@@ -9,7 +9,8 @@
 
 namespace stridor::contract {
 
-/// An engine as the contract suite sees it; every run goes through `integration::simulate`, the one door to all engines.
+/// An engine as the contract suite sees it; every run goes through `integration::simulate`,
+/// the one door to all engines.
 struct EngineUnderTest {
     std::string name;
     void (*choose)(parameters::Case&);  // sets the engine and settings that make 20 ms of motion cheap

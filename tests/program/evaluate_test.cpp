@@ -223,8 +223,8 @@ TEST(Evaluate, RefusesAFolderWithoutAGoodTable) {
     EXPECT_EQ(run({"evaluate", "--recordings", "/nowhere"}).exit_code, 2);
 }
 
-// eight clips that do not belong to the project: a smoke test where they lie beside the checkout, and the same path of the
-// program over sounds of our own where they do not
+// eight clips that do not belong to the project: a smoke test where they lie beside the checkout, and the same path of
+// the program over sounds of our own where they do not
 TEST(Evaluate, HearsTheClipsBesideTheCheckoutAsLabelled) {
     const std::filesystem::path clips = std::filesystem::path(STRIDOR_SOURCE_DIR) / ".." / "shared" / "recordings";
     if (std::filesystem::is_directory(clips)) {

@@ -1,5 +1,6 @@
-// The tables and netCDF files that Stridor writes, read by the programs people read them with. The line that reads a file
-// stands in the page of its format and is executed as it stands there; what it read is held against Stridor's own JSON.
+// The tables and netCDF files that Stridor writes, read by the programs people read them with. The line that
+// reads a file stands in the page of its format and is executed as it stands there; what it read is held
+// against Stridor's own JSON.
 
 #include "support/json_of.hpp"
 #include "support/process.hpp"

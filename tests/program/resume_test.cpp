@@ -50,7 +50,8 @@ void pause(int milliseconds) {
 TEST_F(Resume, AKilledSweepEndsWithTheSameBytesAsAnUninterruptedOne) {
     ASSERT_EQ(run(sweep("whole", "2"), folder_.path()).exit_code, 0);
     ASSERT_FALSE(csv("whole").empty());
-    // ten kills after fixed, irregular waits: start-up, first cells, late cells, whatever the machine's speed makes of them
+    // ten kills after fixed, irregular waits: start-up, first cells, late cells,
+    // whatever the machine's speed makes of them
     int kills = 0;
     for (const int wait : {3, 11, 23, 37, 61, 83, 127, 151, 197, 251}) {
         Process process(Launch{sweep("killed", kills % 2 == 0 ? "1" : "2"), folder_.path(), {}, std::nullopt, {}});

@@ -2,7 +2,8 @@
 
 namespace stridor::support {
 
-/// True where contracts are checked while running (debug and sanitizer builds), which makes stepping some twenty times slower.
+/// True where contracts are checked while running (debug and sanitizer builds),
+/// which makes stepping some twenty times slower.
 inline constexpr bool is_checked_build = STRIDOR_CHECKS != 0;
 
 /// The work a test does: all of it in release builds, a documented part of it in checked ones.

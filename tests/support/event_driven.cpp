@@ -4,9 +4,9 @@
 //     m1 y1'' + Cxy x1' + Cyy y1' + Kxy x1 + Kyy y1 = N - F
 //     m2 y2'' + c2y y2' + k2y y2                    = F - N
 //
-// closed: y1 = y2 = y, both lines added give y''; N = F - m2 y'' - c2y y' - k2y y. Slip: T = -mu_d N sign(w). Stick: x1'' = V',
-// T follows from the first line. Impact: plastic, momentum in y kept, impulse P = m1 (y' after - y1' before); the
-// tangential impulse stops the slip if m1 |w| <= mu_s P, else it is mu_d P against w.
+// closed: y1 = y2 = y, both lines added give y''; N = F - m2 y'' - c2y y' - k2y y. Slip: T = -mu_d N sign(w). Stick:
+// x1'' = V', T follows from the first line. Impact: plastic, momentum in y kept, impulse P = m1
+// (y' after - y1' before); the tangential impulse stops the slip if m1 |w| <= mu_s P, else it is mu_d P against w.
 
 #include "support/event_driven.hpp"
 

@@ -8,8 +8,8 @@
 
 namespace stridor::support {
 
-/// A motion of the rubbing system computed by code of its own: classic Runge-Kutta steps within a contact state, changes
-/// of state found by bisection. It shares no line with src/stridor/model or src/stridor/integration.
+/// A motion of the rubbing system computed by code of its own: classic Runge-Kutta steps within a contact state,
+/// changes of state found by bisection. It shares no line with src/stridor/model or src/stridor/integration.
 struct IndependentMotion {
     record::ContactHistory history;               // [s] states one after the other
     std::vector<double> time;                     // [s] shape [sample]

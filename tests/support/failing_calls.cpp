@@ -5,7 +5,8 @@
 // environment:
 //   FAILING_BELOW   the folder; calls on anything else pass
 //   FAILING_AT      n, from 1
-//   FAILING_WITH    the number of the error (errno); 0: the call writes half of what it was given; below 0: instead of the call the
+//   FAILING_WITH the number of the error (errno); 0: the call writes half of what it was given; below 0:
+//   instead of the call the
 //                   process gets the signal of that number
 //   FAILING_TIMES   how many calls from the n-th on fail
 //   FAILING_REPORT  a file that gets a line for each call that failed ("rename /tmp/x/chart.csv")

@@ -1,5 +1,6 @@
-// Tolerances are shares of the sum of the magnitudes that a balance is made of: rounding of a state of eight numbers (1e-13),
-// and for inequalities that an event ends, the depth to which the search for events looks, 1e-9 of a step's amplitude.
+// Tolerances are shares of the sum of the magnitudes that a balance is made of: rounding of a state of eight
+// numbers (1e-13), and for inequalities that an event ends, the depth to which the search for events looks, 1e-9
+// of a step's amplitude.
 
 #include "support/motion_laws.hpp"
 
@@ -95,8 +96,8 @@ private:
         expect(e.impact_loss >= -idle_energy, "impacts give energy ", e.impact_loss);
     }
 
-    // [J] what rounding makes of energies: displacements along a soft spring count with the stiff one's forces, velocities with
-    // the plate's, which they are set to where a slip reverses or ends
+    // [J] what rounding makes of energies: displacements along a soft spring count with the stiff one's forces,
+    // velocities with the plate's, which they are set to where a slip reverses or ends
     double idle_energy() const {
         const double soft = std::min({c_.joint.axial_stiffness, c_.joint.flexural_stiffness, c_.plate.stiffness});
         const double stiff = std::max({c_.joint.axial_stiffness, c_.joint.flexural_stiffness, c_.plate.stiffness});
@@ -140,7 +141,8 @@ private:
         add_joint(above, stiffness_[2], stiffness_[1], stiffest, u);
         add_joint(above, damping_[2], damping_[1], most_damped, v);
         above.add(F);
-        // an engine that counts from the gap knows the joint's position as well as the plate's, whatever the stiffness between
+        // an engine that counts from the gap knows the joint's position as well as the plate's,
+        // whatever the stiffness between
         above.size += 1e-5 * (stiffest * std::abs(u[2]) + most_damped * std::abs(v[2]));
         below.add(F);
         below.add(-c_.plate.mass * a[2]);

@@ -1,12 +1,12 @@
-// The first root of a polynomial p on [0, end], with certainty. Around the middle of a stretch of half-width r the polynomial is
-// q(s) = p(middle + s), |s| <= r, and
+// The first root of a polynomial p on [0, end], with certainty. Around the middle of a stretch of half-width r the
+// polynomial is q(s) = p(middle + s), |s| <= r, and
 //
 //     |q₀| > Σ_{k≥1} |qₖ| rᵏ          proves that it has no root there,
 //     |q₁| > Σ_{k≥2} k |qₖ| rᵏ⁻¹      proves that it is monotone there: one root if the ends differ in sign, else none.
 //
-// Where neither holds the stretch is halved, the earlier half first. Wide stretches are tested in double precision, both
-// inequalities tightened by more than the rounding errors; only where that does not decide are 33 digits used. The one root of
-// a monotone stretch is polished by Newton's iteration, kept inside its bracket by bisection.
+// Where neither holds the stretch is halved, the earlier half first. Wide stretches are tested in double precision,
+// both inequalities tightened by more than the rounding errors; only where that does not decide are 33 digits used. The
+// one root of a monotone stretch is polished by Newton's iteration, kept inside its bracket by bisection.
 
 #include "support/quad.hpp"
 

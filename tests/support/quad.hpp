@@ -47,11 +47,12 @@ Real value(const Series<Real>& p, Real x) {
 /// The series divided by x^power, its lowest coefficients dropped: they are zero but for rounding.
 Series<Quad> without_root_at_zero(const Series<Quad>& p, std::size_t power);
 
-/// The first x in (0, end], end at most 1, at which a series that is positive at 0 falls through zero; empty if it does not.
+/// The first x in (0, end], end at most 1, at which a series that is positive at 0 falls through zero;
+/// empty if it does not.
 ///
-/// No root is missed: a stretch is left out only where bounds on all terms prove that the series keeps its sign there or is
-/// monotone. Two roots closer than 2^-80 are taken for a touch, which is no fall. A series of zeros does not fall; one of rounding
-/// errors throws std::runtime_error.
+/// No root is missed: a stretch is left out only where bounds on all terms prove that the series keeps its sign there
+/// or is monotone. Two roots closer than 2^-80 are taken for a touch, which is no fall. A series of zeros does not
+/// fall; one of rounding errors throws std::runtime_error.
 std::optional<Quad> first_fall(const Series<Quad>& p, Quad end);
 
 }  // namespace stridor::support

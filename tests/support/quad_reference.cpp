@@ -4,13 +4,14 @@
 //     m1 y1'' + Cxy x1' + Cyy y1' + Kxy x1 + Kyy y1 = N - F
 //     m2 y2'' + c2y y2' + k2y y2                    = F - N,      V' = -ω Q, Q' = ω V (constant drive: ω = 0)
 //
-// Order by order: with u = Σ uₖ τᵏ, t = t₀ + h τ, the k-th coefficients of the forces follow from those of u and u', and
-// uₖ₊₁ = h u'ₖ / (k + 1), u'ₖ₊₁ = h u''ₖ / (k + 1). With h (all frequencies) < 1 the series ends below 1e-33.
+// Order by order: with u = Σ uₖ τᵏ, t = t₀ + h τ, the k-th coefficients of the forces follow from those of u and u',
+// and uₖ₊₁ = h u'ₖ / (k + 1), u'ₖ₊₁ = h u''ₖ / (k + 1). With h (all frequencies) < 1 the series ends below 1e-33.
 //
-// A state lasts while its event functions are positive (separation: g; slip: N, ±w; stick: mu_s N ∓ T): series too, whose
-// first fall through zero is found by first_fall. What has just happened gives an event function a root at τ = 0 of known
-// multiplicity, which is divided out: g after lift-off 3 (g'' ~ N = 0), after an impact with N < 0 2, after a rebound 1;
-// w after stick 1, or 2 if mu_s = mu_d, where T does not jump. Nothing is decided by the sign of a rounding error.
+// A state lasts while its event functions are positive (separation: g; slip: N, ±w; stick: mu_s N ∓ T): series too,
+// whose first fall through zero is found by first_fall. What has just happened gives an event function a root at
+// τ = 0 of known multiplicity, which is divided out: g after lift-off 3 (g'' ~ N = 0), after an impact with N < 0
+// 2, after a rebound 1; w after stick 1, or 2 if mu_s = mu_d, where T does not jump. Nothing is decided by the sign
+// of a rounding error.
 
 #include "support/quad_reference.hpp"
 

@@ -37,8 +37,9 @@ struct QuadMotion {
     std::vector<QuadImpact> impacts;
 };
 
-/// Runs a case (constant or sinusoidal drive, started at rest or stuck) in quad precision: Taylor series within a contact
-/// state, every change of state isolated with certainty. It shares no line with src/stridor/model or src/stridor/integration.
+/// Runs a case (constant or sinusoidal drive, started at rest or stuck) in quad precision: Taylor series within a
+/// contact state, every change of state isolated with certainty. It shares no line with src/stridor/model or
+/// src/stridor/integration.
 ///
 /// A separation that ends in an impact and begins again at once is one separation in the history and two in nothing but
 /// `impacts`. Throws std::invalid_argument for other drives and starts, std::runtime_error where the contact chatters.

@@ -10,8 +10,8 @@
 
 namespace stridor::support {
 
-/// Where a scratch folder lies: in memory where the system has such a place, since a database waits for the disk at each
-/// commit; on disk if a program in it is to be run, which a place in memory often forbids.
+/// Where a scratch folder lies: in memory where the system has such a place, since a database waits for the disk at
+/// each commit; on disk if a program in it is to be run, which a place in memory often forbids.
 enum class Medium { memory, disk };
 
 /// A folder of its own, gone with it.

@@ -7,8 +7,8 @@
 
 namespace stridor::support {
 
-/// The plainest case that still fails: each field has the paper's squeal case's value, or few digits, unless the failure
-/// needs what it is.
+/// The plainest case that still fails: each field has the paper's squeal case's value, or few digits, unless the
+/// failure needs what it is.
 ///
 /// `fails` is asked of valid cases only. What is returned fails as long as `c` does.
 parameters::Case shrunk(parameters::Case c, const std::function<bool(const parameters::Case&)>& fails);

@@ -1,6 +1,6 @@
-// The mass on a belt, undamped: m x'' + k x = T, N = F. With w0 = sqrt(k/m), D = (mu_s - mu_d) F/k and lambda = w0 D / V it
-// sticks for 2 lambda/w0 and slips for 2 (pi - atan lambda)/w0. With damping zeta it leaves the stick at D - 2 zeta V/w0
-// above the sliding equilibrium; stick-slip survives if the damped oscillation from there reaches V again.
+// The mass on a belt, undamped: m x'' + k x = T, N = F. With w0 = sqrt(k/m), D = (mu_s - mu_d) F/k and lambda = w0 D /
+// V it sticks for 2 lambda/w0 and slips for 2 (pi - atan lambda)/w0. With damping zeta it leaves the stick at D - 2
+// zeta V/w0 above the sliding equilibrium; stick-slip survives if the damped oscillation from there reaches V again.
 
 #include "support/belt_run.hpp"
 #include "support/effort.hpp"
@@ -49,8 +49,8 @@ TEST(Belt, SticksForTheShareOfTheClosedForm) {
         const support::Periods periods = whole_periods(integrate(run).record.history, ContactState::stick, 0.05);
         const double exact = 2.0 * (lambda + std::numbers::pi - std::atan(lambda)) / w0;
         ASSERT_GE(periods.count, 5);
-        // the stick trial captures a slip velocity of mu_s N h/m, reached at (mu_s - mu_d) N/m: mu_s / (mu_s - mu_d) = 1.6
-        // steps early; each change of state is known to one step
+        // the stick trial captures a slip velocity of mu_s N h/m, reached at (mu_s - mu_d) N/m: mu_s / (mu_s - mu_d) =
+        // 1.6 steps early; each change of state is known to one step
         const double tolerance = (1.6 + 2.0) * h / exact;
         EXPECT_NEAR(periods.shares[model::index_of(ContactState::stick)], stick_fraction(lambda), tolerance) << lambda;
         EXPECT_NEAR(periods.period, exact, 2.0 * h) << lambda;

@@ -1,8 +1,8 @@
 // Den Hartog (1931): x'' + x = cos(g t) - r sign(x') moves with amplitude sqrt(v^2 - r^2 u^2), v = 1/(1 - g^2),
 // u = sin(pi/g) / (g (1 + cos(pi/g))), as long as it never stops.
 //
-// Force excitation becomes base excitation: let m = k = 1, F = 1, mu_s = mu_d = r, and let the belt move as x2 = A sin(g t).
-// Then x1'' + x1 = -r sign(x1' - x2'), and z = x1 - x2 obeys z'' + z = -r sign(z') - (x2'' + x2), where
+// Force excitation becomes base excitation: let m = k = 1, F = 1, mu_s = mu_d = r, and let the belt move as x2 = A
+// sin(g t). Then x1'' + x1 = -r sign(x1' - x2'), and z = x1 - x2 obeys z'' + z = -r sign(z') - (x2'' + x2), where
 // x2'' + x2 = A (1 - g^2) sin(g t). With A = 1/(g^2 - 1) that is a forcing sin(g t) of unit amplitude.
 
 #include "support/belt_run.hpp"

@@ -20,7 +20,8 @@ parameters::Case table_1(PaperCase which) {
     return c;
 }
 
-// 3e6 steps round forces to 1e-16 each at random: 1e-16 sqrt(3e6) of a turnover that elastic energy enters many times over
+// 3e6 steps round forces to 1e-16 each at random: 1e-16 sqrt(3e6) of a turnover that elastic energy
+// enters many times over
 TEST(EnergyBalance, OfTheCentralDifferenceIsRounding) {
     for (const PaperCase which : {PaperCase::squeal, PaperCase::squeak, PaperCase::creak, PaperCase::quiet})
         EXPECT_LT(std::abs(integration::simulate(table_1(which)).energy.relative_residual()), 2e-12);
@@ -39,8 +40,8 @@ TEST(EnergyBalance, OfADampingSchemeIsALoss) {
     }
 }
 
-// A sliding mode of amplitude v loses the share 1 - rho^2 = (beta_2 - 1/2) (w0 h)^2 of its energy each step: over a time t
-// with w0 h << 1 the residual is -(m v^2 / 2) (1 - exp(-(beta_2 - 1/2) w0^2 h t)).
+// A sliding mode of amplitude v loses the share 1 - rho^2 = (beta_2 - 1/2) (w0 h)^2 of its energy each step: over a
+// time t with w0 h << 1 the residual is -(m v^2 / 2) (1 - exp(-(beta_2 - 1/2) w0^2 h t)).
 TEST(EnergyBalance, LosesWhatTheSpectralRadiusSays) {
     constexpr double w0 = 500.0, h = 1e-5, beta_2 = 0.6, end = 0.4;
     support::BeltRun run;

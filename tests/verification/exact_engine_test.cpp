@@ -1,4 +1,5 @@
-// The exact engine on the paper's system: known numbers, an engine that shares no code with it, and its own energy balance.
+// The exact engine on the paper's system: known numbers, an engine that shares no code with it,
+// and its own energy balance.
 
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
@@ -135,8 +136,9 @@ TEST(ExactSampledDrive, DoesNotSeeWhereAStraightLineIsCut) {
     }
 }
 
-// between samples 50 us apart the velocity misses the sine by (2 pi 5 5e-5)^2 / 8 = 3e-7 of its peak: over the 100 ms of a phase
-// the plate is off by 4e-9 m, and events by the 4e-8 s it takes for that distance, near reversals a hundred times as much
+// between samples 50 us apart the velocity misses the sine by (2 pi 5 5e-5)^2 / 8 = 3e-7 of its peak: over the 100 ms
+// of a phase the plate is off by 4e-9 m, and events by the 4e-8 s it takes for that distance, near reversals a
+// hundred times as much
 TEST(ExactSampledDrive, ComesNearTheSineItIsSampledFrom) {
     Case smooth = parameters::paper_case(PaperCase::creak);
     smooth.run.duration = smooth.run.window = 0.3;
@@ -205,8 +207,8 @@ Extrapolation tangent_at(const record::Trace& trace, std::size_t k, std::size_t 
             trace.time[neighbour] - trace.time[k]};
 }
 
-// Samples 2e-7 s apart are followed to the impact between them; the extrapolation misses (1e4 rad/s 2e-7 s)^3 / 6 = 1e-9
-// of velocities up to 1 m/s
+// Samples 2e-7 s apart are followed to the impact between them; the extrapolation misses (1e4 rad/s 2e-7 s)^3 / 6 =
+// 1e-9 of velocities up to 1 m/s
 TEST(ExactImpacts, ReboundWithTheirShareOfTheClosingVelocity) {
     for (const double e : {0.2, 0.5, 0.9, 1.0}) {
         Case c = bouncing(parameters::ImpactLaw::restitution, e);

@@ -44,8 +44,9 @@ Distance distance(Case c, double h) {
     return result;
 }
 
-// Before chaos parts neighbouring motions, the engines differ by the scheme's error alone. An impact or a change of state is
-// up to one step late, at velocities of some 0.1 m/s: 0.1 m/s h each; 20 ms hold a few of them. 1e-8 m of 1e-4 m at 1e-7 s.
+// Before chaos parts neighbouring motions, the engines differ by the scheme's error alone. An impact or a change
+// of state is up to one step late, at velocities of some 0.1 m/s: 0.1 m/s h each; 20 ms hold a few of them. 1e-8 m
+// of 1e-4 m at 1e-7 s.
 TEST(IndependentEngine, MovesAsBeta2DoesInASqueal) {
     const Distance found = distance(constant_case(PaperCase::squeal, 0.1257, 0.02), 1e-7);
     EXPECT_LT(found.largest, 5.0 * 0.1257 * 1e-7);

@@ -83,8 +83,8 @@ TEST(ObservedOrder, OfTheRubbingSystemIsOneAboveIt) {
     EXPECT_NEAR(observed_order(2e-6, 0.8), 1.0, 0.1);
 }
 
-// An undamped mode obeys y(n+1) = tau y(n) - rho^2 y(n-1), so that D(n) = y(n)^2 - y(n-1) y(n+1) falls by rho^2 each step,
-// exactly, where rho = sqrt(1 - (beta_2 - 1/2) (w0 h)^2) is the scheme's spectral radius.
+// An undamped mode obeys y(n+1) = tau y(n) - rho^2 y(n-1), so that D(n) = y(n)^2 - y(n-1) y(n+1) falls by rho^2 each
+// step, exactly, where rho = sqrt(1 - (beta_2 - 1/2) (w0 h)^2) is the scheme's spectral radius.
 double spectral_radius(double h, double beta_2) {
     constexpr int steps = 200;
     support::BeltRun run = sliding(0.0, h, beta_2);

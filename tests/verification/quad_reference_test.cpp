@@ -1,4 +1,5 @@
-// The quad-precision reference (support/quad_reference) against closed forms, published digits, itself and event_driven.
+// The quad-precision reference (support/quad_reference) against closed forms, published digits,
+// itself and event_driven.
 
 #include "support/quad_reference.hpp"
 
@@ -145,8 +146,8 @@ std::size_t common_changes(const record::ContactHistory& a, const record::Contac
     return n;
 }
 
-// Two thirds of the step put the ends of steps elsewhere; truncation and rounding, 1e-30, grow along an irregular motion, yet
-// not to the last bit of a double within these times.
+// Two thirds of the step put the ends of steps elsewhere; truncation and rounding, 1e-30, grow along an irregular
+// motion, yet not to the last bit of a double within these times.
 TEST(QuadReference, DoesNotDependOnItsStep) {
     for (const PaperCase which : {PaperCase::squeal, PaperCase::squeak, PaperCase::creak}) {
         const Case c = constant_case(which, 0.1, 0.2);
@@ -158,7 +159,8 @@ TEST(QuadReference, DoesNotDependOnItsStep) {
     }
 }
 
-// event_driven errs by some (10⁴ rad/s · 2e-6 s)⁴ / 120 of a step's motion per step, 1e-9 in all, and finds times to 1e-15 s
+// event_driven errs by some (10⁴ rad/s · 2e-6 s)⁴ / 120 of a step's motion per step, 1e-9 in all,
+// and finds times to 1e-15 s
 TEST(QuadReference, AgreesWithTheIndependentEngine) {
     for (const PaperCase which : {PaperCase::squeal, PaperCase::squeak}) {
         const Case c = constant_case(which, 0.1, support::effort(0.5, 0.1));
@@ -202,8 +204,8 @@ TEST(QuadReference, LeavesAnImpactInsideTheFrictionCone) {
     }
 }
 
-// The impact law moves the rates: with impulses along the normal only the squeal of Table 1 is open for 48.8 %, else for 38.6 %
-// (irregular in part: to half a per cent).
+// The impact law moves the rates: with impulses along the normal only the squeal of Table 1 is open for 48.8 %, else
+// for 38.6 % (irregular in part: to half a per cent).
 TEST(QuadReference, ShowsWhatTheTangentialImpulseDoes) {
     const Case c = parameters::paper_case(PaperCase::squeal);
     QuadOptions normal_only;
@@ -212,8 +214,9 @@ TEST(QuadReference, ShowsWhatTheTangentialImpulseDoes) {
     EXPECT_NEAR(time_in(ContactState::separation, quad_reference(c, normal_only).history, 0.0, 1.0), 0.488, 5e-3);
 }
 
-// The last bounces before the contact closes are those of a ball: each e times as fast and as long as the one before. What the
-// forces change during one is of the order of its duration times the highest frequency, here below 1e-7 s 10⁴ rad/s.
+// The last bounces before the contact closes are those of a ball: each e times as fast and as long as the one
+// before. What the forces change during one is of the order of its duration times the highest frequency, here
+// below 1e-7 s 10⁴ rad/s.
 TEST(QuadReference, BouncesAsABallBeforeItComesToRest) {
     const Case c = constant_case(PaperCase::squeal, 0.1, 0.02);
     QuadOptions options;

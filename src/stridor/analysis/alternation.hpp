@@ -16,8 +16,8 @@ inline constexpr std::size_t largest_lag = 12;
 ///
 /// A beat is a change of state of one kind, (from, to); the times between like beats are its intervals d. At lag L a
 /// sequence repeats with the mean relative mismatch m(L) = mean |d(i+L) - d(i)| / mean d. Of the kinds whose intervals
-/// cover most of the judged time, and which are not rare beside the most frequent one, the best counts, for one cycle may hold several unlike impacts and yet one change that
-/// comes once a cycle. Two figures follow:
+/// cover most of the judged time, and which are not rare beside the most frequent one, the best counts, for one cycle
+/// may hold several unlike impacts and yet one change that comes once a cycle. Two figures follow:
 ///
 ///     regularity = 1 - m(1)            equal beats: what the ear takes for one tone
 ///     repetition = 1 - min over L m(L)  the pattern comes again, perhaps after several unequal beats

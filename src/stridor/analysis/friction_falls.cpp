@@ -1,13 +1,13 @@
-// r = T/N in the sense of its direction. Within a stretch of one direction r climbs while the contact sticks and falls when it
-// lets go. Peaks and valleys are found by hysteresis: a peak is known once r lies a threshold below it, a valley once r lies a
-// threshold above it. From each peak to its valley:
+// r = T/N in the sense of its direction. Within a stretch of one direction r climbs while the contact sticks and falls
+// when it lets go. Peaks and valleys are found by hysteresis: a peak is known once r lies a threshold below it, a
+// valley once r lies a threshold above it. From each peak to its valley:
 //
 //     onset      last sample within a tenth of the fall (or the noise) of the peak
 //     static     r at the onset, on the line through the samples before it where they are many: noise does not lift it
 //     kinetic    mean of r between 90 and 10 % of the way down
 //
-// A force measured through a spring swings evenly about mu_d N in a slip; the contact's own force is mu_d N: the mean of both is
-// the kinetic coefficient.
+// A force measured through a spring swings evenly about mu_d N in a slip; the contact's own force is mu_d N: the mean
+// of both is the kinetic coefficient.
 
 #include "stridor/analysis/friction_falls.hpp"
 

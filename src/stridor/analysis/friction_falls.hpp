@@ -21,8 +21,8 @@ struct FallLimits {
     std::size_t longest = 1;  // [1] samples between 90 and 10 % of the way down
 };
 
-/// The sudden falls of r, shape [sample], in order; samples that are NaN are passed over. A fall is known once r has risen
-/// again by the threshold.
+/// The sudden falls of r, shape [sample], in order; samples that are NaN are passed over. A fall is known once r has
+/// risen again by the threshold.
 std::vector<Fall> falls(std::span<const double> r, const FallLimits& limits);
 
 /// What a fall says about the contact that let go.

@@ -54,10 +54,10 @@ inline constexpr std::array<std::string_view, 3> kinetic_source_names{"none", "s
 /// Figures of one direction, or of both.
 struct FrictionFigures {
     int direction = 0;  // [1] +1, -1; 0: both
-    MeasuredCoefficient
-        static_friction;  // mean of the peaks before drops; without drops, of the first peak of each stretch
-    MeasuredCoefficient
-        kinetic_friction;  // mean over the slips of what lies between 90 and 10 % of the fall; without drops, while sliding steadily
+    // mean of the peaks before drops; without drops, of the first peak of each stretch
+    MeasuredCoefficient static_friction;
+    // mean over the slips of what lies between 90 and 10 % of the fall; without drops, while sliding steadily
+    MeasuredCoefficient kinetic_friction;
     KineticSource source = KineticSource::none;
     double mean_friction = std::numeric_limits<double>::quiet_NaN();  // [1] over all moving time
     double moving_time = 0.0;                                         // [s]
@@ -79,16 +79,17 @@ struct FrictionTrace {
     std::vector<std::string> notes;           // what the user should know
 };
 
-/// Static and kinetic friction coefficients and force drops of a measured friction force; docs/methods/friction-trace.md.
+/// Static and kinetic friction coefficients and force drops of a measured friction force;
+/// docs/methods/friction-trace.md.
 ///
-/// Stretches of one direction are found by the velocity or, without it, by the sign of the force; within them, falls from a
-/// peak to the next valley that exceed a threshold are drops. What follows a reversal is never one. Throws `Error` (input)
-/// for numbers that are not finite, channels of unequal length, fewer than 16 samples, a preload that is not positive, and a
-/// trace in which nothing moves.
+/// Stretches of one direction are found by the velocity or, without it, by the sign of the force; within them, falls
+/// from a peak to the next valley that exceed a threshold are drops. What follows a reversal is never one. Throws
+/// `Error` (input) for numbers that are not finite, channels of unequal length, fewer than 16 samples, a preload that
+/// is not positive, and a trace in which nothing moves.
 FrictionTrace friction_trace(const FrictionMeasurement& measurement, const FrictionTraceOptions& options = {});
 
-/// The condition of VDA 230-206 (10 or 40 N, 1 or 4 mm/s) that a test belongs to within 10 %: "VDA 230-206, 10 N, 4 mm/s"; empty
-/// if to none.
+/// The condition of VDA 230-206 (10 or 40 N, 1 or 4 mm/s) that a test belongs to within 10 %:
+/// "VDA 230-206, 10 N, 4 mm/s"; empty if to none.
 std::string vda_condition(double preload, double velocity);
 
 }  // namespace stridor::analysis

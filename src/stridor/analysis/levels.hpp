@@ -15,7 +15,8 @@ inline constexpr std::string_view level_note =
     "Levels are of the joint's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
 
 /// Vibration level of one body over the judged time. It is the vibration of the model's masses, not a sound pressure.
-/// A contact that only slides ends at rest: its level is then -infinity or that of rounding, hundreds of dB below any other.
+/// A contact that only slides ends at rest: its level is then -infinity or that of rounding,
+/// hundreds of dB below any other.
 struct Level {
     double rms = 0.0;            // [m/s] root mean square of the velocity vector
     double peak = 0.0;           // [m/s] largest magnitude of the velocity vector, at least the root mean square

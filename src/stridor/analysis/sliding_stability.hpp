@@ -13,9 +13,9 @@
 /// Stability of steady sliding by complex eigenvalues.
 ///
 /// Sliding with T = sigma mu_d N, sigma = sign(V), on the closed contact n.u = 0: with the columns of Q spanning the
-/// motions that keep the gap closed and P = Q - n ((n + sigma mu_d t).Q) / (n.n + sigma mu_d n.t), which is orthogonal to the
-/// contact force, P.M Q q'' + P.C Q q' + P.K Q q = P.f0. Friction makes P.K Q unsymmetric: two modes may meet and
-/// one of the pair grows (mode coupling, flutter), or one loses its stiffness (divergence, sprag-slip).
+/// motions that keep the gap closed and P = Q - n ((n + sigma mu_d t).Q) / (n.n + sigma mu_d n.t), which is orthogonal
+/// to the contact force, P.M Q q'' + P.C Q q' + P.K Q q = P.f0. Friction makes P.K Q unsymmetric: two modes may meet
+/// and one of the pair grows (mode coupling, flutter), or one loses its stiffness (divergence, sprag-slip).
 /// Source: Hoffmann et al. 2002 for mode coupling; docs/methods/stability.md.
 namespace stridor::analysis {
 

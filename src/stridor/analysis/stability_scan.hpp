@@ -38,8 +38,8 @@ struct StabilityScan {
 
 /// Stability of steady sliding of a case in both directions, and along a quantity if one is given.
 ///
-/// Static friction plays no part in it, so mu_d may be followed beyond mu_s. Throws `Error` (input) for a key that is no
-/// quantity, for ends that lie outside its range or do not rise, and for too few or too many points.
+/// Static friction plays no part in it, so mu_d may be followed beyond mu_s. Throws `Error` (input) for a key that is
+/// no quantity, for ends that lie outside its range or do not rise, and for too few or too many points.
 StabilityScan scan_stability(const parameters::Case& c, const std::optional<ScanRange>& range);
 
 }  // namespace stridor::analysis

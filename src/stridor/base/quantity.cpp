@@ -216,8 +216,8 @@ std::vector<std::string> all_symbols() {
     return all;
 }
 
-// what `text`, a unit with an unknown part, is with that part replaced: the same in other letters, a word for it, or one
-// that differs by one letter; of the dimension that is wanted, if one is
+// what `text`, a unit with an unknown part, is with that part replaced: the same in other letters, a word for it, or
+// one that differs by one letter; of the dimension that is wanted, if one is
 std::string similar_unit(std::string_view text, std::string_view unknown, const Dimension* wanted) {
     if (unknown.empty()) return {};
     const auto at = static_cast<std::size_t>(unknown.data() - text.data());

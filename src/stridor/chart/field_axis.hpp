@@ -11,8 +11,8 @@
 /// From the field table to axes and captions, so that every figure calls a quantity by the same name, symbol and unit.
 namespace stridor::chart {
 
-/// Edges of the cells around an axis' values: midpoints in the axis' own scale (arithmetic or geometric), the outer edges
-/// half a cell beyond the ends; shape [points + 1].
+/// Edges of the cells around an axis' values: midpoints in the axis' own scale (arithmetic or geometric), the outer
+/// edges half a cell beyond the ends; shape [points + 1].
 std::vector<double> cell_edges(const sweep::Axis& axis);
 
 /// The axis of a chart: name, symbol, unit and scale of the quantity, from the first cell's edge to the last one's.

@@ -29,7 +29,8 @@ std::string escaped(std::string_view text) {
 }
 
 std::string terminal(const Scene& scene, Format format) {
-    // a line of width 1 is one dot wide, a letter of size 1 one dot high (svg) or 1/72 inch at 96 dots per inch (pngcairo)
+    // a line of width 1 is one dot wide, a letter of size 1 one dot high (svg)
+    // or 1/72 inch at 96 dots per inch (pngcairo)
     const double resolution = format == Format::png ? png_resolution : 96.0;
     const double line_scale = resolution / 72.0;
     const double text_scale = format == Format::png ? resolution / 96.0 : line_scale;

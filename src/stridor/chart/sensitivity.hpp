@@ -5,8 +5,8 @@
 
 namespace stridor::chart {
 
-/// Category, level and dominant frequency of each record over a quantity, in panels above each other; a panel for which no
-/// record has a figure is left out. Each category has its colour and its mark.
+/// Category, level and dominant frequency of each record over a quantity, in panels above each other; a panel for which
+/// no record has a figure is left out. Each category has its colour and its mark.
 Scene sensitivity(const noise_library::Sensitivity& sensitivity);
 
 }  // namespace stridor::chart

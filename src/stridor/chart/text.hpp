@@ -36,10 +36,12 @@ bool is_empty(const Text& text);
 /// The characters alone, without styles.
 std::string plain_text(const Text& text);
 
-/// A symbol of the field table as it is printed: "mu_d" as an italic mu with subscript d, "k1i", "m1", "A_exc" likewise.
+/// A symbol of the field table as it is printed: "mu_d" as an italic mu with subscript d, "k1i",
+/// "m1", "A_exc" likewise.
 Text symbol(std::string_view name);
 
-/// A unit as it is printed: "m/s^2" with its superscript, "N*s/m" with a centred dot, "deg" as a degree sign, "1" as nothing.
+/// A unit as it is printed: "m/s^2" with its superscript, "N*s/m" with a centred dot,
+/// "deg" as a degree sign, "1" as nothing.
 Text unit_text(std::string_view unit);
 
 /// A number as it is printed, with six digits: "0.004", "10" with its power where it is very small or large.

@@ -27,8 +27,8 @@ struct Pattern {
     std::vector<Dot> dots;
 };
 
-/// The texture over an area made of rectangles that do not overlap. Its lines and dots have their place on the paper, not
-/// in a rectangle: they run on from one rectangle into the next. `spacing` is the distance between lines [mm].
+/// The texture over an area made of rectangles that do not overlap. Its lines and dots have their place on the paper,
+/// not in a rectangle: they run on from one rectangle into the next. `spacing` is the distance between lines [mm].
 Pattern pattern(Texture texture, std::span<const Rectangle> area, double spacing = 1.3);
 
 }  // namespace stridor::chart

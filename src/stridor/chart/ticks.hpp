@@ -14,8 +14,8 @@ struct TickSet {
 
 /// Ticks of an axis that is `length` mm long, labelled ones at least about `spacing` mm apart.
 ///
-/// Linear: steps of 1, 2 or 5 times a power of ten. Logarithmic: decades, with 2 and 5 where there is room, minor ticks at
-/// the other whole multiples. Large and small numbers of a linear axis are counted in a power of ten.
+/// Linear: steps of 1, 2 or 5 times a power of ten. Logarithmic: decades, with 2 and 5 where there is room, minor ticks
+/// at the other whole multiples. Large and small numbers of a linear axis are counted in a power of ten.
 /// Ticks that the axis brings along are taken as they are.
 TickSet ticks(const Axis& axis, double length, double spacing);
 

@@ -24,8 +24,8 @@ struct Curve {
     double cut = 0.0;                             // [1] share of the samples at either end that may lie beyond the axis
 };
 
-// Impact peaks of beta_2 grow without bound as the time step shrinks: an axis that shows them whole shows nothing else. The
-// exact engine has none: its impacts take no time.
+// Impact peaks of beta_2 grow without bound as the time step shrinks: an axis that shows them whole shows nothing else.
+// The exact engine has none: its impacts take no time.
 constexpr double peak_share = 2e-3;
 
 Text body_symbol(std::string_view letter, std::string_view number) {

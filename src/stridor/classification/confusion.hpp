@@ -28,8 +28,8 @@ double agreement_on(const Confusion& table, Category truth);
 /// The table without the pairs whose truth is undecided: there is nothing to agree with.
 Confusion decided(Confusion table);
 
-/// Mean over the decided truths that occur of the share of their pairs that agree [1]: each category weighs the same, however
-/// often it occurs. NaN for an empty table.
+/// Mean over the decided truths that occur of the share of their pairs that agree [1]: each category weighs the same,
+/// however often it occurs. NaN for an empty table.
 double mean_agreement(const Confusion& table);
 
 /// Both tables in one.

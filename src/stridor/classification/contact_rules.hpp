@@ -19,7 +19,8 @@ namespace stridor::classification {
 ///     stick share >= creak_stick                 creak   stick predominates, and ends least_releases times at least
 ///                                                        or in a proven limit cycle; else undecided
 ///     fewer than least_intervals repeats         undecided
-///     regularity >= squeal_regularity            squeal  states alternate regularly, in at most squeal_beats unlike beats
+///     regularity >= squeal_regularity            squeal  states alternate regularly, in at most squeal_beats
+///                                                        unlike beats
 ///     otherwise                                  squeak
 ///
 /// Shares are those of the judged part. Stick dominance comes before regularity because a creak may be regular too.

@@ -32,8 +32,8 @@ double tone(const SoundProfile& p) {
     return p.features.frequency > 0.0 ? tonality(p) : 0.0;
 }
 
-// the envelope of a steady tone repeats, too, after any number of cycles: only a sound that is more impulsive than noise
-// has impulses
+// the envelope of a steady tone repeats, too, after any number of cycles: only a sound that is more impulsive than
+// noise has impulses
 double impulsiveness(const SoundProfile& p) {
     constexpr double noise = 3.0;
     constexpr double impulses = 10.0;

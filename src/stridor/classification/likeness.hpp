@@ -12,8 +12,8 @@ namespace stridor::classification {
 
 /// What a whole recording sounds like: one number per figure.
 ///
-/// Each figure of `features` is the median over the recording's stretches, weighted by their energy; stretches more than
-/// `quiet_depth` below the loudest are background and do not count. `features.mean_square` is the mean over them,
+/// Each figure of `features` is the median over the recording's stretches, weighted by their energy; stretches more
+/// than `quiet_depth` below the loudest are background and do not count. `features.mean_square` is the mean over them,
 /// `features.peak` the greatest, `features.from` the beginning of the first and `features.duration` their sum.
 struct SoundProfile {
     signal::SoundFeatures features{};
@@ -74,9 +74,9 @@ struct Likeness {
 ///
 ///     d² = Σ wᵢ sᵢ min(|xᵢ - yᵢ| / hᵢ, 4)² / Σ wᵢ
 ///
-/// over the figures x, y with step h and weight w, sᵢ² being the product of both figures' sureness. It is symmetric, 0 for
-/// a sound and itself, and does not depend on gain while the level is ignored. Two silences are alike; silence is 4 from
-/// every sound. The weights are Stridor's own, no measured annoyance.
+/// over the figures x, y with step h and weight w, sᵢ² being the product of both figures' sureness. It is symmetric, 0
+/// for a sound and itself, and does not depend on gain while the level is ignored. Two silences are alike; silence is 4
+/// from every sound. The weights are Stridor's own, no measured annoyance.
 Likeness likeness(const SoundProfile& first, const SoundProfile& second, LevelUse level = LevelUse::ignored);
 
 }  // namespace stridor::classification

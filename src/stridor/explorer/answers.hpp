@@ -13,7 +13,8 @@
 #include <string>
 #include <string_view>
 
-/// One function per kind of request; api.cpp has the table of their paths. They throw `Error` for what cannot be answered.
+/// One function per kind of request; api.cpp has the table of their paths. They throw `Error` for
+/// what cannot be answered.
 namespace stridor::explorer {
 
 /// A document; with a line end after it.

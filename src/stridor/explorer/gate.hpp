@@ -14,20 +14,22 @@ namespace stridor::explorer {
 /// A secret that nobody guesses: 32 bytes of the system's random numbers as 64 hexadecimal digits. Throws `Error` (io).
 std::string secret();
 
-/// Are two texts equal? Takes as long for unequal ones of one length as for equal ones, so that no secret can be felt out.
+/// Are two texts equal? Takes as long for unequal ones of one length as for equal ones,
+/// so that no secret can be felt out.
 bool is_same_secret(std::string_view a, std::string_view b);
 
-/// The address a request's Host field names: "localhost", "127.0.0.1", "[::1]"; without the port. Empty if it is no host.
+/// The address a request's Host field names: "localhost", "127.0.0.1", "[::1]"; without the port.
+/// Empty if it is no host.
 std::string host_name(std::string_view host);
 
 /// Decides which requests reach the explorer.
 ///
-/// 1. *Host*: only names in the list; a foreign site that makes its own name point to this machine (DNS rebinding) is stopped
-///    here, for its requests carry its name.
+/// 1. *Host*: only names in the list; a foreign site that makes its own name point to this machine (DNS rebinding) is
+///    stopped here, for its requests carry its name.
 /// 2. *Session*: a cookie, given once for a token that stands in the link which the program prints. Each token opens
 ///    once; a new one follows. Cookies know no ports, so the cookie's name holds the port.
-/// 3. *Origin*: whatever changes state or computes is a POST from the explorer's own page, with its Origin; another site's
-///    request carries that site's.
+/// 3. *Origin*: whatever changes state or computes is a POST from the explorer's own page, with its Origin; another
+///    site's request carries that site's.
 class Gate {
 public:
     /// `announce` is told each new token, the first one at once; the cookie is called stridor-`name`.

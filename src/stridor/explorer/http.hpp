@@ -36,8 +36,8 @@ struct Response {
         stream{};  // if there is one, it makes the body part by part
 };
 
-/// Answers a request. Called from several threads at a time; the token is stopped when the client goes away, the time for the
-/// request is over or the server ends.
+/// Answers a request. Called from several threads at a time; the token is stopped when the client goes away, the time
+/// for the request is over or the server ends.
 using Handler = std::function<Response(const Request&, const std::stop_token&)>;
 
 /// Decides which requests are answered at all: gives the refusal, or nothing for one that may go on. Called on the
@@ -53,7 +53,8 @@ std::string parameter(std::string_view text, std::string_view name, char separat
 /// The values of all parameters of a name, in their order.
 std::vector<std::string> parameters(std::string_view text, std::string_view name, char separator);
 
-/// The header fields that every response carries: nothing from outside, no framing, no guessing of types, no copies kept.
+/// The header fields that every response carries: nothing from outside, no framing,
+/// no guessing of types, no copies kept.
 const std::vector<std::pair<std::string_view, std::string_view>>& security_headers();
 
 }  // namespace stridor::explorer

@@ -1,9 +1,9 @@
-// The event that fires makes a quantity zero, and the next state is built on that zero, not on its rounding: after lift-off
-// g = g' = g'' = 0 and g''' decides; after an impact with N < 0 g = g' = 0 and g'' decides; where slip begins or turns w = 0 and
-// w' decides (w'' where mu_s = mu_d). The order of the zero goes with the state.
+// The event that fires makes a quantity zero, and the next state is built on that zero, not on its rounding: after
+// lift-off g = g' = g'' = 0 and g''' decides; after an impact with N < 0 g = g' = 0 and g'' decides; where slip begins
+// or turns w = 0 and w' decides (w'' where mu_s = mu_d). The order of the zero goes with the state.
 //
-// Impact: the law gives P_n and P_t, and P_t changes x' by P_t / m_x. Kinetic energy goes into g', into friction and to the
-// drive.
+// Impact: the law gives P_n and P_t, and P_t changes x' by P_t / m_x. Kinetic energy goes into g', into friction and to
+// the drive.
 
 #include "stridor/integration/contact_transition.hpp"
 

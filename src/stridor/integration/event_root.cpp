@@ -1,7 +1,7 @@
-// Bernstein's polynomials are positive and add up to 1: a polynomial lies between its smallest and largest coefficient, has
-// no more roots than its coefficients have changes of sign, and rises where they rise. So an interval either has no root, or one,
-// or is halved (de Casteljau). The form of degree 7 misses the series by 2e-7 of its amplitude: whatever it says about a
-// sign is confirmed on the series itself.
+// Bernstein's polynomials are positive and add up to 1: a polynomial lies between its smallest and largest coefficient,
+// has no more roots than its coefficients have changes of sign, and rises where they rise. So an interval either has no
+// root, or one, or is halved (de Casteljau). The form of degree 7 misses the series by 2e-7 of its amplitude: whatever
+// it says about a sign is confirmed on the series itself.
 
 #include "stridor/integration/event_root.hpp"
 
@@ -15,8 +15,8 @@ namespace {
 constexpr int degree = 7;
 // below this width an interval holds dips no deeper than rounding
 constexpr double narrowest = 0x1p-27;
-// what the form of degree 7 may miss, as a share of its largest coefficient: 2e-7 of the vibration, of which an event function
-// may show a small part (a twentieth has been seen)
+// what the form of degree 7 may miss, as a share of its largest coefficient: 2e-7 of the vibration, of which an event
+// function may show a small part (a twentieth has been seen)
 constexpr double missed = 1e-4;
 // so many intervals are looked at before a search is given up: 56 have been seen in 13 million searches, while a
 // function whose coefficients are all rounding would be halved into 2^27. Ten milliseconds at most.

@@ -1,13 +1,13 @@
-// From event to event. In each contact state s(t) = exp(A t) s(0); the state ends where one of its event functions, linear
-// functionals of s, stops being positive:
+// From event to event. In each contact state s(t) = exp(A t) s(0); the state ends where one of its event functions,
+// linear functionals of s, stops being positive:
 //
 //     slip    N -> separation                 sigma w -> stick if |T| <= mu_s N there, else slip the other way
 //     stick   mu_s N -+ T -> slip with sign(w) = -sign(T)
 //     open    g -> impact, then the contact goes on closed, or opens again at once if N < 0
 //
-// Whole steps are taken as long as bounds of the event functions stay clear of zero; where they do not, the first root is
-// isolated and polished, the state moved there, and `follow` says how the contact goes on. What lies inside a step (samples,
-// ends of spans) is evaluated from the step's beginning and never changes the steps.
+// Whole steps are taken as long as bounds of the event functions stay clear of zero; where they do not, the first root
+// is isolated and polished, the state moved there, and `follow` says how the contact goes on. What lies inside a step
+// (samples, ends of spans) is evaluated from the step's beginning and never changes the steps.
 
 #include "stridor/integration/exact.hpp"
 

@@ -22,10 +22,11 @@ struct Exact {
 /// Within a contact state the motion is the exponential of a matrix; the instants at which the state ends are roots of
 /// linear functionals of it, found with certainty and to rounding. See docs/methods/exact.md.
 ///
-/// Under a constant drive and without a trace a run ends early, as `settled`, once silence is proven or a limit cycle found,
-/// unless the settings say never; the record is filled to the end all the same. The energy balance is that of the time
-/// until then. `shared` keeps what was prepared for the next run. Returns `diverged` with the time where a number left double
-/// precision, `chattering` where events pile up without time going on, `cancelled` soon after a stop request.
+/// Under a constant drive and without a trace a run ends early, as `settled`, once silence is proven or a limit
+/// cycle found, unless the settings say never; the record is filled to the end all the same. The energy balance is
+/// that of the time until then. `shared` keeps what was prepared for the next run. Returns `diverged` with the time
+/// where a number left double precision, `chattering` where events pile up without time going on, `cancelled` soon
+/// after a stop request.
 ///
 /// It solves structures with two or three degrees of freedom and one contact with any law of friction and of impacts in
 /// `model`. Throws `Error`: input for any other, by name; numerical for a Painleve configuration; what `initial_state`

@@ -1,7 +1,8 @@
 // Series: exp(A h) = sum of (A h)^k / k!. Event functions are c.s(t), coefficients c.A^k h^k/k! s over tau = t/h.
 //
 // Bernstein form: the polynomial of degree 7 through eight Chebyshev points of [0, 1] misses a function of rate 2 by
-// 2 (2/4)^8 / 8! = 2e-7 of its amplitude; written with Bernstein's polynomials its smallest coefficient bounds it from below.
+// 2 (2/4)^8 / 8! = 2e-7 of its amplitude; written with Bernstein's polynomials its smallest coefficient
+// bounds it from below.
 //
 // Accuracy in the drive's numbers: V and W turn by omega h per step, a rotation like any other column of A.
 

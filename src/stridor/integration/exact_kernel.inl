@@ -1,6 +1,6 @@
-// One cell across the lanes of a vector: the eight numbers of its state. Compiled with STRIDOR_ISA naming the instruction set
-// and a namespace of its own, so that no inline function is shared between sets. A vector of eight numbers is one register
-// of AVX-512, two of AVX2, four of the baseline (STRIDOR_WIDTH).
+// One cell across the lanes of a vector: the eight numbers of its state. Compiled with STRIDOR_ISA naming the
+// instruction set and a namespace of its own, so that no inline function is shared between sets. A vector of eight
+// numbers is one register of AVX-512, two of AVX2, four of the baseline (STRIDOR_WIDTH).
 
 // a call would pass vectors through memory
 #define STRIDOR_INLINE inline __attribute__((always_inline))
@@ -19,8 +19,8 @@ struct Vector {
     Part part[parts];
 };
 
-// how near zero a Bernstein coefficient may come, as a share of the largest: degree 7 misses 2e-7 of the vibration, of which an
-// event function may show a small part
+// how near zero a Bernstein coefficient may come, as a share of the largest: degree 7 misses 2e-7 of the vibration, of
+// which an event function may show a small part
 constexpr double nearness = 1e-4;
 
 STRIDOR_INLINE Vector load(const double* numbers) {
@@ -83,7 +83,8 @@ STRIDOR_INLINE Vector smaller(const Vector& a, const Vector& b) {
     return each([&](int k) { return a.part[k] < b.part[k] ? a.part[k] : b.part[k]; });
 }
 
-// a part with its halves exchanged, then its quarters, then its eighths: after combining with itself, all lanes are alike
+// a part with its halves exchanged, then its quarters, then its eighths: after combining with
+// itself, all lanes are alike
 template <int step>
 STRIDOR_INLINE Part exchanged(const Part& p) {
     using Order = long long __attribute__((vector_size(sizeof(Part))));

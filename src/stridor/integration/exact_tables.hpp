@@ -5,8 +5,8 @@
 /// Within a contact state the motion is linear: with the state s in eight numbers, s' = A s and s(t) = exp(A t) s(0).
 /// The load scale F and the drive travel in the state, so that A depends on neither preload nor velocity:
 ///
-///     closed:  s = (x, y, x', y', F, V, W, 0)     V' = -omega W, W' = omega V (sinusoidal);  V' = W, W' = 0 (otherwise)
-///     open:    s = (x, y, x', y', F, g, g', 0)     the drive does not act
+///     closed:  s = (x, y, x', y', F, V, W, 0)    V' = -omega W, W' = omega V (sinusoidal);  V' = W, W' = 0 (otherwise)
+///     open:    s = (x, y, x', y', F, g, g', 0)    the drive does not act
 ///
 /// (two degrees of freedom: without y). One step is h = 2/Omega, Omega an upper bound of the fastest rate of the flow,
 /// so that sums over A^k h^k / k! converge to rounding within `terms`. A row is a linear functional of s.

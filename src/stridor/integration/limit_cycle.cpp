@@ -19,7 +19,8 @@ double CycleWatch::distance(const Event& a, const Event& b) const {
         difference += rate_ * std::abs(a.s.at[i] - b.s.at[i]) + std::abs(a.s.at[closed_ + i] - b.s.at[closed_ + i]);
         scale += std::abs(a.s.at[closed_ + i]);
     }
-    // open: the velocity of the gap, which is zero at lift-off and not after a rebound; closed: the drive's other number
+    // open: the velocity of the gap, which is zero at lift-off and not after a rebound; closed:
+    // the drive's other number
     difference += std::abs(a.s.at[2 * closed_ + 2] - b.s.at[2 * closed_ + 2]);
     return difference / scale;
 }

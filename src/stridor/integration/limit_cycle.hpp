@@ -11,8 +11,8 @@
 
 namespace stridor::integration {
 
-/// Watches the events of a motion under a constant drive for a limit cycle: the same sequence of contact states twice, and the
-/// same state at its end as at its beginning, closer the second time than the first.
+/// Watches the events of a motion under a constant drive for a limit cycle: the same sequence of contact states twice,
+/// and the same state at its end as at its beginning, closer the second time than the first.
 class CycleWatch {
 public:
     enum class Finding { nothing, first_return, cycle };

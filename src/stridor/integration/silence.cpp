@@ -10,8 +10,8 @@ namespace stridor::integration {
 
 namespace {
 
-// so many steps are sampled for peaks where a window begins, a third of a second of Table 1: friction makes the modes lean on
-// each other, and a sum of decaying vibrations may first grow
+// so many steps are sampled for peaks where a window begins, a third of a second of Table 1: friction makes the modes
+// lean on each other, and a sum of decaying vibrations may first grow
 constexpr double sampled_steps = 1024.0;
 
 // X of A'X + X A = -Q, Q symmetric: a linear system for the entries above the diagonal

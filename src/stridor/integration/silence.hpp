@@ -12,8 +12,8 @@ namespace stridor::integration {
 
 /// Steady sliding of a structure under a constant drive, and how far from it a motion can still get.
 ///
-/// With e the distance from the sliding equilibrium, e' = A e, and P of A'P + P A = -Q the function e.P e never grows. So each
-/// linear functional c of e stays below sqrt(c.P⁻¹c) sqrt(e.P e) for ever. Source: Lyapunov's direct method.
+/// With e the distance from the sliding equilibrium, e' = A e, and P of A'P + P A = -Q the function e.P e never grows.
+/// So each linear functional c of e stays below sqrt(c.P⁻¹c) sqrt(e.P e) for ever. Source: Lyapunov's direct method.
 class Sliding {
 public:
     /// `flow` is the slip state of steady sliding; `load_scale` F [N] and `velocity` V [m/s] are those of the run.
@@ -22,8 +22,8 @@ public:
     /// A proof that the contact slips for ever from this state on, with N > 0 and w != 0; nothing if there is none.
     std::optional<Silence> silence(const Lanes& s, double time) const;
 
-    /// Adds the vibration of the next `duration` [s] to the account, if it is judged, and moves the state to its end. Peaks
-    /// are those of the first thousand steps.
+    /// Adds the vibration of the next `duration` [s] to the account, if it is judged, and moves the state to its end.
+    /// Peaks are those of the first thousand steps.
     void pass(const Kernel& kernel, double duration, record::Use use, Lanes& s, Account& account) const;
 
 private:

@@ -12,7 +12,8 @@
 #include <string>
 #include <string_view>
 
-/// The manifest of an archive of noise libraries: its first file, text with a JSON object per line. docs/formats/library.md.
+/// The manifest of an archive of noise libraries: its first file, text with a JSON object per line.
+/// docs/formats/library.md.
 namespace stridor::io {
 
 inline constexpr const char* manifest_name = "manifest.jsonl";
@@ -39,8 +40,8 @@ struct Announced {
 
 /// The entries of an archive, one by one, whoever made it.
 ///
-/// Everything throws `Error` (input) for what is no manifest: another first file, another schema, a line that is too long or
-/// no entry, a value that a user could not have written either.
+/// Everything throws `Error` (input) for what is no manifest: another first file, another schema, a line that is too
+/// long or no entry, a value that a user could not have written either.
 class Manifest {
 public:
     /// Goes to the archive's first file; `archive` is its name, for messages. The reader must outlive it.

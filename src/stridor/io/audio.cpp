@@ -71,8 +71,8 @@ struct Closer {
     void operator()(SNDFILE* file) const { sf_close(file); }
 };
 
-// most encoders put the number of frames into a first one that holds no sound (Xing, Info, VBRI), behind the tags; without it
-// libsndfile guesses it from the size of the file
+// most encoders put the number of frames into a first one that holds no sound (Xing, Info, VBRI), behind the tags;
+// without it libsndfile guesses it from the size of the file
 bool tells_length(const Bytes& bytes) {
     std::uint64_t offset = 0;
     if (const std::string tag = text_at(bytes, 0, 10); tag.size() == 10 && tag.starts_with("ID3")) {

@@ -33,8 +33,8 @@ bool is_known_unit(std::string_view label);
 /// The calibration in the text that accompanies a recording (a WAV's bext description, a comment).
 ///
 /// Understood are "full scale = 2 Pa" and "0dBFS = 109.7 dBSPL" (also "-20 dBFS = 94 dB SPL"). 0 dBFS is the level of a
-/// sine whose peaks reach full scale (AES17), so the number 1 is sqrt(2) * 20 uPa * 10^(x/20). The first kind wins: it is
-/// exact. Nothing where neither is found or what is found makes no sense.
+/// sine whose peaks reach full scale (AES17), so the number 1 is sqrt(2) * 20 uPa * 10^(x/20). The first kind wins: it
+/// is exact. Nothing where neither is found or what is found makes no sense.
 std::optional<FullScale> calibration_in(std::string_view description);
 
 /// The text that `calibration_in` reads, for a WAV's description; empty for "FS".

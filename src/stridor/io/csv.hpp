@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
-/// Tables as CSV text: a first line `# key: value | key: value ...` (schema, version, commit, title, the canonical text of
-/// the case), a row of names with units ("gap [m]"; none for words and numbers without dimension), then numbers in their
-/// shortest form that reads back as the same double. NaN is an empty field. Fields are quoted as RFC 4180 has it. Nothing in
-/// it changes between two runs of the same case.
+/// Tables as CSV text: a first line `# key: value | key: value ...` (schema, version, commit, title, the canonical text
+/// of the case), a row of names with units ("gap [m]"; none for words and numbers without dimension), then numbers in
+/// their shortest form that reads back as the same double. NaN is an empty field. Fields are quoted as RFC 4180 has it.
+/// Nothing in it changes between two runs of the same case.
 namespace stridor::io {
 
 /// Takes the next piece of a text.
@@ -25,19 +25,20 @@ using Sink = std::function<void(std::string_view piece)>;
 ///
 /// Columns: x, y, direction, status, category, slip, stick, separation, the other figures of `sweep::cell_figures`,
 /// source, of a chart with starts agreement and one column per start, message, reproduce. Only done cells have a
-/// category, only those of them that were computed figures; cells that are not done have in `reproduce` the command that
-/// runs them alone, with `file` as the chart file's name. The text goes to the sink row by row: that of a large chart is too
-/// long to be held.
+/// category, only those of them that were computed figures; cells that are not done have in `reproduce` the command
+/// that runs them alone, with `file` as the chart file's name. The text goes to the sink row by row: that of a large
+/// chart is too long to be held.
 void chart_csv(const sweep::SweepResult& result, const std::string& file, const Sink& sink);
 
 /// "stridor.boundaries/1": a row per vertex of each line, in order.
 std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::Boundary>& boundaries);
 
-/// "stridor.diagram/1": a row per value of a diagram over one axis: x, direction, and either a local extreme of the joint's
-/// displacement along the plate or an interval between beats, the other of the two being empty.
+/// "stridor.diagram/1": a row per value of a diagram over one axis: x, direction, and either a local extreme of the
+/// joint's displacement along the plate or an interval between beats, the other of the two being empty.
 std::string diagram_csv(const sweep::Study& study, const std::vector<sweep::DiagramCell>& cells);
 
-/// "stridor.trace/1": a row per sample. `interval` [s] is the one that was asked for; a trace of one sample has no other.
+/// "stridor.trace/1": a row per sample. `interval` [s] is the one that was asked for;
+/// a trace of one sample has no other.
 std::string trace_csv(const parameters::Case& c, const record::Trace& trace, double interval);
 
 /// "stridor.history/1": a row per stay of the contact in one state.

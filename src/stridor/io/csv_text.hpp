@@ -3,9 +3,9 @@
 // What all CSV texts share. Private to this folder.
 //
 // Line 1 begins with # and says what the table is, all in one line: "# schema: stridor.trace/1 | version: 0.1.0 | ...".
-// Line 2 holds the names, with their units: "gap [m]". Numbers begin in line 3, whatever the table. So one plain line reads
-// any of them: pandas and R skip what begins with #, Octave's dlmread and spreadsheets a known number of lines; no row of
-// units is taken for data.
+// Line 2 holds the names, with their units: "gap [m]". Numbers begin in line 3, whatever the table. So one plain line
+// reads any of them: pandas and R skip what begins with #, Octave's dlmread and spreadsheets a known number of lines;
+// no row of units is taken for data.
 
 #include <string>
 #include <string_view>
@@ -32,8 +32,8 @@ Facts origin(std::string_view what);
 /// The first line of a table: all of them. No fact may end the line, hold the mark or a quote, or look like a formula.
 std::string first_line(const Facts& facts);
 
-/// A text as a field, after RFC 4180; a # is quoted too, so that it is not taken for a comment, and no text is taken for a
-/// formula.
+/// A text as a field, after RFC 4180; a # is quoted too, so that it is not taken for a comment, and no text is taken
+/// for a formula.
 std::string quoted(std::string_view words);
 
 /// Rows of fields behind the first line and the names.

@@ -1,7 +1,7 @@
 #pragma once
 
-// ffmpeg's libraries, opened when the first compressed recording is: linked to the program, they and the hundred libraries
-// they need would make every start of it three times as long. Private to this folder.
+// ffmpeg's libraries, opened when the first compressed recording is: linked to the program, they and the hundred
+// libraries they need would make every start of it three times as long. Private to this folder.
 
 extern "C" {
 #include <libavcodec/avcodec.h>

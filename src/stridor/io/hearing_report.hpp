@@ -65,8 +65,8 @@ bool is_right(const HeardRecording& recording);
 /// each perturbation, and the recordings; thresholds.
 std::string hearing_json(const HearingReport& report);
 
-/// "stridor.evaluate/1": a row per sound of the charts: where it is, both verdicts, figures of both, why it sounds so, and the
-/// verdicts by ear after each perturbation (empty where it was not perturbed), and the chart's name.
+/// "stridor.evaluate/1": a row per sound of the charts: where it is, both verdicts, figures of both, why it sounds so,
+/// and the verdicts by ear after each perturbation (empty where it was not perturbed), and the chart's name.
 std::string hearing_csv(const HearingReport& report);
 
 }  // namespace stridor::io

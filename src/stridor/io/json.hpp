@@ -9,11 +9,13 @@
 #include <string>
 #include <vector>
 
-/// JSON documents: what `--json` prints, without a line end after the last brace. Each opens with its schema, the program's version and commit, and holds the
-/// whole case and a table of units. Numbers read back as the same doubles; NaN and infinities are null.
+/// JSON documents: what `--json` prints, without a line end after the last brace. Each opens with its schema, the
+/// program's version and commit, and holds the whole case and a table of units. Numbers read back as the same doubles;
+/// NaN and infinities are null.
 namespace stridor::io {
 
-/// A case alone, its sections as objects: {"title": ..., "joint": {"mass": 0.1, ...}, ...}; only keys that belong to it.
+/// A case alone, its sections as objects: {"title": ..., "joint": {"mass": 0.1, ...}, ...};
+/// only keys that belong to it.
 std::string case_json(const parameters::Case& c);
 
 /// "stridor.simulation/1": case, engine, outcome, energy balance and a verdict per phase.

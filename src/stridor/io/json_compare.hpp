@@ -8,8 +8,8 @@
 
 namespace stridor::io {
 
-/// "stridor.compare/1": each sound with where it is from, its categories and figures, and the distances of all pairs with
-/// what they come from.
+/// "stridor.compare/1": each sound with where it is from, its categories and figures, and the distances of all pairs
+/// with what they come from.
 std::string compare_json(std::span<const classification::ComparedSound> sounds);
 
 /// A recording, a chart, and the chart's cells that sound most like it.

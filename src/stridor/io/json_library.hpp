@@ -17,7 +17,8 @@ namespace stridor::io {
 /// and a table of units. `library` is the file they stand in.
 std::string library_json(const std::filesystem::path& library, std::span<const noise_library::Entry> entries);
 
-/// The same document in pieces, one after the other: an opening, an entry each, a closing. Memory does not grow with them.
+/// The same document in pieces, one after the other: an opening, an entry each, a closing.
+/// Memory does not grow with them.
 class LibraryJson {
 public:
     std::string opening(const std::filesystem::path& library);

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-/// Noise libraries in one file, to hand to a colleague: a tar archive whose first file, manifest.jsonl, holds a line per
-/// entry, and whose others are the audio. The format is docs/formats/library.md.
+/// Noise libraries in one file, to hand to a colleague: a tar archive whose first file, manifest.jsonl, holds a line
+/// per entry, and whose others are the audio. The format is docs/formats/library.md.
 namespace stridor::io {
 
 /// Writes entries of a library, in their order, with their audio. The same entries give the same bytes.
@@ -34,8 +34,8 @@ struct Import {
     std::size_t heard_otherwise = 0;    // of them, those with another verdict by ear, which were not touched
 };
 
-/// Adds the entries of an archive; all or none. One that the library has already is skipped, whatever verdict by ear either
-/// has: the library's stays.
+/// Adds the entries of an archive; all or none. One that the library has already is skipped, whatever verdict by ear
+/// either has: the library's stays.
 ///
 /// Throws `Error` (input) for an archive that is not what it says, (io) for one whose manifest has not its hash:
 /// nothing of it then stays. No name in it is ever used as a path. Memory grows with the number of audio files alone.

@@ -13,21 +13,22 @@
 /// time: the library has global state. Throws `Error` (io).
 namespace stridor::io {
 
-/// A chart: dimensions (direction, y, x), the last two named after their parameters ("kinetic_friction", "preload"; with the
-/// section in front where two names would be alike), each with its coordinate variable.
+/// A chart: dimensions (direction, y, x), the last two named after their parameters ("kinetic_friction", "preload";
+/// with the section in front where two names would be alike), each with its coordinate variable.
 ///
-/// Variables: category, status and source as bytes with flag_values and flag_meanings, every figure of `sweep::cell_figures` as
-/// double, NaN where a cell is not done or was inferred; of a chart with starts agreement, and start_verdict(start, direction,
-/// y, x). Global attributes: x and y (the parameters' keys), study (`sweep::canonical_text`), study_hash,
-/// case (the chart as TOML, which can be run again).
+/// Variables: category, status and source as bytes with flag_values and flag_meanings, every figure of
+/// `sweep::cell_figures` as double, NaN where a cell is not done or was inferred; of a chart with starts agreement, and
+/// start_verdict(start, direction, y, x). Global attributes: x and y (the parameters' keys), study
+/// (`sweep::canonical_text`), study_hash, case (the chart as TOML, which can be run again).
 ///
 /// One that takes more than `largest_in_memory` bytes, generously counted, is not made in memory: usual 32 MiB, some
 /// 170,000 computed cells.
 void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result,
                         std::size_t largest_in_memory = std::size_t{32} << 20U);
 
-/// A trace and the contact history of a run, as far as they were kept: dimensions time, dof and interval; displacement, velocity
-/// and acceleration as (dof, time), forces and contact state as (time), the history's stays as interval_*(interval).
+/// A trace and the contact history of a run, as far as they were kept: dimensions time, dof and interval;
+/// displacement, velocity and acceleration as (dof, time), forces and contact state as (time), the history's stays as
+/// interval_*(interval).
 void write_trace_netcdf(const std::string& path, const parameters::Case& c, const record::Record& record);
 
 }  // namespace stridor::io

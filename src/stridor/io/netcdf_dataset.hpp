@@ -49,8 +49,8 @@ public:
              std::span<const double> values);
     int words(const std::string& name, std::span<const int> dimensions, const std::vector<std::string>& values,
               const Description& description);
-    /// Numbers of names (CF flags); -1 stands for `none`, the last of them, where `none` is not empty. No number is called
-    /// missing: readers would make floating-point numbers of all of them.
+    /// Numbers of names (CF flags); -1 stands for `none`, the last of them, where `none` is not empty. No number is
+    /// called missing: readers would make floating-point numbers of all of them.
     int flags(const std::string& name, std::span<const int> dimensions, std::span<const signed char> values,
               std::span<const std::string_view> names, const Description& description, std::string_view none = {});
     void attribute(int variable, const std::string& name, const std::string& text);

@@ -56,14 +56,14 @@ private:
     std::uint64_t frames_ = 0;         // read so far
 };
 
-/// Opens a recording: WAV, RF64, W64, FLAC, Ogg, MP3, AIFF and others through libsndfile, MPEG-4, AAC, AMR and WebM through
-/// ffmpeg's libraries where they are there, a table of signals as CSV, UFF 58 and 58b.
+/// Opens a recording: WAV, RF64, W64, FLAC, Ogg, MP3, AIFF and others through libsndfile, MPEG-4, AAC, AMR and WebM
+/// through ffmpeg's libraries where they are there, a table of signals as CSV, UFF 58 and 58b.
 /// The format is told by the content; "-" is standard input.
 ///
-/// Units come from the options, else the sidecar NAME.json, else the calibration in the file's description, else the units
-/// in the file; samples without any are "FS" and nothing else. Throws `Error` (input) for what is damaged, empty, of no
-/// known format, or not finite, and `Error` (io) for what cannot be read. Samples that are not finite are found, and
-/// refused with their frame, while reading.
+/// Units come from the options, else the sidecar NAME.json, else the calibration in the file's description, else the
+/// units in the file; samples without any are "FS" and nothing else. Throws `Error` (input) for what is damaged, empty,
+/// of no known format, or not finite, and `Error` (io) for what cannot be read. Samples that are not finite are found,
+/// and refused with their frame, while reading.
 std::unique_ptr<SignalFile> open_signal(const std::string& path, const OpenOptions& options = {});
 
 /// The same in two steps: what is open can be read twice, even standard input; and bytes in memory can be read.

@@ -46,8 +46,8 @@ bool is_table_line(std::string_view line);
 /// The next line of the table; its text lasts until the next is read.
 std::optional<Line> next_row(LineReader& lines);
 
-/// Reads up to the first row of numbers. Throws `Error` (input) with line and column for what is no table of signals, as the
-/// tables that Stridor writes of a chart.
+/// Reads up to the first row of numbers. Throws `Error` (input) with line and column for what is no table of signals,
+/// as the tables that Stridor writes of a chart.
 Header read_header(const SignalInput& input);
 
 /// Leaves out columns in which the first row has no number; returns what to tell the user.

@@ -48,7 +48,8 @@ SignalSummary summary_of(SignalFile& file);
 /// "option", "sidecar", "description", "file" or "none".
 std::string_view name(Calibration calibration);
 
-/// "stridor.convert/1": the recording (rate, frames, duration, channels, notes, metadata) and, if it was written, the output.
+/// "stridor.convert/1": the recording (rate, frames, duration, channels, notes, metadata) and,
+/// if it was written, the output.
 std::string convert_json(const SignalSummary& summary, const std::optional<SignalOutput>& output);
 
 }  // namespace stridor::io

@@ -26,13 +26,13 @@ struct Start {
 
 /// Finds the table in the first lines of a text, comments and blank lines left out.
 ///
-/// The rows of numbers are the lines that reach to the last one given, begin with a number, hold more numbers than words,
-/// and have as many fields as each other. The names are the line above them that has as many fields, or the one above
-/// that, if the one between holds units. What is higher up is prose. Nothing where this finds no table.
+/// The rows of numbers are the lines that reach to the last one given, begin with a number, hold more numbers than
+/// words, and have as many fields as each other. The names are the line above them that has as many fields, or the one
+/// above that, if the one between holds units. What is higher up is prose. Nothing where this finds no table.
 std::optional<Start> find_start(std::span<const std::string> lines);
 
-/// Drops the last of the names of a table `width` columns wide, if it is "Comment" and one too many: LabVIEW names a column
-/// that no row has.
+/// Drops the last of the names of a table `width` columns wide, if it is "Comment" and one too many: LabVIEW names a
+/// column that no row has.
 void drop_comment(std::vector<Field>& names, std::size_t width);
 
 /// Is it what a column of times is called?

@@ -51,8 +51,8 @@ private:
 /// Is told how many bytes of an archive are read, of how many.
 using TarProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// Reads an archive file by file, a block at a time. What is no such archive, is cut short or lies about its sizes throws
-/// `Error` (input).
+/// Reads an archive file by file, a block at a time. What is no such archive, is cut short or lies about its sizes
+/// throws `Error` (input).
 class TarReader {
 public:
     explicit TarReader(const std::filesystem::path& file, TarProgress progress = {});

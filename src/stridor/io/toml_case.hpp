@@ -18,10 +18,10 @@ using SamplesReader = std::function<SampledMotion(const std::string& path)>;
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
 ///
 /// Everything in [joint], [plate], [contact] and [drive] that belongs to the case must be there, except contact.impact
-/// and what follows the temperature (`read_temperature_table`); the rest has defaults. Overrides win; a key of the file that an override made meaningless (drive.amplitude after
-/// `--set drive.kind=constant`) is left out, and so is one that a change of the kind in the file left behind
-/// (`case_warnings`). A section [chart] is not looked at. A sampled drive's CSV is looked for beside the file (given by
-/// an override: in the current folder).
+/// and what follows the temperature (`read_temperature_table`); the rest has defaults. Overrides win; a key of the file
+/// that an override made meaningless (drive.amplitude after `--set drive.kind=constant`) is left out, and so is one
+/// that a change of the kind in the file left behind (`case_warnings`). A section [chart] is not looked at. A sampled
+/// drive's CSV is looked for beside the file (given by an override: in the current folder).
 /// Throws `Error` (input) with all that is wrong, each with file, line, column and source line, for anything else than
 /// a case that can be simulated.
 parameters::Case read_case(const TomlSource& source);
@@ -32,8 +32,8 @@ parameters::Case read_case(const TomlDocument& document, const SamplesReader& sa
 /// The same from a file; "-" is standard input.
 parameters::Case read_case(const std::string& path, std::vector<std::string> overrides = {});
 
-/// The case a chart starts from, out of a document that is parsed already. Whether its values fit together is left to the
-/// chart, whose axes replace two of them.
+/// The case a chart starts from, out of a document that is parsed already. Whether its values fit together is left to
+/// the chart, whose axes replace two of them.
 parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples);
 
 /// What reading a case leaves out and its user should know: keys that mean nothing for the kinds the file chooses, and

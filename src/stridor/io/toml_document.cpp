@@ -94,8 +94,8 @@ Error parse_error(const toml::parse_error& error, const Places& places) {
     return {ErrorKind::input, {message, "the file is not valid TOML", advice(message)}, std::move(place)};
 }
 
-// The parser stops at the first error. A line that says no more than "key = value" may be left out to find the next one;
-// without any other line what follows would be taken for something else.
+// The parser stops at the first error. A line that says no more than "key = value" may be left out to find the next
+// one; without any other line what follows would be taken for something else.
 bool leave_out_line(std::string& text, std::size_t line) {
     std::size_t from = 0;
     for (std::size_t k = 1; k < line; ++k) {

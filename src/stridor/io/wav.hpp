@@ -32,16 +32,17 @@ struct WavWritten {
     std::uint64_t clipped = 0;  // [1] samples beyond full scale, cut to it (whole numbers only)
 };
 
-/// Writes a WAV file (RF64 beyond 4 GiB), a calibration into its bext chunk, and NAME.wav.json beside it where the WAV cannot
-/// say everything: names, units, full scales, a rate that is no whole number.
+/// Writes a WAV file (RF64 beyond 4 GiB), a calibration into its bext chunk, and NAME.wav.json beside it where the WAV
+/// cannot say everything: names, units, full scales, a rate that is no whole number.
 ///
-/// A sample x becomes x / full scale; in whole numbers the nearest one to that times 2^15 or 2^23, so that samples which came
-/// from such a file go back bit for bit. The same source gives the same bytes. An old sidecar never stands beside a new
-/// recording. Throws `Error` (input) for full scales that do not fit the channels in number or unit, and for samples that
-/// are not finite.
+/// A sample x becomes x / full scale; in whole numbers the nearest one to that times 2^15 or 2^23, so that samples
+/// which came from such a file go back bit for bit. The same source gives the same bytes. An old sidecar never stands
+/// beside a new recording. Throws `Error` (input) for full scales that do not fit the channels in number or unit, and
+/// for samples that are not finite.
 WavWritten write_wav(const std::string& path, signal::Source& source, const WavOptions& options = {});
 
-/// A short sound as the bytes of a WAV file, 16 bits a sample, with its calibration in the bext chunk. Throws as `write_wav` does.
+/// A short sound as the bytes of a WAV file, 16 bits a sample, with its calibration in the bext chunk.
+/// Throws as `write_wav` does.
 std::string wav_bytes(const signal::Signal& signal, const FullScale& scale);
 
 }  // namespace stridor::io

@@ -1,5 +1,5 @@
-// Householder's QR decomposition, blocked = Q R: the last columns of Q are the complement (Golub and Van Loan, 5.2). Eigen's
-// own, which also works in blocks, gives the same bits and takes six seconds longer to compile.
+// Householder's QR decomposition, blocked = Q R: the last columns of Q are the complement (Golub and Van Loan, 5.2).
+// Eigen's own, which also works in blocks, gives the same bits and takes six seconds longer to compile.
 #include "stridor/model/complement.hpp"
 
 #include <Eigen/Householder>

@@ -4,11 +4,12 @@
 
 namespace stridor::model {
 
-/// Orthonormal columns that span what is orthogonal to all columns of `blocked`: the motions that constraints leave free.
-/// Shape [size, size - columns]; the columns are linearly independent.
+/// Orthonormal columns that span what is orthogonal to all columns of `blocked`: the motions that constraints leave
+/// free. Shape [size, size - columns]; the columns are linearly independent.
 Eigen::MatrixXd orthogonal_complement(Eigen::MatrixXd blocked);
 
-/// leftᵀ A right: a matrix of the motion in the coordinates of the free motions, shape [columns of left, columns of right].
+/// leftᵀ A right: a matrix of the motion in the coordinates of the free motions,
+/// shape [columns of left, columns of right].
 Eigen::MatrixXd reduced(const Eigen::MatrixXd& left, const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
 }  // namespace stridor::model

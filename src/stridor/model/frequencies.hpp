@@ -9,7 +9,8 @@
 
 namespace stridor::model {
 
-/// Undamped natural angular frequencies [rad/s], rising, of M u'' + K u = 0 with the motions along `blocked` held still.
+/// Undamped natural angular frequencies [rad/s], rising, of M u'' + K u = 0 with the motions along
+/// `blocked` held still.
 ///
 /// The columns of `blocked` [1] are the constraints, shape [dof][constraint]; none may be zero or depend on the others.
 std::vector<double> natural_frequencies(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,

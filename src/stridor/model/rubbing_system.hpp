@@ -10,7 +10,8 @@ inline constexpr int rubbing_system_dofs = 3;
 
 /// The paper's joint (mass 1) on a plate (mass 2), 3 degrees of freedom (Elmaian et al. 2012, Figure 2).
 ///
-///     Kxx = k1i c^2 + k1j s^2,  Kyy = k1i s^2 + k1j c^2,  Kxy = (k1i - k1j) s c,   C likewise,  c, s of the incidence angle
+///     Kxx = k1i c^2 + k1j s^2,  Kyy = k1i s^2 + k1j c^2,  Kxy = (k1i - k1j) s c,  C likewise;
+///     c, s: cosine and sine of the incidence angle
 ///     n = (0, 1, -1),  t = (1, 0, 0),  f0 = (0, -F, F)
 Structure rubbing_system(const parameters::Case& c);
 

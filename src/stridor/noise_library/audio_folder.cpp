@@ -90,7 +90,8 @@ std::string owner_of(const fs::path& file) {
     return name.substr(0, name.find('.'));
 }
 
-// a part whose process has withdrawn its marker, or lost it with the power; a marker stands before its parts and after them
+// a part whose process has withdrawn its marker, or lost it with the power; a marker stands before its
+// parts and after them
 bool is_abandoned(const fs::path& file) {
     std::error_code error;
     fs::path marker = file.parent_path() / (owner_of(file) + marker_extension);

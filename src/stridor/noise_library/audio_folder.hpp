@@ -15,10 +15,10 @@
 ///
 /// A file comes in four steps: it is written to `incoming` and flushed; the library's write lock is taken; the file is
 /// renamed to its own name; the row that names it is committed. So a row never lacks its file. A process that dies in
-/// between leaves a file without a row, and its marker: a file in `incoming` that lists what it was about to do, that it
-/// had locked, and that the system unlocked. Whoever opens the library next finds a marker without an owner and removes
-/// the audio it lists that no row has, under the write lock, where no living process can be between the last two steps.
-/// No other audio is ever removed: it may belong to a newer copy of the database than the one at hand.
+/// between leaves a file without a row, and its marker: a file in `incoming` that lists what it was about to do, that
+/// it had locked, and that the system unlocked. Whoever opens the library next finds a marker without an owner and
+/// removes the audio it lists that no row has, under the write lock, where no living process can be between the last
+/// two steps. No other audio is ever removed: it may belong to a newer copy of the database than the one at hand.
 namespace stridor::noise_library {
 
 /// Audio by its content.

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// How an entry lies in the tables of a library: a row of `entry`, a row of `document` for each long text, a row of `figure` for
-/// each figure. Whoever calls has a transaction open.
+/// How an entry lies in the tables of a library: a row of `entry`, a row of `document` for each long text, a row of
+/// `figure` for each figure. Whoever calls has a transaction open.
 namespace stridor::noise_library {
 
 /// The statements that make the tables and their indices.

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-/// The field table of the noise library: each thing an entry says stands here once. Options of `add` and `edit`, filters,
-/// columns of the database, JSON keys, CSV columns and completion are all generated from it.
+/// The field table of the noise library: each thing an entry says stands here once. Options of `add` and `edit`,
+/// filters, columns of the database, JSON keys, CSV columns and completion are all generated from it.
 namespace stridor::noise_library {
 
 /// Words. A document is text of many lines that tables leave out.
@@ -75,7 +75,8 @@ double quantity_in(const Entry& entry, const Field& field);
 /// Throws `Error` (input) for anything else.
 double parse_value(std::string_view text, std::string_view unit);
 
-/// Sets a field from what a user wrote; an empty text or "unknown" clears it. Throws `Error` (input) that names the field.
+/// Sets a field from what a user wrote; an empty text or "unknown" clears it. Throws `Error` (input)
+/// that names the field.
 void set_from_text(Entry& entry, const Field& field, std::string_view text);
 
 /// Sets a quantity from a number in its unit; throws `Error` (input) if it is out of range.

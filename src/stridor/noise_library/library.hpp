@@ -26,12 +26,12 @@ enum class Twins { refuse_same_audio, skip_equal, accept };
 
 /// The noise library: entries in one SQLite file, the audio in a folder beside it ("library.audio").
 ///
-/// Tables: entry(id, digest, a column per field that is no document), document(entry, name, text), figure(entry, name, unit,
-/// value). Several processes may use a library
+/// Tables: entry(id, digest, a column per field that is no document), document(entry, name, text), figure(entry, name,
+/// unit, value). Several processes may use a library
 /// at once; each change is whole or not there, on disk when its function returns, whatever ends the process. Every
-/// failure throws `Error`: input for a file that is no library of this program, an unknown id, a name or value that means
-/// nothing; io for the rest. What is read is what was written, or an `Error` (io) says that the library is damaged:
-/// each page has a checksum, each entry a digest, and audio is called by its hash.
+/// failure throws `Error`: input for a file that is no library of this program, an unknown id, a name or value that
+/// means nothing; io for the rest. What is read is what was written, or an `Error` (io) says that the library is
+/// damaged: each page has a checksum, each entry a digest, and audio is called by its hash.
 class Library {
 public:
     explicit Library(const std::filesystem::path& file, const LibraryOptions& options = {});
@@ -73,8 +73,8 @@ public:
     std::vector<std::int64_t> add(Intake& intake, std::span<Staged> staged, std::span<const Entry> entries,
                                   Twins twins);
 
-    /// The same for more entries than memory should hold: `next` gives them one by one, and nothing after the last. What
-    /// it throws undoes all.
+    /// The same for more entries than memory should hold: `next` gives them one by one, and nothing after the last.
+    /// What it throws undoes all.
     std::vector<std::int64_t> add(Intake& intake, std::span<Staged> staged,
                                   const std::function<std::optional<Entry>()>& next, Twins twins);
 

@@ -28,8 +28,8 @@ struct Selection {
     std::vector<std::variant<double, std::string>> values{};  // of the parameters in `rows`
 };
 
-/// Throws `Error` (input) for a name that is no field and none of the figures, a value of the wrong kind, or a comparison
-/// that words do not have.
+/// Throws `Error` (input) for a name that is no field and none of the figures, a value of the wrong kind, or a
+/// comparison that words do not have.
 Selection select(const Query& query, std::span<const FigureKind> figures);
 
 /// Binds the values; the selection must outlive the statement's run.

@@ -12,11 +12,11 @@
 /// How a noise moves over a quantity across the records of a library: a test rig's question.
 ///
 /// The rank correlation (Spearman 1904) is Pearson's coefficient of the ranks, equal values sharing the mean of their
-/// ranks. It is 1 where one quantity never falls while the other rises, -1 where it never rises, and looks at order alone,
-/// so a bent but steady relation counts in full. Its p-value is the share of all ways to pair the values anew that
-/// correlate at least as strongly in either direction: counted one by one up to 8 records, beyond that estimated by 9999
-/// pairings drawn from a fixed seed. Small means that chance alone seldom does it; it does not mean that the quantity is the
-/// cause, for quantities that were varied together cannot be told apart.
+/// ranks. It is 1 where one quantity never falls while the other rises, -1 where it never rises, and looks at order
+/// alone, so a bent but steady relation counts in full. Its p-value is the share of all ways to pair the values anew
+/// that correlate at least as strongly in either direction: counted one by one up to 8 records, beyond that estimated
+/// by 9999 pairings drawn from a fixed seed. Small means that chance alone seldom does it; it does not mean that the
+/// quantity is the cause, for quantities that were varied together cannot be told apart.
 namespace stridor::noise_library {
 
 /// Whose word for the noise is counted.

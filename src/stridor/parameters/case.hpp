@@ -30,8 +30,8 @@ struct Plate {
 };
 
 /// Dampings that are known as a share of the critical damping of their own spring and mass, zeta = c / (2 sqrt(k m)).
-/// Who sets a stiffness or mass through its field keeps these shares and changes the damping with it; empty: the damping
-/// is a number of its own. The N*s/m that follow stand in `Joint` and `Plate`, which alone decide the motion.
+/// Who sets a stiffness or mass through its field keeps these shares and changes the damping with it; empty: the
+/// damping is a number of its own. The N*s/m that follow stand in `Joint` and `Plate`, which alone decide the motion.
 struct DampingRatios {
     std::optional<double> axial{};     // [1] of joint.axial_damping: with m1 and k1i
     std::optional<double> flexural{};  // [1] of joint.flexural_damping: with m1 and k1j
@@ -46,8 +46,8 @@ struct TemperatureColumn {
     Holds holds = Holds::quantity;
 };
 
-/// The temperature of the parts and the properties that follow it by table, linear between nodes. Who sets it through its
-/// field sets them with it; their numbers stand in `Joint`, `Plate` and `Contact`, which alone decide the
+/// The temperature of the parts and the properties that follow it by table, linear between nodes. Who sets it through
+/// its field sets them with it; their numbers stand in `Joint`, `Plate` and `Contact`, which alone decide the
 /// motion.
 struct Temperature {
     double value = 23.0;                       // [degC]

@@ -28,9 +28,9 @@ inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
 
 /// Between which values a designer looks for a better one, and on which scale steps there are alike.
 ///
-/// Much narrower than what `Range` allows: the spans of the published charts (Elmaian et al. 2012, Figures 6 and 8) where
-/// there are any, else about a factor of ten to both sides of Table 1, whose four cases lie within. Of an imposed velocity
-/// it is the magnitude; its sign says which way the plate moves.
+/// Much narrower than what `Range` allows: the spans of the published charts (Elmaian et al. 2012, Figures 6 and 8)
+/// where there are any, else about a factor of ten to both sides of Table 1, whose four cases lie within. Of an imposed
+/// velocity it is the magnitude; its sign says which way the plate moves.
 struct UsualRange {
     double from = 0.0;  // in the quantity's unit, below `to`, above 0 if logarithmic
     double to = 1.0;

@@ -8,8 +8,8 @@
 
 namespace stridor::parameters {
 
-/// Where one category ends and the next begins for the ear: thresholds of the figures of a sound, as `Thresholds` are of those
-/// of contact states. No part of a case: a recording has none. Reasons and sources: docs/methods/sound.md.
+/// Where one category ends and the next begins for the ear: thresholds of the figures of a sound, as `Thresholds` are
+/// of those of contact states. No part of a case: a recording has none. Reasons and sources: docs/methods/sound.md.
 struct SoundThresholds {
     double least_clearness = -14.0;     // [dB] sound over background from which there is anything to judge
     double quiet_depth = 25.0;          // [dB] what lies this far below the loudest stretch is background
@@ -41,8 +41,8 @@ struct SoundThreshold {
 /// All thresholds by sound, in the order the rules look at them.
 std::span<const SoundThreshold> sound_thresholds();
 
-/// Sets "squeal_regularity=0.7". Throws `Error` (input) with place "--set" for text without '=', an unknown key (with the
-/// nearest known one), and a value that is no number of its unit or out of range.
+/// Sets "squeal_regularity=0.7". Throws `Error` (input) with place "--set" for text without '=', an unknown key (with
+/// the nearest known one), and a value that is no number of its unit or out of range.
 void set_sound_threshold(SoundThresholds& thresholds, std::string_view assignment);
 
 }  // namespace stridor::parameters

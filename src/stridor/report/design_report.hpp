@@ -5,8 +5,8 @@
 
 namespace stridor::report {
 
-/// Verdict, sound, chart, what to change, motion, stability, the case, and how to get it all again; what was not computed
-/// is left out.
+/// Verdict, sound, chart, what to change, motion, stability, the case, and how to get it all again; what was not
+/// computed is left out.
 ///
 /// Throws `Error` (io) where gnuplot is missing.
 Report design_report(const DesignResults& results);

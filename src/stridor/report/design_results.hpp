@@ -39,8 +39,8 @@ struct DesignResults {
 /// The longest sound of a direction in a report [s]: 0.5 MB in the file.
 inline constexpr double longest_sound = 4.0;
 
-/// The motion of a design with its verdicts, sounds and stability: what costs little. Throws `Error` where the run has no
-/// result (input, numerical) or was stopped (interrupted).
+/// The motion of a design with its verdicts, sounds and stability: what costs little. Throws `Error` where the run has
+/// no result (input, numerical) or was stopped (interrupted).
 DesignResults basic_results(const parameters::Case& design, const std::stop_token& stop);
 
 /// A chart in memory. Throws `Error` (interrupted) where it was stopped.

@@ -12,7 +12,8 @@ namespace stridor::signal {
 
 namespace {
 
-// a Butterworth high pass of second order by the bilinear transform (Oppenheim, Schafer, 7.1), its coefficients for b0 = 1
+// a Butterworth high pass of second order by the bilinear transform (Oppenheim, Schafer, 7.1),
+// its coefficients for b0 = 1
 struct HighPass {
     double gain, a1, a2;
 };

@@ -49,16 +49,16 @@ std::vector<Stretch> stretches_of(const record::Schedule& schedule, record::Phas
 /// "m/s" or "m/s^2".
 std::string unit_of(MotionQuantity quantity);
 
-/// Makes a sound of a run's trace, block by block: band-limited (`BandLimiter`), without what is too slow to be heard, cut to
-/// the stretches asked for, each faded in and out.
+/// Makes a sound of a run's trace, block by block: band-limited (`BandLimiter`), without what is too slow to be heard,
+/// cut to the stretches asked for, each faded in and out.
 ///
 /// The sound is the motion itself in m/s or m/s^2, never a sound pressure: that needs a model of radiation.
 class Auralisation {
 public:
     explicit Auralisation(AuralisationSettings settings);
 
-    /// The trace that is needed of a run that lasts `duration` [s]; `taker` is handed each block of the sound. Call `finish`
-    /// after the run, and keep this object where it is until then.
+    /// The trace that is needed of a run that lasts `duration` [s]; `taker` is handed each block of the sound. Call
+    /// `finish` after the run, and keep this object where it is until then.
     record::TraceRequest request(double duration, std::function<void(std::span<const double>)> taker);
 
     /// Takes the next block of the trace and returns the part of the sound [m/s or m/s^2] that it completes.

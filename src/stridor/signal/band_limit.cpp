@@ -9,8 +9,9 @@
 //
 //     (0, v₁ - v₀ - m₁, m₁, 0) - q/4 (1, -1, -1, 1),   m₁ = ∫s u" dt
 //
-// have the same moments up to the third about the middle, so their spectrum differs from that of u" by O((ωh)³) only, however the
-// motion jumps; a slow motion's by O((ωh)⁴). Their running sum is the velocity between the instants,
+// have the same moments up to the third about the middle, so their spectrum differs from that of
+// u" by O((ωh)³) only, however the motion jumps; a slow motion's by O((ωh)⁴). Their running sum is the velocity
+// between the instants,
 //
 //     Vₖ₊½ = (uₖ₊₁ - uₖ)/h + (qₖ₋₁ - qₖ₊₁)/4,
 //

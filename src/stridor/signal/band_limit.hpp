@@ -13,8 +13,8 @@ namespace stridor::signal {
 /// What of a motion is listened to.
 enum class MotionQuantity { velocity, acceleration };
 
-/// One coordinate of a motion at evenly spaced instants, shape [sample] each. The displacement is continuous; velocity and
-/// acceleration may jump between two instants, as at an impact.
+/// One coordinate of a motion at evenly spaced instants, shape [sample] each. The displacement is continuous; velocity
+/// and acceleration may jump between two instants, as at an impact.
 struct MotionSamples {
     std::span<const double> displacement;  // [m]
     std::span<const double> velocity;      // [m/s]
@@ -24,9 +24,9 @@ struct MotionSamples {
 /// Makes of a motion with jumps the samples that an ideal recorder of a lower rate would have made: velocity, or
 /// acceleration with its pulses at the jumps, up to 0.45 of the rate and nothing from one half of it on.
 ///
-/// The instants of the jumps need not be known; see the derivation in band_limit.cpp and docs/methods/auralisation.md. With
-/// samples 16 times denser than the output, what folds back stays 90 dB (acceleration) or 110 dB (velocity) below the
-/// fundamental of a repeated jump, and falls by 18 dB with each doubling. Sample n of
+/// The instants of the jumps need not be known; see the derivation in band_limit.cpp and docs/methods/auralisation.md.
+/// With samples 16 times denser than the output, what folds back stays 90 dB (acceleration) or 110 dB (velocity) below
+/// the fundamental of a repeated jump, and falls by 18 dB with each doubling. Sample n of
 /// the output belongs to the instant n / rate after the first input sample.
 class BandLimiter {
 public:

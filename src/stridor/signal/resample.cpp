@@ -1,10 +1,10 @@
-// Between the samples x[m] of the old rate stand up - 1 zeros; a low pass h at the rate `up` times higher makes a smooth
-// signal of them, of which every down-th sample is kept:
+// Between the samples x[m] of the old rate stand up - 1 zeros; a low pass h at the rate `up` times higher makes a
+// smooth signal of them, of which every down-th sample is kept:
 //
 //     y[n] = up Σₘ h[n down - m up] x[m]
 //
-// Only every up-th tap meets a sample that is not zero: which ones depends on the phase (n down) mod up alone. Each phase
-// has its own row of taps, so no zero is ever multiplied.
+// Only every up-th tap meets a sample that is not zero: which ones depends on the phase (n down) mod up alone. Each
+// phase has its own row of taps, so no zero is ever multiplied.
 
 #include "stridor/signal/resample.hpp"
 

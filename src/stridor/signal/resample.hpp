@@ -17,21 +17,22 @@ struct RateRatio {
     int down = 1;
 };
 
-/// The ratio that leads from one rate [Hz] to another: exact where whole numbers up to 4096 can say it, as between 44.1,
-/// 48 and 51.2 kHz, else the last convergent made of such numbers, which is within 5e-7 for changes of up to eightfold.
+/// The ratio that leads from one rate [Hz] to another: exact where whole numbers up to 4096 can say it, as
+/// between 44.1, 48 and 51.2 kHz, else the last convergent made of such numbers, which is within 5e-7 for
+/// changes of up to eightfold.
 ///
 /// Throws `Error` (input) for a rate that is not positive, and for rates too far apart to say their ratio within 0.1 %.
 RateRatio rate_ratio(double from, double to);
 
-/// The low pass for a ratio, its frequencies as shares of the higher rate `up` times the old one: up to 0.45 of the lower
-/// of both rates passes, from one half on nothing folds back.
+/// The low pass for a ratio, its frequencies as shares of the higher rate `up` times the old one: up to 0.45 of the
+/// lower of both rates passes, from one half on nothing folds back.
 LowPass low_pass_for(RateRatio ratio);
 
-/// Changes the sampling rate of one channel, block by block, through a linear-phase low pass (polyphase form: Crochiere,
-/// Rabiner, Multirate Digital Signal Processing, 1983).
+/// Changes the sampling rate of one channel, block by block, through a linear-phase low pass (polyphase form:
+/// Crochiere, Rabiner, Multirate Digital Signal Processing, 1983).
 ///
-/// Sample n of the output belongs to the instant n / new rate, counted from the input's first sample: nothing is delayed.
-/// The input is taken as zero before its beginning and after its end. The blocks never show in the result.
+/// Sample n of the output belongs to the instant n / new rate, counted from the input's first sample: nothing is
+/// delayed. The input is taken as zero before its beginning and after its end. The blocks never show in the result.
 class Resampler {
 public:
     explicit Resampler(RateRatio ratio) : Resampler(ratio, low_pass_for(ratio)) {}

@@ -67,21 +67,22 @@ private:
 /// Called as a recording is read, with the frames that are done.
 using Progress = std::function<void(std::uint64_t frames)>;
 
-/// Does the pieces of work 0 ... count - 1, which do not touch each other, and returns when all are done: the place to bring threads.
+/// Does the pieces of work 0 ... count - 1, which do not touch each other, and returns when all are done:
+/// the place to bring threads.
 using Runner = std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
 void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// Reads a recording to its end and analyses all channels; shape [channel]. The stretches and the overview of each channel
-/// are pieces of work for `run`, and so is reading on. With a `field` the channels in Pa get their sound quality, heard
-/// in it.
+/// Reads a recording to its end and analyses all channels; shape [channel]. The stretches and the overview of each
+/// channel are pieces of work for `run`, and so is reading on. With a `field` the channels in Pa get their sound
+/// quality, heard in it.
 ///
 /// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite
 /// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.
 std::vector<SoundAnalysis> analyse(Source& source, const Progress& progress = {},
                                    const Runner& run = one_after_the_other, std::optional<SoundField> field = {});
 
-/// The channel with the greatest level, of equals the first: channels may have different units, so that their levels are
-/// compared and not their samples. There is at least one.
+/// The channel with the greatest level, of equals the first: channels may have different units, so that their levels
+/// are compared and not their samples. There is at least one.
 std::size_t loudest(std::span<const SoundAnalysis> channels);
 
 }  // namespace stridor::signal

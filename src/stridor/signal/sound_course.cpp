@@ -46,7 +46,8 @@ struct Cycle {
     double interval = 0.0;  // [s]
 };
 
-// The greatest autocorrelation of an envelope beyond its first fall below a tenth, at lags that repeat at least five times.
+// The greatest autocorrelation of an envelope beyond its first fall below a tenth,
+// at lags that repeat at least five times.
 Cycle cycle_of(std::span<const double> values) {
     const std::vector<double> envelope = without_drift(values);
     const auto likeness = [&](std::size_t lag) {
@@ -112,8 +113,8 @@ std::vector<double> smoothed(std::vector<double> values) {
     return values;
 }
 
-// instants at which the envelope rises above a third of its peak, or twice its effective value if that is less, at least
-// 2 ms after it was above last
+// instants at which the envelope rises above a third of its peak, or twice its effective value if that is less, at
+// least 2 ms after it was above last
 std::vector<double> rises_of(std::span<const double> envelope) {
     std::vector<double> rises;
     if (envelope.empty()) return rises;

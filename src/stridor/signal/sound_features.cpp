@@ -1,5 +1,5 @@
-// Frames of about 85 ms, Hann, half overlapped, give spectra P_j(f) and their mean P(f). The floor φ is what a broadband
-// background adds: the lowest median over equal bands. What stands out of it is kept by the gain
+// Frames of about 85 ms, Hann, half overlapped, give spectra P_j(f) and their mean P(f). The floor φ is what a
+// broadband background adds: the lowest median over equal bands. What stands out of it is kept by the gain
 //     G(f) = max(0, 1 - e φ / P(f)),  0 below 40 Hz,
 // with e so that one bin of noise in ten thousand passes,
 // once in the spectrum, for everything about tones, and once in time, frame by frame, for everything about shape.
@@ -71,7 +71,8 @@ Peak summit(double left, double centre, double right) {
     return {shift, centre - 0.25 * (left - right) * shift};
 }
 
-// place of the strongest line within bins [from, to), from the logarithms of three bins, in which Hann's line is a parabola
+// place of the strongest line within bins [from, to), from the logarithms of three bins,
+// in which Hann's line is a parabola
 double line_place(std::span<const double> power, std::size_t from, std::size_t to) {
     const auto top = std::max_element(power.begin() + static_cast<std::ptrdiff_t>(from),
                                       power.begin() + static_cast<std::ptrdiff_t>(to));

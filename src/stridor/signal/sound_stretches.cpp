@@ -50,8 +50,8 @@ private:
     double second_ = 0.0;
 };
 
-// The number of parts after which the sustained level jumps first: where the jump is largest of its surroundings. All of
-// the `longest` parts if it does not jump; levels 60 dB below the loudest part are all the same.
+// The number of parts after which the sustained level jumps first: where the jump is largest of its surroundings. All
+// of the `longest` parts if it does not jump; levels 60 dB below the loudest part are all the same.
 std::size_t cut_after(std::span<const double> squares, std::size_t longest) {
     const double least = 1e-6 * *std::max_element(squares.begin(), squares.end());
     double best = 0.0;

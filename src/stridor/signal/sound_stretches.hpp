@@ -11,12 +11,12 @@ namespace stridor::signal {
 /// The longest stretch that is described as one [s].
 inline constexpr double longest_stretch = 0.5;
 
-/// Cuts one channel into stretches as its samples come, and describes each. What it keeps grows with a few hundred bytes
-/// per half second.
+/// Cuts one channel into stretches as its samples come, and describes each. What it keeps grows with a few hundred
+/// bytes per half second.
 ///
-/// The sound is cut wherever its sustained level, the median over twelve parts of 5 ms, changes by more than 6 dB, and at
-/// the latest after half a second. A median of 60 ms does not see impulses, so they stay in the stretch they belong to;
-/// the going and coming phases of a rig fall into stretches of their own.
+/// The sound is cut wherever its sustained level, the median over twelve parts of 5 ms, changes by more than 6 dB, and
+/// at the latest after half a second. A median of 60 ms does not see impulses, so they stay in the stretch they belong
+/// to; the going and coming phases of a rig fall into stretches of their own.
 class StretchFinder {
 public:
     explicit StretchFinder(double rate);

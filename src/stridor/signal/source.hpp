@@ -35,8 +35,8 @@ public:
     /// Fills `frames` with the next samples in the channels' units, shape [frame][channel], and returns how many frames
     /// it could fill: fewer than fit only at the end, where it returns 0.
     ///
-    /// The span holds a whole number of frames. Throws `Error` (input) for a damaged file and `Error` (io) where reading
-    /// fails.
+    /// The span holds a whole number of frames. Throws `Error` (input) for a damaged file and `Error` (io) where
+    /// reading fails.
     virtual std::size_t read(std::span<double> frames) = 0;
 };
 

@@ -20,8 +20,8 @@ struct Spectrogram {
     std::size_t columns() const { return rows == 0 ? 0 : density.size() / rows; }
 };
 
-/// Gathers the frames of a `Welch` into a spectrogram of bounded size: lines are averaged into at most `most_rows` rows, and
-/// whenever there are too many columns, neighbours are averaged and columns become twice as long.
+/// Gathers the frames of a `Welch` into a spectrogram of bounded size: lines are averaged into at most `most_rows`
+/// rows, and whenever there are too many columns, neighbours are averaged and columns become twice as long.
 class Spectrograph {
 public:
     Spectrograph(double spacing, double hop, std::size_t lines);  // [Hz], [s], [1]

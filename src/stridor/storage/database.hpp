@@ -29,10 +29,10 @@ struct Words {
 
 /// Whose the file is while it is open.
 ///
-/// `alone`: the lock is taken by the first `Transaction` and kept until the database is closed, so that a second process
-/// is refused and can never change the file between two transactions; of several that begin at once one gets it, if
-/// they wait longer than a lock takes to be got. `shared`: the lock lasts as long as a transaction, and others wait
-/// for it.
+/// `alone`: the lock is taken by the first `Transaction` and kept until the database is closed, so that a second
+/// process is refused and can never change the file between two transactions; of several that begin at once one gets
+/// it, if they wait longer than a lock takes to be got. `shared`: the lock lasts as long as a transaction, and others
+/// wait for it.
 enum class Ownership { alone, shared };
 
 /// What becomes of a file that is not there.

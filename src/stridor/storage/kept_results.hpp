@@ -24,9 +24,9 @@ inline constexpr Identity kept_results_identity{0x5354524b, 1};
 /// of the last half second at most. Each page has a checksum.
 class KeptResults {
 public:
-    /// Opens the results of this computation, or begins the file. `what` is all that decides them; `word` is what messages
-    /// call the file. Throws `Error`: input if it is something else or another computation's, io if another process has
-    /// it open or it cannot be read or written.
+    /// Opens the results of this computation, or begins the file. `what` is all that decides them; `word` is what
+    /// messages call the file. Throws `Error`: input if it is something else or another computation's, io if another
+    /// process has it open or it cannot be read or written.
     KeptResults(const std::filesystem::path& file, std::string what, std::string word);
 
     /// Writes what is not written yet.

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-/// What the system's calls for files leave to their callers: writing everything, flushing, and saying in words what failed.
-/// `shown` is what errors call the file.
+/// What the system's calls for files leave to their callers: writing everything, flushing, and saying in words what
+/// failed. `shown` is what errors call the file.
 namespace stridor::storage {
 
 /// An open file, closed on the way out.
@@ -36,8 +36,8 @@ Error system_failure(const std::string& doing, const std::string& shown, int cod
 /// Writes all bytes; throws `Error` (io).
 void write_all(int descriptor, std::string_view bytes, const std::string& shown);
 
-/// Brings an open file to the disk; throws `Error` (io). Some file systems cannot, which is no error: there the rename is
-/// all that can be had.
+/// Brings an open file to the disk; throws `Error` (io). Some file systems cannot, which is no error: there the rename
+/// is all that can be had.
 void flush(int descriptor, const std::string& shown);
 
 /// The same for the names in a folder.

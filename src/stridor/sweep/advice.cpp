@@ -29,8 +29,8 @@ bool concerns_the_same(const DesignChange& a, const DesignChange& b) {
                       [](const auto& x, const auto& y) { return x.parameter == y.parameter; });
 }
 
-// About how many runs each stage takes: medians of the cases of Table 1 and the soft parts. What deviates shows in the display
-// of progress alone, as a share that waits at the end of a stage or skips to it.
+// About how many runs each stage takes: medians of the cases of Table 1 and the soft parts. What deviates shows in the
+// display of progress alone, as a share that waits at the end of a stage or skips to it.
 std::array<double, advice_stage_names.size()> expected_runs(std::size_t parameters, std::size_t samples) {
     constexpr double runs_per_margin = 65.0;
     constexpr double runs_per_direction = 500.0;  // of the search for the nearest design, up to five directions

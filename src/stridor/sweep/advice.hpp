@@ -52,8 +52,8 @@ struct Advice {
     std::size_t runs = 0;  // [1] simulated designs
 };
 
-/// Advice on a case: the same for every number of threads. Throws `Error` (input) for what is wrong with case and options,
-/// and (interrupted) when stopped.
+/// Advice on a case: the same for every number of threads. Throws `Error` (input) for what is wrong with case and
+/// options, and (interrupted) when stopped.
 Advice advise(const parameters::Case& c, const AdviceOptions& options = {});
 
 /// The change as options of the command line: "--set contact.preload=12 --set ...".

@@ -55,7 +55,8 @@ struct Side {
     Node node;
 };
 
-// joins the crossings of one pair in the square above and right of a cell; they come in the order lower, right, upper, left
+// joins the crossings of one pair in the square above and right of a cell; they come in the order
+// lower, right, upper, left
 void join(Links& links, const std::vector<Node>& crossings, const Node& middle, bool lower_left_holds_together) {
     STRIDOR_EXPECT(crossings.size() == 1 || crossings.size() == 2 || crossings.size() == 4);
     if (crossings.size() == 1) return link(links, crossings[0], middle);

@@ -9,10 +9,10 @@
 
 /// Lines between the categories of a chart.
 ///
-/// The verdict is known at the cells' values only, so a boundary is known to lie between two neighbours that differ, and is
-/// taken to cross their connection in the middle. Within each square of four neighbouring cells the crossings of one
-/// pair of verdicts are joined (marching squares); where three or four verdicts meet in a square, their lines meet in its
-/// middle. Where two areas touch across a square's diagonals, the one whose verdict comes later in the order
+/// The verdict is known at the cells' values only, so a boundary is known to lie between two neighbours that differ,
+/// and is taken to cross their connection in the middle. Within each square of four neighbouring cells the crossings of
+/// one pair of verdicts are joined (marching squares); where three or four verdicts meet in a square, their lines meet
+/// in its middle. Where two areas touch across a square's diagonals, the one whose verdict comes later in the order
 /// none, squeal, squeak, creak, undecided, then without a category, is taken to hold together.
 namespace stridor::sweep {
 

@@ -31,8 +31,8 @@ struct CellSound {
     classification::SoundProfile profile{};
 };
 
-/// Simulates a cell, from the first of the study's starts if it has any, and listens to it as to a recording of its phases put
-/// one after the other (`sound_of_run`); nothing if it was stopped.
+/// Simulates a cell, from the first of the study's starts if it has any, and listens to it as to a recording of its
+/// phases put one after the other (`sound_of_run`); nothing if it was stopped.
 ///
 /// What goes wrong with the physics or the numbers becomes the status, as in `evaluate_run`.
 std::optional<CellSound> sound_of_cell(const Study& study, std::size_t index, const CellListening& listening,

@@ -47,7 +47,8 @@ public:
     DesignRunner(const DesignRunner&) = delete;
     DesignRunner& operator=(const DesignRunner&) = delete;
 
-    /// The verdicts of designs, in their order, whatever the number of threads. Throws `Error` (interrupted) when stopped.
+    /// The verdicts of designs, in their order, whatever the number of threads.
+    /// Throws `Error` (interrupted) when stopped.
     std::vector<DesignVerdict> judge(const DesignSpace& space, std::span<const Shares> designs);
     std::vector<DesignVerdict> judge(const DesignSpace& space, std::span<const parameters::Case> cases);
 

@@ -14,10 +14,10 @@
 
 /// The designs around a case: which of its quantities may be changed, how far, and how each changed case is judged.
 ///
-/// A design is a point of a box. Its coordinates are *shares*: 0 at one end of a parameter's range and 1 at the other, on the
-/// scale of the range, so that equal steps are equal differences on a linear scale and equal ratios on a logarithmic one.
-/// The distance of two designs is the Euclidean one of their shares: how far a designer has to go, measured by how far
-/// designers go. docs/methods/advice.md says why.
+/// A design is a point of a box. Its coordinates are *shares*: 0 at one end of a parameter's range and 1 at the other,
+/// on the scale of the range, so that equal steps are equal differences on a linear scale and equal ratios on a
+/// logarithmic one. The distance of two designs is the Euclidean one of their shares: how far a designer has to go,
+/// measured by how far designers go. docs/methods/advice.md says why.
 namespace stridor::sweep {
 
 /// A quantity that may be changed, and between which values.
@@ -56,12 +56,12 @@ struct AskedRange {
 /// `parameters::quantity_named`, which also throws `Error` (input) if the field changes nothing in this case.
 const parameters::Field& quantity_named(const parameters::Case& c, std::string_view name);
 
-/// The space of the ranges asked for, all of them free, or, if there are none, of all quantities that have a usual range
-/// and belong to the case. Of these the drive is not free: a product has to bear how it is moved, so its margins are of
-/// interest, but advice to move it otherwise is not. A range is widened to hold the case's own value.
+/// The space of the ranges asked for, all of them free, or, if there are none, of all quantities that have a usual
+/// range and belong to the case. Of these the drive is not free: a product has to bear how it is moved, so its margins
+/// are of interest, but advice to move it otherwise is not. A range is widened to hold the case's own value.
 ///
-/// Throws `Error` (input) for a name that is none or comes twice, for ends out of the field's range or order, for a quantity
-/// without a usual range whose ends are not given, and for a case with `parameters::findings`.
+/// Throws `Error` (input) for a name that is none or comes twice, for ends out of the field's range or order, for a
+/// quantity without a usual range whose ends are not given, and for a case with `parameters::findings`.
 DesignSpace design_space(const parameters::Case& c, std::span<const AskedRange> asked = {});
 
 /// The case at a point of the box. Parameters that stay at the origin keep their bits.

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-/// What a diagram over one parameter shows of each cell beside its category: how far the joint moves to and fro, and how
-/// long its beats are (a bifurcation diagram).
+/// What a diagram over one parameter shows of each cell beside its category: how far the joint moves to and fro, and
+/// how long its beats are (a bifurcation diagram).
 namespace stridor::sweep {
 
 /// Values closer than this share [1] of what a cell's values span are one: they cannot be told apart on paper.
@@ -31,9 +31,9 @@ struct DiagramOptions {
     std::function<void(double share)> progress{};  // from any thread, one at a time
 };
 
-/// The diagram of a finished sweep over one axis; shape [cell], empty ones where a cell has no result or the contact sticks for good. Each cell is run
-/// again with its trace, sampled every 20 us or 200,000 times, from the start that it shows. The same for any number of
-/// threads. Throws `Error` (interrupted) when stopped.
+/// The diagram of a finished sweep over one axis; shape [cell], empty ones where a cell has no result or the contact
+/// sticks for good. Each cell is run again with its trace, sampled every 20 us or 200,000 times, from the start that it
+/// shows. The same for any number of threads. Throws `Error` (interrupted) when stopped.
 std::vector<DiagramCell> diagram(const SweepResult& result, const DiagramOptions& options);
 
 /// All that decides a diagram, as text: for what is kept of it.

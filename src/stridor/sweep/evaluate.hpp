@@ -28,8 +28,8 @@ std::optional<Attempt> attempt(const parameters::Case& c, const record::Request&
 /// What is kept of one direction of a run: its verdict by contact states and its figures.
 Cell cell_of(const parameters::Case& c, parameters::Direction direction, const Attempt& attempt);
 
-/// Computes the cells that one run gives, `directions_per_run` of them, the first having this index; none at all if it was
-/// stopped.
+/// Computes the cells that one run gives, `directions_per_run` of them, the first having this index; none at all if it
+/// was stopped.
 ///
 /// A constant drive is run once per direction, any other once, with its going and coming phases as the cells; all that
 /// once per start of `study.starts`, if it has any, and a cell then shows its loudest start (starts.hpp). What goes

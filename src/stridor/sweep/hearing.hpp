@@ -17,8 +17,8 @@
 #include <string_view>
 #include <vector>
 
-/// The verdict by ear held against the verdict by contact states of the same run: what a motion sounds like, judged from
-/// its sound alone. docs/methods/sound.md, section 6.
+/// The verdict by ear held against the verdict by contact states of the same run: what a motion sounds like, judged
+/// from its sound alone. docs/methods/sound.md, section 6.
 namespace stridor::sweep {
 
 /// What a recording may do to a sound before it is judged.
@@ -39,8 +39,8 @@ signal::Signal perturbed(signal::Signal sound, const Perturbation& perturbation,
 
 /// How motions are made audible and judged.
 struct HearingSettings {
-    // the joint's velocity along the plate; its stretches follow from each case. What folds back at this density lies 92 dB
-    // below the tone (docs/methods/auralisation.md).
+    // the joint's velocity along the plate; its stretches follow from each case. What folds back at this density lies
+    // 92 dB below the tone (docs/methods/auralisation.md).
     signal::AuralisationSettings sound{.fade = 0.0, .density = 8};
     parameters::SoundThresholds thresholds{};
     std::optional<std::uint64_t> seed{};  // of the noise; nothing: the sounds are not perturbed
@@ -59,8 +59,8 @@ struct HeardSound {
 /// Runs a case and judges each direction by its contact states and, from the sound of the same motion, by ear; shape
 /// [direction], or empty if it was stopped. The index is left to the caller.
 ///
-/// Of a constant drive the window is heard, from which the contact-state verdict is made too; of any other each phase as a
-/// whole, described by itself, as a stretch without fades (`sound_of_run`). Throws what `check_audible` throws.
+/// Of a constant drive the window is heard, from which the contact-state verdict is made too; of any other each phase
+/// as a whole, described by itself, as a stretch without fades (`sound_of_run`). Throws what `check_audible` throws.
 std::vector<HeardSound> hear(const parameters::Case& c, std::span<const parameters::Direction> directions,
                              const HearingSettings& settings, const std::stop_token& stop,
                              integration::Workspace& workspace);

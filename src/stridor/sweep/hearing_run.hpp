@@ -26,11 +26,11 @@ struct HearingOptions {
 /// All that decides what is heard of a study, as text: for what is kept of it.
 std::string heard_text(const Study& study, const HearingOptions& options);
 
-/// Judges every cell of a study by its contact states and by ear; in index order, empty if it was stopped. What is kept is
-/// not heard again.
+/// Judges every cell of a study by its contact states and by ear; in index order, empty if it was stopped. What is kept
+/// is not heard again.
 ///
-/// The same result for any number of threads. A study's refinement is not looked at: every cell is heard. Throws `Error` (input)
-/// for a study with several starts, of which one could be heard only, and what `check_audible` throws.
+/// The same result for any number of threads. A study's refinement is not looked at: every cell is heard. Throws
+/// `Error` (input) for a study with several starts, of which one could be heard only, and what `check_audible` throws.
 std::vector<HeardSound> hear(const Study& study, const HearingOptions& options);
 
 }  // namespace stridor::sweep

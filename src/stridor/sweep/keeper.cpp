@@ -11,8 +11,8 @@ namespace stridor::sweep {
 
 namespace {
 
-// per cell the nearest of the cells that are there, direction by direction; distance is the larger one of the grid steps
-// in x and y
+// per cell the nearest of the cells that are there, direction by direction; distance is the larger one of the grid
+// steps in x and y
 std::vector<std::size_t> nearest(const Study& study, const std::vector<bool>& there) {
     const std::size_t columns = static_cast<std::size_t>(study.x.points);
     const std::size_t points = columns * static_cast<std::size_t>(study.y.points);

@@ -57,8 +57,8 @@ private:
 /// `Error` (interrupted) if cells are missing.
 SweepResult load(const Study& study, std::shared_ptr<CellKeeper> keeper);
 
-/// A sweep that is not finished: each cell that is not there takes after the nearest one that is (in grid steps; of equally
-/// near ones the first). At least one cell of each direction must be there.
+/// A sweep that is not finished: each cell that is not there takes after the nearest one that is (in grid steps; of
+/// equally near ones the first). At least one cell of each direction must be there.
 SweepResult provisional(const Study& study, std::shared_ptr<CellKeeper> keeper);
 
 }  // namespace stridor::sweep

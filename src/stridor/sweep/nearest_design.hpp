@@ -12,10 +12,11 @@
 /// The nearest design that behaves in a certain way, several parameters changed at once.
 ///
 /// A search without promise of the very nearest, but the same on every machine and for every number of threads:
-///  1. rays from the present design, in directions that are asked for and towards points of a Sobol sequence around it that
-///     behave so, are followed at `ray_points` equal steps, and the first place where it behaves so is bisected;
+///  1. rays from the present design, in directions that are asked for and towards points of a Sobol sequence around it
+///     that behave so, are followed at `ray_points` equal steps, and the first place where it behaves so is bisected;
 ///  2. the nearest few are polished: of the directions that differ from its own in one parameter, those that behave so
-///     at a radius smaller by 3 % are bisected, and the best is taken; where there is none, smaller differences are tried.
+///     at a radius smaller by 3 % are bisected, and the best is taken; where there is none,
+///     smaller differences are tried.
 /// Where the boundary is flat, of intercepts dᵢ with the axes, its nearest point lies in the direction 1/dᵢ.
 namespace stridor::sweep {
 

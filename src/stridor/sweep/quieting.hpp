@@ -10,12 +10,13 @@
 #include <span>
 #include <vector>
 
-/// The smallest change of a design that makes every phase quiet, and lets the contact slip: a contact that sticks throughout
-/// is quiet, too, but does no longer rub. Only where nothing else helps is such a change told.
+/// The smallest change of a design that makes every phase quiet, and lets the contact slip: a contact that sticks
+/// throughout is quiet, too, but does no longer rub. Only where nothing else helps is such a change told.
 ///
-/// A change goes at least `safety` beyond the place where the design begins to be quiet, to a number with few digits, and is
-/// *verified*: the changed design was run and is quiet, from every start (run.initial), and so is each one around it, with
-/// every changed value `neighbourhood` less and more in all combinations. What cannot be verified is not told.
+/// A change goes at least `safety` beyond the place where the design begins to be quiet, to a number with few
+/// digits, and is *verified*: the changed design was run and is quiet, from every start (run.initial), and so is
+/// each one around it, with every changed value `neighbourhood` less and more in all combinations. What cannot be
+/// verified is not told.
 namespace stridor::sweep {
 
 /// A change goes so far beyond the boundary, at least [1, share of the range].
@@ -52,8 +53,8 @@ enum class Sticking { refused, accepted };
 std::vector<DesignChange> single_changes(const DesignSpace& space, std::span<const ParameterMargin> margins,
                                          Sticking sticking, DesignRunner& runner);
 
-/// The smallest changes of two and of three free parameters that let it slip quietly, if there are any; `nearest` is the
-/// nearest such design.
+/// The smallest changes of two and of three free parameters that let it slip quietly, if there are any; `nearest` is
+/// the nearest such design.
 std::vector<DesignChange> joint_changes(const DesignSpace& space, std::span<const ParameterMargin> margins,
                                         const std::optional<NearestDesign>& nearest, DesignRunner& runner);
 

@@ -9,11 +9,11 @@
 
 /// Refinement: a chart is computed closely only where its cells differ.
 ///
-/// A quadtree on the chart's own grid, for each direction, or for both where one run gives both. The base grid takes every
-/// 2^refine-th point of x and of y, and the last of each; four neighbours are the corners of a block. A block is split in
-/// four (the middles of its edges and its own are computed) as long as it can be and
-///  1. two points computed in it or on its edge differ, be it in status, category, agreement of the starts, or in the kind
-///     of stability of steady sliding, which changes where flutter sets in;
+/// A quadtree on the chart's own grid, for each direction, or for both where one run gives both. The base grid takes
+/// every 2^refine-th point of x and of y, and the last of each; four neighbours are the corners of a block. A block is
+/// split in four (the middles of its edges and its own are computed) as long as it can be and
+///  1. two points computed in it or on its edge differ, be it in status, category, agreement of the starts, or in the
+///     kind of stability of steady sliding, which changes where flutter sets in;
 ///  2. that holds for corners; for the points that a neighbour's split put on a shared edge, so that a boundary is
 ///     followed from block to block; and for probes: where the corners of a block agree, its middle is computed all the
 ///     same, to find islands.

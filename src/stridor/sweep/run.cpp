@@ -142,8 +142,8 @@ RunReport run(const Study& study, CellKeeper& keeper, const RunOptions& options)
     Ledger ledger(study, keeper, options);
     std::vector<std::size_t> missing = refine(study, ledger.marks()).missing;
     ledger.expect(missing.size() * directions_per_run(study));
-    // a complete chart has one round, a refined one as many as its boundaries take to be followed; cells are written when
-    // enough of them or of time has gathered, for a write waits for the disk
+    // a complete chart has one round, a refined one as many as its boundaries take to be followed; cells are written
+    // when enough of them or of time has gathered, for a write waits for the disk
     while (!missing.empty()) {
         Workers workers(study, missing, options.threads, options.stop);
         while (!workers.have_ended())

@@ -11,7 +11,8 @@ namespace {
 constexpr std::size_t digits = 32;
 constexpr std::size_t most_degree = 7;
 
-// one line of the table of Joe and Kuo: a primitive polynomial x^s + a1 x^(s-1) + ... + 1 and the first direction numbers
+// one line of the table of Joe and Kuo: a primitive polynomial x^s + a1 x^(s-1) + ... + 1 and the
+// first direction numbers
 struct Line {
     unsigned degree = 0;                             // s
     unsigned coefficients = 0;                       // a, the bits a1 ... a(s-1)

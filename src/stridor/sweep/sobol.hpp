@@ -6,14 +6,14 @@
 
 /// Points that fill a box more evenly than chance does: Sobol's sequence, randomised.
 ///
-/// The first 2^m points of the sequence have exactly one in each interval [k, k + 1) 2^-m of every coordinate. A *digital
-/// shift* adds a random number without carry (exclusive or) to all points of a coordinate: each point is then evenly spread
-/// over the box, so that a mean over them is unbiased, while together they stay as even as they were. The spread of the
-/// means over several independent shifts, *replicates*, says how well the mean is known.
+/// The first 2^m points of the sequence have exactly one in each interval [k, k + 1) 2^-m of every coordinate. A
+/// *digital shift* adds a random number without carry (exclusive or) to all points of a coordinate: each point is then
+/// evenly spread over the box, so that a mean over them is unbiased, while together they stay as even as they were. The
+/// spread of the means over several independent shifts, *replicates*, says how well the mean is known.
 ///
 /// Sources: I. M. Sobol', "On the distribution of points in a cube and the approximate evaluation of integrals", USSR
-/// Comput. Math. Math. Phys. 7 (1967); direction numbers of S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better
-/// two-dimensional projections", SIAM J. Sci. Comput. 30 (2008), new-joe-kuo-6; digital shifts: P. L'Ecuyer and
+/// Comput. Math. Math. Phys. 7 (1967); direction numbers of S. Joe and F. Y. Kuo, "Constructing Sobol sequences with
+/// better two-dimensional projections", SIAM J. Sci. Comput. 30 (2008), new-joe-kuo-6; digital shifts: P. L'Ecuyer and
 /// C. Lemieux, "Recent advances in randomized quasi-Monte Carlo methods" (2002).
 namespace stridor::sweep {
 

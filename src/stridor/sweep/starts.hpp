@@ -13,8 +13,8 @@
 ///
 /// A contact may have several motions, and which one it ends in depends on how it began. A cell shows the motion of its
 /// loudest start, by what speaks for noise: none, then no result, undecided, creak, squeak, squeal; of equals the first
-/// start. So a cell is `none` only where every start is. The order of the noises is one of evidence, from the motion whose
-/// pattern is least established to the most regular one; it is not one of sound pressure.
+/// start. So a cell is `none` only where every start is. The order of the noises is one of evidence, from the motion
+/// whose pattern is least established to the most regular one; it is not one of sound pressure.
 namespace stridor::sweep {
 
 /// The names of starts, by parameters::Initial: the choices of run.initial.

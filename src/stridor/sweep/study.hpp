@@ -51,8 +51,8 @@ Axis resting_axis(const parameters::Case& c, const Axis& x);
 /// Does x alone vary?
 bool has_one_axis(const Study& study);
 
-/// The base case's own value of an axis' quantity; of the velocity of a constant drive its magnitude, for the directions
-/// give its sign.
+/// The base case's own value of an axis' quantity; of the velocity of a constant drive its magnitude, for the
+/// directions give its sign.
 double own_value(const Study& study, const Axis& axis);
 
 /// Do the base case's own values lie within both axes?
@@ -77,19 +77,21 @@ std::size_t index_of(const Study& study, const CellPlace& place);
 /// The case of one cell: the base case with the axes' values, the direction and the start put in.
 parameters::Case case_at(const Study& study, const CellPlace& place);
 
-/// Throws `Error` (input) for an axis that is no quantity of this case, has an end outside its range, does not rise, has
-/// too few or too many points or a logarithm of something not positive; for two equal axes, no direction or the same
-/// twice, a start twice, an unknown quantity to draw, a refinement beyond `most_refinement`; and for what is wrong with the case in every cell, whatever the axes say.
+/// Throws `Error` (input) for an axis that is no quantity of this case, has an end outside its range, does not rise,
+/// has too few or too many points or a logarithm of something not positive; for two equal axes, no direction or the
+/// same twice, a start twice, an unknown quantity to draw, a refinement beyond `most_refinement`; and for what is wrong
+/// with the case in every cell, whatever the axes say.
 void check(const Study& study);
 
-/// A quick look at a study: at most 64 by 64 points, refined; of a constant drive a quarter of the simulated time, judged
-/// by its later half; of a sinusoidal one the first two periods. Cells near boundaries, whose motion settles late or is
-/// irregular, may get another verdict.
+/// A quick look at a study: at most 64 by 64 points, refined; of a constant drive a quarter of the simulated time,
+/// judged by its later half; of a sinusoidal one the first two periods. Cells near boundaries, whose motion settles
+/// late or is irregular, may get another verdict.
 Study preview(Study study);
 
 /// All that decides the results, as lines of "key = value": the canonical case without the two quantities that the axes
-/// set, then the axes and the directions, and the refinement and the starts if there are any. A store belongs to exactly one such text. The title and the quantities to
-/// draw are not in it, nor the sign of a constant drive's velocity: the directions give it.
+/// set, then the axes and the directions, and the refinement and the starts if there are any. A store belongs to
+/// exactly one such text. The title and the quantities to draw are not in it, nor the sign of a constant drive's
+/// velocity: the directions give it.
 std::string canonical_text(const Study& study);
 
 /// The command that runs one cell alone: "stridor simulate FILE --set contact.preload=20 ...", bit for bit, since

@@ -41,8 +41,8 @@ struct Tolerance {
     Spread spread = Spread::uniform;
 };
 
-/// The tolerances of a case. Throws `Error` (input) for names, for amounts that are none, for what would leave the range of
-/// the field, and for more than `most_sobol_dimensions`.
+/// The tolerances of a case. Throws `Error` (input) for names, for amounts that are none, for what would leave the
+/// range of the field, and for more than `most_sobol_dimensions`.
 std::vector<Tolerance> tolerances(const parameters::Case& c, std::span<const AskedTolerance> asked);
 
 /// The value with a cumulative probability of 0 < p < 1; the same bits on every machine.
@@ -60,12 +60,12 @@ inline constexpr std::size_t replicates = 16;
 
 inline constexpr double confidence = 0.95;
 
-/// The share of samples with a property, from how many had it in each replicate (shape [replicate], `replicates` of them)
-/// out of `samples` per replicate.
+/// The share of samples with a property, from how many had it in each replicate (shape [replicate], `replicates` of
+/// them) out of `samples` per replicate.
 ///
-/// Interval: Student's t over the means of the replicates. Where 30 samples or fewer had the property, or lacked it, those
-/// means are too coarse for it, and the interval is that of Clopper and Pearson (1934) for independent samples, which are
-/// not spread more evenly; where all means are equal, that of Wilson (1927).
+/// Interval: Student's t over the means of the replicates. Where 30 samples or fewer had the property, or lacked it,
+/// those means are too coarse for it, and the interval is that of Clopper and Pearson (1934) for independent samples,
+/// which are not spread more evenly; where all means are equal, that of Wilson (1927).
 Estimate estimate(std::span<const std::size_t> hits, std::size_t samples);
 
 struct ChanceOptions {

@@ -24,8 +24,8 @@ class Workers {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// Starts on the runs, known by the index of their first cell (`evaluate_run`), which must outlive this as the study
-    /// must, with so many threads; 0: one per processor this process may use.
+    /// Starts on the runs, known by the index of their first cell (`evaluate_run`), which must outlive this as the
+    /// study must, with so many threads; 0: one per processor this process may use.
     Workers(const Study& study, std::span<const std::size_t> runs, int threads, std::stop_token stop);
     ~Workers();
     Workers(const Workers&) = delete;

@@ -11,7 +11,8 @@
 
 namespace stridor::fuzz {
 
-/// Opens bytes as a recording and reads it to its end; `open` takes the input. A byte holds `most_per_byte` frames at most.
+/// Opens bytes as a recording and reads it to its end; `open` takes the input. A byte holds
+/// `most_per_byte` frames at most.
 template <typename Open>
 void read_signal(std::string_view bytes, Open open, std::uint64_t most_per_byte = 1) {
     try {

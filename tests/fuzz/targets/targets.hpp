@@ -4,8 +4,9 @@
 #include <cstdlib>
 #include <string_view>
 
-/// Readers of bytes that nobody vouches for. Each returns, whatever it is given: an `Error` of the user's kind is an end as good
-/// as a value, anything else is a finding. libFuzzer drives them (`./dev fuzz`), the tests replay the corpus.
+/// Readers of bytes that nobody vouches for. Each returns, whatever it is given: an `Error` of the user's
+/// kind is an end as good as a value, anything else is a finding. libFuzzer drives them (`./dev fuzz`), the
+/// tests replay the corpus.
 namespace stridor::fuzz {
 
 void signal_csv(std::string_view bytes);

@@ -91,7 +91,8 @@ RC_GTEST_PROP(Alternation, OfAnyPatternRepeatsAtItsLength, ()) {
 
 RC_GTEST_PROP(Alternation, OfARandomSequenceIsIrregular, ()) {
     const Alternation result = alternation(tally_with(random_intervals(400)));
-    // |d - d'| of a Poisson process is one mean interval on average, 1/20 its scatter over 400: m = 1 +- 0.05 at each lag
+    // |d - d'| of a Poisson process is one mean interval on average, 1/20 its scatter over 400:
+    // m = 1 +- 0.05 at each lag
     RC_ASSERT(result.regularity < 0.3);
     RC_ASSERT(result.repetition < 0.4);
     RC_ASSERT(result.lag == 1);

@@ -77,7 +77,8 @@ TEST(FrictionTrace, GivesBackTheCoefficientsOfTheBelt) {
     }
 }
 
-// What a rig measures, no slip lying so close before a reversal that the force has no time to rise again: the force through the spring, with noise and a drifting preload, going and coming
+// What a rig measures, no slip lying so close before a reversal that the force has no time to rise again: the force
+// through the spring, with noise and a drifting preload, going and coming
 struct Rig {
     record::Record record;
     std::vector<double> force, velocity;

@@ -38,7 +38,8 @@ double value(const Polynomial& p, double tau) {
     return sum;
 }
 
-// tau^multiplicity quotient; a quotient up to degree 7 is its Bernstein form exactly: b_j = sum over k of C(j,k)/C(7,k) c_k
+// tau^multiplicity quotient; a quotient up to degree 7 is its Bernstein form exactly:
+// b_j = sum over k of C(j,k)/C(7,k) c_k
 double crossing(const Polynomial& quotient, int multiplicity = 0) {
     Lanes series[term_blocks]{};
     for (int k = 0; k < static_cast<int>(quotient.size()); ++k)

@@ -53,7 +53,8 @@ Sine sine_in(const Signal& signal) {
     return {amplitude, std::sqrt(std::max(0.0, energy - of_sine) / of_sine)};
 }
 
-/// A codec rounds: 1 % of the level, that of telephones 10 %; LAME takes 5 % off at low bit rates. `spare` [s] is what it may leave before and behind the sound.
+/// A codec rounds: 1 % of the level, that of telephones 10 %; LAME takes 5 % off at low bit rates. `spare` [s] is what
+/// it may leave before and behind the sound.
 void expect_sine(const std::string& name, double rate, double spare, double full_scale = 1.0) {
     const std::vector<Signal> found = all_of(fixture(name));
     ASSERT_EQ(found.size(), 1U) << name;

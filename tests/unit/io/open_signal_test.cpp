@@ -155,8 +155,8 @@ TEST(OpenSignal, HoldsWhatAHeaderClaimsAgainstTheFile) {
     EXPECT_TRUE(refusal("RIFF\x24\0\0\0WAVEfmt "s + std::string(20, '\0')));
 }
 
-// libsndfile is not ours, but what it makes of damage must still end well; not tried with Ogg, as its release 1.2.0 never
-// frees the decoder of an Ogg file that it refuses, and a sanitizer counts that
+// libsndfile is not ours, but what it makes of damage must still end well; not tried with Ogg, as its release 1.2.0
+// never frees the decoder of an Ogg file that it refuses, and a sanitizer counts that
 TEST(OpenSignal, SurvivesDamagedSoundFiles) {
     for (const char* name : {"scipy_16.wav", "sox_24.wav", "sox.flac", "sox.aiff", "sox.w64", "sox.au"}) {
         const std::string whole = read_file(fixture(name));

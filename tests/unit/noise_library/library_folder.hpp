@@ -52,8 +52,8 @@ inline std::set<std::string> files_of(const Library& library) {
     return names;
 }
 
-/// What is wrong with a library that was just opened: entries whose audio is missing or other bytes, files that no entry
-/// has; empty if nothing is.
+/// What is wrong with a library that was just opened: entries whose audio is missing or other bytes, files that no
+/// entry has; empty if nothing is.
 inline std::string broken_promise(Library& library, bool (*has_audio)(const Library&, const Entry&)) {
     std::set<std::string> expected;
     Query everything;

@@ -32,7 +32,8 @@ record::Record run_belt(const support::BeltRun& run) {
         .record;
 }
 
-// The undamped stick-slip cycle: v = V while sticking for 2 lambda / w0, then V cos - V lambda sin for 2 (pi - atan lambda) / w0
+// The undamped stick-slip cycle: v = V while sticking for 2 lambda / w0, then V cos - V lambda sin for 2
+// (pi - atan lambda) / w0
 struct BeltCycle {
     double w0, lambda, velocity;
 

@@ -76,7 +76,8 @@ double error_of(const Sawtooth& saw, const std::vector<double>& output, MotionQu
     return most / saw.fundamental(quantity);
 }
 
-// lines of the output that are no harmonics but fold back from the image about the input's rate, as a share of the fundamental
+// lines of the output that are no harmonics but fold back from the image about the input's rate,
+// as a share of the fundamental
 double largest_alias(const Sawtooth& saw, const std::vector<double>& output, int density, MotionQuantity quantity) {
     double largest = 0.0;
     const std::size_t count = output.size() - 2 * edge;

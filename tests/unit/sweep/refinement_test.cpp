@@ -258,7 +258,8 @@ TEST(Refinement, TakesTheNearestCornerAndTheFirstOfEquallyNearOnes) {
     EXPECT_EQ(outcome.sources[18], 24U);
 }
 
-// the base grid and the probes are spaced by s in rows that are shifted by s / 2: no place is farther than s / 2 from one
+// the base grid and the probes are spaced by s in rows that are shifted by s / 2:
+// no place is farther than s / 2 from one
 RC_GTEST_PROP(Refinement, FindsEveryIslandWiderThanTheBaseGridsStride, ()) {
     const Study study = square(33, 3);
     const int x = *whole_between(0, 32);
