@@ -28,10 +28,12 @@ export class AxisControls {
     unzoom: () => void,
     private readonly complain_: (error: unknown) => void,
   ) {
-    this.quantities_ = start.fields.filter((field): field is QuantityField => field.kind === "quantity" && field.usual !== null);
+    this.quantities_ =
+      start.fields.filter((field): field is QuantityField => field.kind === "quantity" && field.usual !== null);
     this.rows_ = { x: this.row_("x"), y: this.row_("y") };
     const figures = [["category", "category"], ...start.figures.map(({ name }) => [name, words(name)])];
-    this.figure_ = select("Shown in the chart", figures as [string, string][], (figure) => this.store_.update({ figure }), {
+    const show = (figure: string): void => this.store_.update({ figure });
+    this.figure_ = select("Shown in the chart", figures as [string, string][], show, {
       id: "figure",
     });
     this.element = h(
@@ -41,8 +43,10 @@ export class AxisControls {
       label("over", this.rows_.x.parameter),
       label("and", this.rows_.y.parameter),
       this.ends_(),
-      button("⇄", () => this.store_.update({ x: this.store_.state.y, y: this.store_.state.x }), { class: "icon", "aria-label": "Swap the axes", title: "Swap the axes" }),
-      button("⤢", unzoom, { id: "unzoom", class: "icon", "aria-label": "Unzoom", title: "Back to the last axes (double click, or - on the chart)" }),
+      button("⇄", () => this.store_.update({ x: this.store_.state.y, y: this.store_.state.x }),
+        { class: "icon", "aria-label": "Swap the axes", title: "Swap the axes" }),
+      button("⤢", unzoom, { id: "unzoom", class: "icon", "aria-label": "Unzoom",
+        title: "Back to the last axes (double click, or - on the chart)" }),
     );
   }
 
@@ -54,25 +58,31 @@ export class AxisControls {
 
   show(state: State, resolved: Case): void {
     const known = this.quantities_.filter(({ key }) => valueIn(resolved, key) !== undefined);
-    const options = known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")] as const);
+    const options =
+      known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")] as const);
     for (const name of ["x", "y"] as const) {
       const axis = state[name];
       const row = this.rows_[name];
-      const extra = known.some(({ key }) => key === axis.parameter) ? [] : [[axis.parameter, title(axis.parameter)] as const];
+      const extra = known.some(({ key }) => key === axis.parameter)
+        ? []
+        : [[axis.parameter, title(axis.parameter)] as const];
       setOptions(row.parameter, [...options, ...extra]);
       row.parameter.value = axis.parameter;
       row.scale.value = axis.scale;
       const unit = this.quantities_.find(({ key }) => key === axis.parameter)?.unit ?? "";
       for (const end of ["from", "to"] as const)
-        if (document.activeElement !== row[end]) row[end].value = unit === "1" ? plain(axis[end], 6) : quantity(axis[end], unit, 6);
+        if (document.activeElement !== row[end])
+          row[end].value = unit === "1" ? plain(axis[end], 6) : quantity(axis[end], unit, 6);
     }
     this.figure_.value = state.figure;
   }
 
   private row_(name: Name): AxisRow {
-    const parameter = select(`Parameter of the ${name} axis`, [], (key) => this.choose_(name, key), { id: `axis-${name}` });
+    const parameter = select(`Parameter of the ${name} axis`, [], (key) => this.choose_(name, key),
+      { id: `axis-${name}` });
     const end = (which: "from" | "to"): HTMLInputElement => {
-      const input = h("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${name} axis, ${which}`, id: `${name}-${which}` });
+      const input = h("input", { type: "text", inputmode: "decimal", autocomplete: "off",
+        "aria-label": `${name} axis, ${which}`, id: `${name}-${which}` });
       input.addEventListener("change", () => void this.move_(name, which, input));
       return input;
     };
@@ -89,12 +99,14 @@ export class AxisControls {
       const { from, to, scale } = this.rows_[name];
       return h("div", { class: "ends" }, h("b", {}, name), from, "to", to, scale);
     };
-    const points = select("Points of each axis", [16, 32, 64, 128].map((n) => [String(n), `${n} × ${n} cells`]), (value) => {
+    const sizes = [16, 32, 64, 128].map((n): [string, string] => [String(n), `${n} × ${n} cells`]);
+    const points = select("Points of each axis", sizes, (value) => {
       const { x, y } = this.store_.state;
       this.store_.update({ x: { ...x, points: Number(value) }, y: { ...y, points: Number(value) } });
     });
     points.value = "64";
-    return h("details", { class: "drop" }, h("summary", {}, "Range"), h("div", { class: "sheet" }, line("x"), line("y"), points));
+    return h("details", { class: "drop" }, h("summary", {}, "Range"),
+      h("div", { class: "sheet" }, line("x"), line("y"), points));
   }
 
   private choose_(name: Name, key: string): void {

@@ -80,7 +80,8 @@ export function symbolParts(symbol: string): [string, string] {
   return [head, below];
 }
 
-const lowered: Record<string, string> = { ...Object.fromEntries([..."0123456789"].map((d, i) => [d, "₀₁₂₃₄₅₆₇₈₉"[i] ?? d])) };
+const lowered: Record<string, string> =
+  { ...Object.fromEntries([..."0123456789"].map((d, i) => [d, "₀₁₂₃₄₅₆₇₈₉"[i] ?? d])) };
 
 /** A symbol as text, where nothing can be set lower: "μd", "k₁i". */
 export function symbolText(symbol: string): string {

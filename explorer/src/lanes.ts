@@ -92,7 +92,8 @@ export function paintLanes(surface: Surface, trees: Pyramids, view: LanesView): 
   paintBand(surface, trees.motion, view, inner);
   const room = (height - bandHeight - axisHeight) / Math.max(view.lanes.length, 1);
   paintTimes(surface, view, x);
-  view.lanes.forEach((lane, k) => paintLane(surface, trees, view, lane, { top: bandHeight + k * room + 6, height: room - 10, inner }));
+  view.lanes.forEach((lane, k) =>
+    paintLane(surface, trees, view, lane, { top: bandHeight + k * room + 6, height: room - 10, inner }));
   pen.lineWidth = 1;
   for (const [time, colour] of [[view.hover, view.palette.muted], [view.playhead, view.palette.accent]] as const) {
     if (time === null || time < view.span[0] || time > view.span[1]) continue;
@@ -223,8 +224,12 @@ function paintLane(surface: Surface, trees: Pyramids, view: LanesView, lane: Lan
   paintTitle(surface, view, lane, box, motion);
 }
 
-/** A bar per pixel from the smallest to the largest value, long enough to meet its neighbour: far cheaper than a path. */
-function fillParts(pen: CanvasRenderingContext2D, parts: Float32Array, y: (value: number) => number, step: number): void {
+/**
+ * A bar per pixel from the smallest to the largest value, long enough to meet its neighbour:
+ * far cheaper than a path.
+ */
+function fillParts(pen: CanvasRenderingContext2D, parts: Float32Array, y: (value: number) => number,
+    step: number): void {
   let [before, after] = [NaN, NaN]; // top and bottom of the last bar
   for (let part = 0; 2 * part < parts.length; ++part) {
     let top = y(parts[2 * part + 1] as number);

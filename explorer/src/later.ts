@@ -1,4 +1,7 @@
-/** What the page can do without at first: every view but the response, with its line plots, the sheet of keys, the tour. */
+/**
+ * What the page can do without at first: every view but the response, with its line plots,
+ * the sheet of keys, the tour.
+ */
 import { Energy } from "./energy.ts";
 import { Help } from "./help.ts";
 import { LibraryView } from "./library.ts";

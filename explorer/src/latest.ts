@@ -1,6 +1,6 @@
 /**
- * Work of which only the newest wish counts. At most one is in flight. What follows a moving slider is let go on until it
- * has shown something: if each wish ended the one before, a slider faster than the answers would never show one.
+ * Work of which only the newest wish counts. At most one is in flight. What follows a moving slider is let go on until
+ * it has shown something: if each wish ended the one before, a slider faster than the answers would never show one.
  */
 type Work<Wish> = (wish: Wish, signal: AbortSignal, shown: () => void) => Promise<void>;
 

@@ -37,7 +37,8 @@ export class Legend {
     const stops = Array.from({ length: 11 }, (_, k) => `rgb(${sequential(k / 10).join(" ")})`);
     bar.style.backgroundImage = `linear-gradient(to right, ${stops.join(", ")})`;
     this.element.replaceChildren(
-      h("span", { class: "entry" }, `${words(figure)}  ${unit.startsWith("dB") ? low.toFixed(1) : quantity(low, unit)}`),
+      h("span", { class: "entry" },
+        `${words(figure)}  ${unit.startsWith("dB") ? low.toFixed(1) : quantity(low, unit)}`),
       bar,
       h("span", { class: "entry" }, quantity(high, unit)),
       unit.startsWith("dB") ? h("span", { class: "muted" }, "vibration, not sound pressure") : "",

@@ -66,7 +66,8 @@ class Page {
     this.chart_ = new Chart(store, start_, (error) => this.complain_(error));
     this.mechanism_ = new Mechanism(this.clock_);
     const first = { response: new Response(store, this.motions_, this.clock_) };
-    this.views_ = new Views(store, first, async () => (await later()).viewsOf(store, start_), (view) => view !== "library" || start_.library);
+    this.views_ = new Views(store, first, async () => (await later()).viewsOf(store, start_),
+      (view) => view !== "library" || start_.library);
     this.motions_.listen(() => {
       const { motion } = this.motions_;
       if (motion && this.simulation_) this.mechanism_.show(motion, this.simulation_, store.state.direction);
@@ -87,11 +88,14 @@ class Page {
       { class: "tools" },
       this.tourButton_,
       new Share(this.store_, this.start_, this.chart_).element,
-      button("◐", () => this.nextTheme_(), { id: "theme", class: "icon", "aria-label": "Change the theme", title: "Theme: the system's, light, dark" }),
-      button("?", () => void this.help_(), { id: "help-button", class: "icon", "aria-label": "Keys", title: "Keys (?)" }),
+      button("◐", () => this.nextTheme_(),
+        { id: "theme", class: "icon", "aria-label": "Change the theme", title: "Theme: the system's, light, dark" }),
+      button("?", () => void this.help_(),
+        { id: "help-button", class: "icon", "aria-label": "Keys", title: "Keys (?)" }),
     );
     document.body.replaceChildren(
-      h("header", {}, h("h1", { title: `Stridor ${this.start_.version}` }, "Stridor"), this.verdict_.element, this.verdict_.announcement, tools),
+      h("header", {}, h("h1", { title: `Stridor ${this.start_.version}` }, "Stridor"), this.verdict_.element,
+        this.verdict_.announcement, tools),
       this.complaint_.element,
       h("main", {}, this.parameters_.element, this.mechanism_.element, this.chart_.element, this.views_.element),
     );
@@ -121,7 +125,9 @@ class Page {
       this.mechanism_.goTo(state.direction);
     }
     const samePreset = state.design.preset === before.design.preset;
-    const known = samePreset ? (this.simulation_?.case ?? this.presetCase_(state.design.preset)) : this.presetCase_(state.design.preset);
+    const known = samePreset
+      ? (this.simulation_?.case ?? this.presetCase_(state.design.preset))
+      : this.presetCase_(state.design.preset);
     if (known) this.parameters_.show(state, known);
     const isOnlyView = !isNew && state.span !== before.span && state.direction === before.direction;
     if (!isOnlyView) this.chart_.follow(state, step);
@@ -171,7 +177,8 @@ class Page {
       sessionStorage.setItem(tourSeen, "yes");
       this.tourButton_.classList.remove("primary");
       this.tour_.begin();
-      if (this.simulation_ && same(this.simulated_, this.store_.state.design)) this.tour_.know(this.simulation_, this.store_.state.design);
+      if (this.simulation_ && same(this.simulated_, this.store_.state.design))
+        this.tour_.know(this.simulation_, this.store_.state.design);
     } catch (error) {
       this.complain_(error);
     }
@@ -192,13 +199,15 @@ class Page {
 
   private key_(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
-    if (event.ctrlKey || event.metaKey || event.altKey || target.matches("input[type=text], select, dialog *, .tour *")) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || target.matches("input[type=text], select, dialog *, .tour *"))
+      return;
     const { state } = this.store_;
     const preset = this.start_.presets[Number(event.key) - 1];
     if (event.key === "?") void this.help_();
     else if (event.key === "t") void this.takeTour_();
     else if (event.key === "p") this.clock_.toggle();
-    else if (event.key === "d") this.store_.update({ direction: state.direction === "going" ? "coming" : "going" }, "replace");
+    else if (event.key === "d")
+      this.store_.update({ direction: state.direction === "going" ? "coming" : "going" }, "replace");
     else if (event.key === "x" && state.view === "listen") this.views_.current?.switch?.();
     else if (preset) this.store_.update({ design: { preset: preset.name, set: {} }, span: null, ...preset.chart });
     else return;

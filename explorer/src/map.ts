@@ -186,7 +186,8 @@ function paintNames(surface: Surface, box: Box, data: ChartData, direction: Dire
 
 function paintFrameOf(surface: Surface, box: Box, data: ChartData, look: Look): void {
   const { pen } = surface;
-  const axis = (frame: ChartAxisFrame, title: string): AxisLook => ({ ...frame, title, place: (value) => place(value, frame) });
+  const axis = (frame: ChartAxisFrame, title: string): AxisLook =>
+    ({ ...frame, title, place: (value) => place(value, frame) });
   paintAxes(pen, look.palette, box, axis(data.x, look.xTitle), axis(data.y, look.yTitle));
   pen.fillStyle = look.palette.ink;
   pen.font = font(12, look.chosen ? 650 : 500);
@@ -203,7 +204,8 @@ function mark(pen: CanvasRenderingContext2D, x0: number, y0: number, x1: number,
 }
 
 /** Where the design lies: hair lines and a ring that is seen on every ground. */
-export function paintDesign(surface: Surface, box: Box, data: ChartData, design: { x: number; y: number }, look: Look): void {
+export function paintDesign(surface: Surface, box: Box, data: ChartData, design: { x: number; y: number },
+    look: Look): void {
   const { pen } = surface;
   const px = box.left + box.width * place(design.x, data.x);
   const py = box.top + box.height * (1 - place(design.y, data.y));

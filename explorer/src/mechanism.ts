@@ -71,7 +71,8 @@ export class Mechanism {
     if (this.ownSpeed_) {
       const frequency = phaseOf(simulation, direction)?.verdict.frequency ?? 400;
       const wanted = frequency / wantedRate;
-      clock.slow = slowness.reduce((best, slow) => (Math.abs(Math.log(slow / wanted)) < Math.abs(Math.log(best / wanted)) ? slow : best));
+      clock.slow = slowness.reduce((best, slow) =>
+        (Math.abs(Math.log(slow / wanted)) < Math.abs(Math.log(best / wanted)) ? slow : best));
       this.speed_.value = String(clock.slow);
     }
     const velocity = valueAt(motion, "surface_velocity", clock.time);
@@ -153,8 +154,8 @@ export class Mechanism {
   }
 
   /**
-   * The joint's springs and dashpots to their walls, along i and j, and the angle between x and i. The signs stand beside
-   * them where neither the arc nor the line of the angle passes: above a spring that lies low on the right.
+   * The joint's springs and dashpots to their walls, along i and j, and the angle between x and i. The signs stand
+   * beside them where neither the arc nor the line of the angle passes: above a spring that lies low on the right.
    */
   private paintSupports_(s: Surface, rest: Point, body: Point, alpha: number): void {
     const { pen, width, height } = s;
@@ -167,7 +168,8 @@ export class Mechanism {
     for (const [direction, name] of axes) {
       const up = direction.y > 0.05 ? -1 : 1; // a spring pulls alike on either side: keep it above the plate
       const d = { x: direction.x * up, y: direction.y * up };
-      const reach = Math.min((width / 2 - 26) / Math.max(Math.abs(d.x), 1e-6), (home.y - 20) / Math.max(-d.y, 1e-6), 0.47 * height);
+      const reach = Math.min((width / 2 - 26) / Math.max(Math.abs(d.x), 1e-6), (home.y - 20) / Math.max(-d.y, 1e-6),
+        0.47 * height);
       const anchor = { x: home.x + d.x * reach, y: home.y + d.y * reach };
       pen.strokeStyle = colours.ink;
       springDashpot(pen, { x: body.x + d.x * 14, y: body.y + d.y * 14 }, anchor);
@@ -176,7 +178,8 @@ export class Mechanism {
       pen.fillStyle = colours.ink;
       const isLow = d.x > 0.78; // below 39 degrees, to the right
       const beside = (part: number, aside: number): Point => ({
-        x: body.x + (anchor.x - body.x) * part - d.y * aside - (aside < 0 ? 11 : 5), // half of the sign, and a little off the drawing
+        // half of the sign, and a little off the drawing
+        x: body.x + (anchor.x - body.x) * part - d.y * aside - (aside < 0 ? 11 : 5),
         y: body.y + (anchor.y - body.y) * part + d.x * aside,
       });
       sign(pen, ["k", name], beside(isLow ? 0.45 : 0.62, isLow ? -27 : -24));
@@ -227,7 +230,8 @@ export class Mechanism {
     pen.strokeStyle = colours.line;
     pen.lineWidth = 1.2;
     const spacing = 26;
-    const place = Math.min(Math.max((this.clock.time - (this.motion_ as Motion).start) / (this.motion_ as Motion).interval, 0), this.travel_.length - 1);
+    const { start, interval } = this.motion_ as Motion;
+    const place = Math.min(Math.max((this.clock.time - start) / interval, 0), this.travel_.length - 1);
     const index = Math.floor(place);
     const here = this.travel_[index] ?? 0;
     const moved = here + ((this.travel_[index + 1] ?? here) - here) * (place - index);
@@ -276,13 +280,16 @@ export class Mechanism {
     const [N, T] = [this.at_("normal_force") * this.scales_.force, this.at_("friction_force") * this.scales_.force];
     if (state !== "separation") {
       arrow(pen, contact, { x: contact.x, y: contact.y - Math.min(N, 52) }, colours.traces[0], colours.panel);
-      arrow(pen, contact, { x: contact.x + Math.min(Math.max(T, -70), 70), y: contact.y }, colours.traces[1], colours.panel);
+      arrow(pen, contact, { x: contact.x + Math.min(Math.max(T, -70), 70), y: contact.y }, colours.traces[1],
+        colours.panel);
       pen.fillStyle = colours.traces[0];
       if (N > 28) sign(pen, ["N", ""], { x: contact.x + 7, y: contact.y - Math.min(N, 52) + 4 });
       pen.fillStyle = colours.traces[1];
-      if (Math.abs(T) > 16) sign(pen, ["T", ""], { x: contact.x + Math.min(Math.max(T, -70), 70) + (T > 0 ? 5 : -16), y: contact.y + 12 });
+      if (Math.abs(T) > 16)
+        sign(pen, ["T", ""], { x: contact.x + Math.min(Math.max(T, -70), 70) + (T > 0 ? 5 : -16), y: contact.y + 12 });
     }
-    this.paintContact_(pen, { x: contact.x, y: state === "separation" ? (contact.y + plateTop) / 2 : contact.y }, state);
+    this.paintContact_(pen,
+      { x: contact.x, y: state === "separation" ? (contact.y + plateTop) / 2 : contact.y }, state);
   }
 
   /** The contact point, its state in colour and in form: stick a square, slip a disc, separation a ring. */
@@ -314,8 +321,10 @@ export class Mechanism {
     setText(
       this.readout_,
       `t = ${(this.clock.time * 1000).toFixed(2)} ms · V = ${this.at_("surface_velocity").toFixed(3)} m/s · ` +
-        `N = ${quantity(this.at_("normal_force"), "N", 3)} · T = ${quantity(this.at_("friction_force"), "N", 3)} · drawn × ${magnified}`,
+        `N = ${quantity(this.at_("normal_force"), "N", 3)} · T = ${quantity(this.at_("friction_force"), "N", 3)}` +
+          ` · drawn × ${magnified}`,
     );
-    if (!this.clock.playing) this.surface_.canvas.setAttribute("aria-label", `The rubbing system: ${state}, ${this.readout_.textContent}`);
+    if (!this.clock.playing)
+      this.surface_.canvas.setAttribute("aria-label", `The rubbing system: ${state}, ${this.readout_.textContent}`);
   }
 }

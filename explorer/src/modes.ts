@@ -31,7 +31,8 @@ export class Modes implements ViewPart {
   private last_: Context | null = null;
 
   constructor(start: Start) {
-    this.quantities_ = start.fields.filter((field): field is QuantityField => field.kind === "quantity" && field.usual !== null);
+    this.quantities_ =
+      start.fields.filter((field): field is QuantityField => field.kind === "quantity" && field.usual !== null);
     this.over_ = select("Over which parameter", [], (key) => {
       this.key_ = key;
       if (this.last_) this.show(this.last_);
@@ -39,7 +40,8 @@ export class Modes implements ViewPart {
     this.element = h(
       "div",
       { class: "modes" },
-      h("div", { class: "bar" }, h("label", {}, h("span", { class: "muted" }, "over "), this.over_), this.verdict_, this.asked_.note),
+      h("div", { class: "bar" }, h("label", {}, h("span", { class: "muted" }, "over "), this.over_), this.verdict_,
+        this.asked_.note),
       h("div", { class: "two" }, this.frequency_.element, this.growth_.element),
     );
   }
@@ -48,16 +50,20 @@ export class Modes implements ViewPart {
     this.last_ = context;
     const { simulation, state } = context;
     if (!simulation || context.step === "drag") return;
-    const known = this.quantities_.filter(({ key }) => valueIn(simulation.case, key) !== undefined && !followsTemperature(simulation.case, key) && !key.startsWith("drive."));
+    const known = this.quantities_.filter(({ key }) => valueIn(simulation.case, key) !== undefined
+      && !followsTemperature(simulation.case, key) && !key.startsWith("drive."));
     if (!known.some(({ key }) => key === this.key_)) this.key_ = known[0]?.key ?? this.key_;
-    setOptions(this.over_, known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")]));
+    setOptions(this.over_,
+      known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")]));
     this.over_.value = this.key_;
     const usual = known.find(({ key }) => key === this.key_)?.usual ?? { from: 0, to: 1 };
     let { to } = usual;
     // mu_d may not exceed mu_s
-    if (this.key_ === "contact.kinetic_friction") to = Math.min(to, quantityOf(state, simulation.case, "contact.static_friction"));
+    if (this.key_ === "contact.kinetic_friction")
+      to = Math.min(to, quantityOf(state, simulation.case, "contact.static_friction"));
     let { from } = usual;
-    if (this.key_ === "contact.static_friction") from = Math.max(from, quantityOf(state, simulation.case, "contact.kinetic_friction"));
+    if (this.key_ === "contact.static_friction")
+      from = Math.max(from, quantityOf(state, simulation.case, "contact.kinetic_friction"));
     this.asked_.ask({ design: state.design, over: { key: this.key_, from, to } });
     this.paint_();
   }
@@ -77,7 +83,8 @@ export class Modes implements ViewPart {
       ...direction.boundaries.map(({ value, above }) => ({ x: value, label: above })),
     ];
     this.frequency_.show({ x, xTitle, yTitle: "frequency [Hz]", marks, curves: branches(direction, "frequency") });
-    this.growth_.show({ x, xTitle, yTitle: "growth rate [1/s]", marks, zeroLine: true, curves: branches(direction, "growth") });
+    this.growth_.show({ x, xTitle, yTitle: "growth rate [1/s]", marks, zeroLine: true,
+      curves: branches(direction, "growth") });
     const onset = direction.boundaries
       .map(({ value, below, above }) => `${below} → ${above} at ${quantity(value, field?.unit ?? "", 4)}`)
       .join("; ");

@@ -66,7 +66,8 @@ export class Parameters {
     private readonly complain_: (error: unknown) => void,
   ) {
     this.resolved_ = start_.presets[0]?.case as Case;
-    this.resetAll_ = button("Reset all", () => this.store_.update({ design: { ...this.store_.state.design, set: {} } }), {
+    const reset = (): void => this.store_.update({ design: { ...this.store_.state.design, set: {} } });
+    this.resetAll_ = button("Reset all", reset, {
       id: "reset-all",
       class: "quiet",
       title: "Back to the preset's own values",
@@ -166,8 +167,8 @@ export class Parameters {
   }
 
   private resetButton_(field: Field): HTMLButtonElement {
-    const reset = (): void =>
-      this.store_.update({ design: withoutKeys(this.store_.state.design, [field.key, ...(dependants[field.key] ?? [])]) });
+    const keys = [field.key, ...(dependants[field.key] ?? [])];
+    const reset = (): void => this.store_.update({ design: withoutKeys(this.store_.state.design, keys) });
     return button("↺", reset, {
       class: "reset",
       "data-reset": field.key,
@@ -241,7 +242,8 @@ export class Parameters {
 
   private choiceRow_(field: Extract<Field, { kind: "choice" }>): Row {
     const choices = field.choices.map((name) => [name, name] as const);
-    const picker = select(field.sentence, choices, (value) => this.set_(field, value, "push"), { "data-key": field.key });
+    const picker = select(field.sentence, choices, (value) => this.set_(field, value, "push"),
+      { "data-key": field.key });
     const element = h(
       "div",
       { class: "row choice", "data-row": field.key, title: field.sentence },
@@ -268,7 +270,8 @@ class Slider {
     private readonly usual_: NonNullable<QuantityField["usual"]>,
     change: (value: string, step: "push" | "drag") => void,
   ) {
-    this.input = h("input", { type: "range", min: 0, max: steps, step: 1, "data-key": field.key, "aria-label": field.sentence });
+    this.input =
+      h("input", { type: "range", min: 0, max: steps, step: 1, "data-key": field.key, "aria-label": field.sentence });
     this.input.addEventListener("input", () => change(exact(this.value_()), "drag"));
     this.input.addEventListener("change", () => change(exact(this.value_()), "push"));
   }

@@ -98,7 +98,9 @@ export class Plot {
           width: curve.width ?? 1.4,
           spanGaps: false,
           ...(curve.dash ? { dash: curve.dash } : {}),
-          ...(curve.pointsOnly ? { paths: () => null, points: { show: true, size: 3.5 } } : { points: { show: false } }),
+          ...(curve.pointsOnly
+            ? { paths: () => null, points: { show: true, size: 3.5 } }
+            : { points: { show: false } }),
           value: (_: uPlot, value: number | null) => (value === null || value === undefined ? "–" : plain(value)),
         })),
       ],

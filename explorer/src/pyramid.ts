@@ -1,6 +1,6 @@
 /**
- * Smallest and largest value of any span of samples, fast: a tree of minima and maxima over blocks. A picture made from it
- * keeps every peak, however short, at any zoom. Pure.
+ * Smallest and largest value of any span of samples, fast: a tree of minima and maxima over blocks. A picture made from
+ * it keeps every peak, however short, at any zoom. Pure.
  */
 
 const fan = 8; // samples or blocks that make one block of the next level
@@ -35,7 +35,10 @@ export function pyramid(samples: Float32Array): Pyramid {
   return { samples, levels };
 }
 
-/** Smallest and largest of the samples from index `from` up to, without, `to`; [Infinity, -Infinity] if there are none. */
+/**
+ * Smallest and largest of the samples from index `from` up to, without, `to`; [Infinity,
+ * -Infinity] if there are none.
+ */
 export function extremes(tree: Pyramid, from: number, to: number): [number, number] {
   let first = Math.max(0, Math.floor(from));
   let end = Math.min(tree.samples.length, Math.ceil(to));

@@ -68,7 +68,8 @@ async function sliding(design: Design): Promise<string> {
   return `Steady sliding is unstable here (${what}): two modes couple and feed each other, stick or no stick.`;
 }
 
-const friction = (tried: Simulation, kind: "static" | "kinetic"): number => number(tried, "contact", `${kind}_friction`);
+const friction = (tried: Simulation, kind: "static" | "kinetic"): number =>
+  number(tried, "contact", `${kind}_friction`);
 
 const hasDrop = (tried: Simulation): boolean => friction(tried, "static") > friction(tried, "kinetic") * (1 + 1e-9);
 
@@ -160,6 +161,7 @@ export const questions: readonly Question[] = [
     },
     answer: (tried) => (isNoisy(tried) ? "stays" : "goes"),
     says: async (tried, design) =>
-      `Without the drop it ${does(tried, "going")} going, and ${does(tried, "coming")} coming. ${await sliding(design)}`,
+      `Without the drop it ${does(tried, "going")} going, and ${does(tried, "coming")} coming. ` +
+        await sliding(design),
   },
 ];

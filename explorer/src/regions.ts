@@ -1,4 +1,7 @@
-/** What a chart's picture needs to know of its areas: where their names fit, and what to paint between computed cells. Pure. */
+/**
+ * What a chart's picture needs to know of its areas: where their names fit, and what to paint between
+ * computed cells. Pure.
+ */
 
 /** The middle of the largest square of one category, in cells from the lower left corner. */
 export interface NamePlace {

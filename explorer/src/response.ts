@@ -31,7 +31,8 @@ export class Response implements ViewPart {
     private readonly motions_: Motions,
     private readonly clock_: Clock,
   ) {
-    const canvas = h("canvas", { id: "response", tabindex: 0, role: "application", "aria-roledescription": "time history", "aria-label": "Time history" });
+    const canvas = h("canvas", { id: "response", tabindex: 0, role: "application",
+      "aria-roledescription": "time history", "aria-label": "Time history" });
     const phase = h("canvas", { id: "portrait", role: "img", "aria-label": "Phase portrait of the joint" });
     this.lanes_ = surface(canvas, (s) => this.paint_(s));
     this.portrait_ = surface(phase, (s) => this.paintPortrait_(s));
@@ -44,7 +45,8 @@ export class Response implements ViewPart {
     this.element = h(
       "div",
       { class: "response" },
-      h("div", { class: "bar" }, ...boxes, button("Whole", () => this.go_(null), { class: "quiet", id: "whole", title: "Show all of the motion (Home)" }), this.readout_),
+      h("div", { class: "bar" }, ...boxes, button("Whole", () => this.go_(null),
+        { class: "quiet", id: "whole", title: "Show all of the motion (Home)" }), this.readout_),
       h("div", { class: "stage history" }, canvas),
       h("div", { class: "stage phase" }, phase),
     );
@@ -158,7 +160,8 @@ export class Response implements ViewPart {
       return;
     }
     const about = timeAt(this.lanes_, this.shown_, Math.max(event.offsetX, marginLeft));
-    this.go_(stretched(this.shown_, about, Math.exp(Math.min(Math.max(event.deltaY, -240), 240) / 400), this.limits_()));
+    this.go_(stretched(this.shown_, about, Math.exp(Math.min(Math.max(event.deltaY, -240), 240) / 400),
+      this.limits_()));
   }
 
   private move_(event: PointerEvent): void {
@@ -182,8 +185,10 @@ export class Response implements ViewPart {
     const about = this.clock_.time > from && this.clock_.time < to ? this.clock_.time : (from + to) / 2;
     if (event.key === "ArrowLeft") this.go_(moved(this.shown_, -0.1 * width, this.limits_()));
     else if (event.key === "ArrowRight") this.go_(moved(this.shown_, 0.1 * width, this.limits_()));
-    else if (event.key === "+" || event.key === "=" || event.key === "ArrowUp") this.go_(stretched(this.shown_, about, 0.7, this.limits_()));
-    else if (event.key === "-" || event.key === "ArrowDown") this.go_(stretched(this.shown_, about, 1 / 0.7, this.limits_()));
+    else if (event.key === "+" || event.key === "=" || event.key === "ArrowUp")
+      this.go_(stretched(this.shown_, about, 0.7, this.limits_()));
+    else if (event.key === "-" || event.key === "ArrowDown")
+      this.go_(stretched(this.shown_, about, 1 / 0.7, this.limits_()));
     else if (event.key === "Home" || event.key === "0") this.go_(null);
     else return;
     event.preventDefault();
@@ -197,14 +202,17 @@ export class Response implements ViewPart {
     const time = this.hover_ ?? this.clock_.time;
     const text = readAt(motion, time);
     setText(this.readout_, text);
-    this.lanes_.canvas.setAttribute("aria-label", `Time history from ${quantity(from, "s")} to ${quantity(to, "s")}; ${text}`);
+    this.lanes_.canvas.setAttribute("aria-label",
+      `Time history from ${quantity(from, "s")} to ${quantity(to, "s")}; ${text}`);
   }
 
   private paint_(s: Surface): void {
     if (!this.trees_) return;
     const lanes = laneSpecs.filter(({ name }) => this.wanted_.has(name));
-    paintLanes(s, this.trees_, { span: this.shown_, lanes, playhead: this.clock_.time, hover: this.hover_, palette: palette() });
-    if (this.hover_ === null && this.clock_.playing) setText(this.readout_, readAt(this.trees_.motion, this.clock_.time));
+    paintLanes(s, this.trees_,
+      { span: this.shown_, lanes, playhead: this.clock_.time, hover: this.hover_, palette: palette() });
+    if (this.hover_ === null && this.clock_.playing)
+      setText(this.readout_, readAt(this.trees_.motion, this.clock_.time));
     this.element.dataset.draws = String(Number(this.element.dataset.draws ?? 0) + 1);
   }
 

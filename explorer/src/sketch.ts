@@ -36,7 +36,8 @@ function coil(pen: Pen, from: number, to: number, y: number, amplitude: number):
   pen.beginPath();
   pen.moveTo(from, y);
   pen.lineTo(from + lead, y);
-  for (let k = 0; k < 2 * turns; ++k) pen.lineTo(from + lead + (k + 0.5) * step, y + (k % 2 === 0 ? -amplitude : amplitude));
+  for (let k = 0; k < 2 * turns; ++k)
+    pen.lineTo(from + lead + (k + 0.5) * step, y + (k % 2 === 0 ? -amplitude : amplitude));
   pen.lineTo(to - lead, y);
   pen.lineTo(to, y);
   pen.stroke();
@@ -99,6 +100,7 @@ export function sign(pen: Pen, parts: readonly [string, string], at: Point, size
   pen.font = `italic ${size}px "STIX Two Text", "Libertinus Serif", Georgia, "Liberation Serif", "DejaVu Serif", serif`;
   pen.fillText(parts[0], at.x, at.y);
   const width = pen.measureText(parts[0]).width;
-  pen.font = `${Math.round(size * 0.72)}px "STIX Two Text", "Libertinus Serif", Georgia, "Liberation Serif", "DejaVu Serif", serif`;
+  pen.font = `${Math.round(size * 0.72)}px "STIX Two Text", "Libertinus Serif", Georgia, "Liberation Serif", ` +
+    '"DejaVu Serif", serif';
   pen.fillText(parts[1], at.x + width + 0.5, at.y + size * 0.3);
 }

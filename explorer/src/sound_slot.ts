@@ -18,7 +18,8 @@ async function hear(source: Source, signal: AbortSignal): Promise<Heard> {
   const [audio, analysis] =
     "library" in source
       ? await Promise.all([api.recording(source.library, signal), api.recordingAnalysis(source.library, signal)])
-      : await Promise.all([api.sound(source.design, source.options, signal), api.analysis(source.design, source.options, signal)]);
+      : await Promise.all([api.sound(source.design, source.options, signal),
+        api.analysis(source.design, source.options, signal)]);
   return { audio, analysis };
 }
 

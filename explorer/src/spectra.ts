@@ -9,7 +9,8 @@ import type { Design } from "./state.ts";
 import type { Analysis, SoundOptions } from "./types.ts";
 import type { Context, ViewPart } from "./views.ts";
 
-export const soundDefaults: SoundOptions = { direction: "whole", of: "joint", quantity: "velocity", rate: 48000, seconds: 2 };
+export const soundDefaults: SoundOptions =
+  { direction: "whole", of: "joint", quantity: "velocity", rate: 48000, seconds: 2 };
 
 /** Which of the motion is looked at or heard; the direction goes with the page's. */
 export class SoundPicker {
@@ -17,7 +18,8 @@ export class SoundPicker {
   options: SoundOptions = { ...soundDefaults };
 
   constructor(changed: () => void) {
-    const pick = <Key extends "of" | "quantity" | "direction">(key: Key, label: string, values: SoundOptions[Key][]): HTMLSelectElement =>
+    const pick = <Key extends "of" | "quantity" | "direction">(key: Key, label: string,
+      values: SoundOptions[Key][]): HTMLSelectElement =>
       select(label, values.map((value) => [value, value]), (value) => {
         this.options = { ...this.options, [key]: value };
         changed();
@@ -69,7 +71,10 @@ export class Spectra implements ViewPart {
       curves: [{ label: "level", colour: 0, values: spectrum.level }],
     });
     const peak = peakOf(answer);
-    if (peak) this.spectrum_.describe(`highest at ${plain(peak.frequency)} Hz, ${plain(peak.level, 3)} ${unitText(spectrum.unit)}`);
+    if (peak) {
+      const level = `${plain(peak.level, 3)} ${unitText(spectrum.unit)}`;
+      this.spectrum_.describe(`highest at ${plain(peak.frequency)} Hz, ${level}`);
+    }
     this.level_.show({
       x: level.time,
       xTitle: "time [s]",

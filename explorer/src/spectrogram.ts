@@ -26,7 +26,8 @@ export class Spectrogram {
 
   show(content: Analysis["spectrogram"], title = this.name_): void {
     this.content_ = content;
-    this.surface_.canvas.setAttribute("aria-label", `${title}: spectrogram up to ${plain(content.frequency.at(-1) ?? 0)} Hz`);
+    this.surface_.canvas.setAttribute("aria-label",
+      `${title}: spectrogram up to ${plain(content.frequency.at(-1) ?? 0)} Hz`);
     const level = floatsOf(content.level);
     this.top_ = -Infinity;
     for (const value of level) if (Number.isFinite(value) && value > this.top_) this.top_ = value;

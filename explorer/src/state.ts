@@ -75,7 +75,8 @@ function isKey(text: string): boolean {
 }
 
 function designText(design: Design, separator: string): string {
-  return [encode(design.preset), ...overrides(design).map((part) => part.split("=").map(encode).join("="))].join(separator);
+  return [encode(design.preset), ...overrides(design).map((part) => part.split("=").map(encode).join("="))]
+    .join(separator);
 }
 
 /** As encodeURIComponent, but what may stand in a fragment stays readable. */
@@ -165,7 +166,10 @@ export function fromFragment(fragment: string, defaults: State): State {
   };
 }
 
-/** A word as a shell takes it for one. What pasting would type by itself is refused, and what parts the cells of a table. */
+/**
+ * A word as a shell takes it for one. What pasting would type by itself is refused,
+ * and what parts the cells of a table.
+ */
 function word(text: string): string {
   if (/[^ -~]|[,;]/.test(text)) throw Error("no command");
   return /^[\w.+-][\w.=+-]*$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;

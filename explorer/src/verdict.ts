@@ -57,7 +57,8 @@ export class VerdictBar {
       this.element.dataset[result.phase] = result.verdict.category;
       return this.chip_(result, direction, chosen);
     });
-    this.element.replaceChildren(...chips, h("small", { class: "muted", id: "level-note" }, "dB re 1 nm/s: vibration, not sound pressure"));
+    this.element.replaceChildren(...chips,
+      h("small", { class: "muted", id: "level-note" }, "dB re 1 nm/s: vibration, not sound pressure"));
     this.element.setAttribute("aria-busy", "false");
     setText(this.live_, simulation.phases.map(spoken).join("; "));
   }
@@ -73,7 +74,8 @@ export class VerdictBar {
         class: "chip",
         "data-phase": result.phase,
         "aria-pressed": String(direction === chosen),
-        title: `${verdict.reasons.join("\n")}\njoint: its velocity level, dB re 1 nm/s; a vibration, not a sound pressure\n(click: regard this direction)`,
+        title: [...verdict.reasons, "joint: its velocity level, dB re 1 nm/s; a vibration, not a sound pressure",
+          "(click: regard this direction)"].join("\n"),
         onclick: () => this.choose_(direction),
       },
       swatch,
@@ -94,7 +96,8 @@ function detail(result: PhaseResult): string {
 
 function rates(result: PhaseResult): HTMLElement {
   const shares = result.verdict.judged_rates;
-  const text = (["slip", "stick", "separation"] as const).map((state) => `${state} ${percent(shares[state])}`).join(", ");
+  const text = (["slip", "stick", "separation"] as const)
+    .map((state) => `${state} ${percent(shares[state])}`).join(", ");
   const bar = h("span", { class: "rates", role: "img", "aria-label": text, title: `of the judged time: ${text}` });
   for (const state of ["slip", "stick", "separation"] as const) {
     const part = h("span", { class: `state-${state}` });

@@ -1,5 +1,5 @@
-// The running program under attack: refused, memory bounded, still answering. What each layer does by itself is tested in
-// tests/unit/explorer.
+// The running program under attack: refused, memory bounded, still answering. What each layer does by itself is tested
+// in tests/unit/explorer.
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
@@ -48,7 +48,8 @@ function ask({ path = "/", method = "GET", headers = {}, body = null, cookie: se
 }
 
 function post(path, body, headers = {}) {
-  return ask({ path, method: "POST", body: typeof body === "string" || Buffer.isBuffer(body) ? body : JSON.stringify(body),
+  return ask({ path, method: "POST",
+    body: typeof body === "string" || Buffer.isBuffer(body) ? body : JSON.stringify(body),
     headers: { "Content-Type": "application/json", Origin: `http://${host}`, ...headers } });
 }
 
@@ -167,7 +168,8 @@ test("a hundred connections that stay, silent or refused, keep the owner neither
 test("cookies that others set for this host lock nobody out", async () => {
   const name = cookie.split("=")[0];
   const many = Array.from({ length: 179 }, (_, k) => `c${k}=${"x".repeat(4080)}`).join("; ");
-  for (const cookies of [`${name}=${"0".repeat(64)}; ${cookie}`, `${name}=; ${name}=x; stridor-1=y; ${cookie}; ${name}=z`, `${many}; ${cookie}`])
+  for (const cookies of [`${name}=${"0".repeat(64)}; ${cookie}`,
+    `${name}=; ${name}=x; stridor-1=y; ${cookie}; ${name}=z`, `${many}; ${cookie}`])
     assert.equal((await ask({ cookie: cookies })).status, 200, cookies.slice(0, 200));
   assert.equal((await ask({ cookie: many })).status, 401);
 });
@@ -200,13 +202,16 @@ test("runs that do not stop when their clients leave keep neither the page nor C
   const own = await startExplorer();
   const there = { port: Number(new URL(own.origin).port) };
   there.host = `127.0.0.1:${there.port}`;
-  const opened = await ask({ path: `/open${new URL(own.link()).search}`, cookie: "", headers: { Host: there.host }, at: there.port });
+  const opened = await ask({ path: `/open${new URL(own.link()).search}`, cookie: "", headers: { Host: there.host },
+    at: there.port });
   const session = opened.headers["set-cookie"][0].split(";")[0];
-  for (const set of [["plate.damping=1e308"], ["plate.stiffness=1e308"], ["drive.frequency=1e9", "run.duration=60", "run.window=60"]])
+  for (const set of [["plate.damping=1e308"], ["plate.stiffness=1e308"],
+    ["drive.frequency=1e9", "run.duration=60", "run.window=60"]])
     for (let k = 0; k < 2; ++k) {
       const body = JSON.stringify({ preset: "squeal", set });
       const socket = connect(there.port, "127.0.0.1").on("error", () => {});
-      socket.write(`POST /api/simulate HTTP/1.1\r\nHost: ${there.host}\r\nOrigin: http://${there.host}\r\nCookie: ${session}\r\n` +
+      socket.write(`POST /api/simulate HTTP/1.1\r\nHost: ${there.host}\r\n` +
+        `Origin: http://${there.host}\r\nCookie: ${session}\r\n` +
         `Content-Type: application/json\r\nContent-Length: ${body.length}\r\n\r\n${body}`);
       await new Promise((resolve) => setTimeout(resolve, 200));
       socket.destroy();
@@ -218,7 +223,8 @@ test("runs that do not stop when their clients leave keep neither the page nor C
   ]);
   const waited = Date.now() - began;
   const leaving = Date.now();
-  const code = await Promise.race([own.stop(), new Promise((resolve) => setTimeout(() => resolve("none"), 15000).unref())]);
+  const code =
+    await Promise.race([own.stop(), new Promise((resolve) => setTimeout(() => resolve("none"), 15000).unref())]);
   if (code === "none") process.kill(own.pid, "SIGKILL");
   assert.equal(page.status, 200);
   assert.ok(waited < 8000, `${waited} ms`);
@@ -229,9 +235,11 @@ test("runs that do not stop when their clients leave keep neither the page nor C
 test("the list of processes shows no secret while the browser is opened", async () => {
   const folder = await mkdtemp(join(tmpdir(), "stridor-attack-"));
   const seen = join(folder, "seen");
-  await writeFile(join(folder, "xdg-open"), `#!/bin/sh\nls /proc/self/fd > "${seen}.fds"\necho "$@" > "${seen}.part"\nmv "${seen}.part" "${seen}"\n`);
+  await writeFile(join(folder, "xdg-open"),
+    `#!/bin/sh\nls /proc/self/fd > "${seen}.fds"\necho "$@" > "${seen}.part"\nmv "${seen}.part" "${seen}"\n`);
   await chmod(join(folder, "xdg-open"), 0o755);
-  const own = spawn(program, ["explore"], { env: { ...process.env, DISPLAY: ":99", PATH: `${folder}:${process.env.PATH}` }, stdio: ["ignore", "pipe", "ignore"] });
+  const env = { ...process.env, DISPLAY: ":99", PATH: `${folder}:${process.env.PATH}` };
+  const own = spawn(program, ["explore"], { env, stdio: ["ignore", "pipe", "ignore"] });
   try {
     const link = String(await new Promise((resolve) => own.stdout.once("data", resolve))).trim();
     let opened = null;
@@ -247,7 +255,8 @@ test("the list of processes shows no secret while the browser is opened", async 
     assert.ok((await readFile(opened, "utf8")).includes(`url=${link}"`));
     const fds = (await readFile(`${seen}.fds`, "utf8")).trim().split("\n").map(Number);
     assert.ok(fds.every((fd) => fd <= 3), `the browser keeps ${fds}`); // 3: of ls itself
-    const answer = await ask({ path: `/open?token=${token}`, cookie: "", headers: { Host: new URL(link).host }, at: Number(new URL(link).port) });
+    const answer = await ask({ path: `/open?token=${token}`, cookie: "", headers: { Host: new URL(link).host },
+      at: Number(new URL(link).port) });
     assert.equal(answer.status, 303);
     await assert.rejects(stat(dirname(opened)), "the file is gone once it was used");
   } finally {
@@ -275,7 +284,8 @@ test("malformed JSON of every kind is an error in words", async () => {
     assert.ok([200, 400, 422].includes(answer.status), `${answer.status} ${cut}`);
     if (answer.status !== 200) assert.ok(JSON.parse(answer.body).error.what.length > 0);
   }
-  for (const body of ["", "[".repeat(900000), "{\"a\":".repeat(100000), "\u0000", "1e999", "{\"preset\":\"squeal\",\"set\":[1e400]}"])
+  for (const body of ["", "[".repeat(900000), "{\"a\":".repeat(100000), "\u0000", "1e999",
+    "{\"preset\":\"squeal\",\"set\":[1e400]}"])
     assert.equal((await post("/api/simulate", body)).status, 400);
   await isStillAnswering();
 });

@@ -1,6 +1,6 @@
 // Firefox for the tests, driven through Marionette, its own WebDriver over a plain socket: playwright-core needs a
-// Firefox that was patched for it. Messages are `LENGTH:JSON`: [0, id, command, parameters] there, [1, id, error, value]
-// back.
+// Firefox that was patched for it. Messages are `LENGTH:JSON`: [0, id, command, parameters] there, [1, id, error,
+// value] back.
 import { spawn } from "node:child_process";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { connect } from "node:net";

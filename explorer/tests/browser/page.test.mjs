@@ -59,7 +59,8 @@ test("opens with the paper's squeal and leaves no token in the address", async (
 });
 
 test("every preset has its category", async () => {
-  const categories = { squeak: ["squeak", null], creak: ["creak", "creak"], quiet: ["none", "none"], squeal: ["squeal", "none"] };
+  const categories = { squeak: ["squeak", null], creak: ["creak", "creak"], quiet: ["none", "none"],
+    squeal: ["squeal", "none"] };
   for (const [preset, [going, coming]] of Object.entries(categories)) {
     await choose(preset);
     assert.equal(await verdict("going"), going, preset);
@@ -164,7 +165,8 @@ test("keep quiet names a change that makes it quiet with one click", async () =>
   await page.waitForSelector("#apply-change", { timeout: 60000 });
   assert.match(await page.locator("#nearest").innerText(), /nearest quiet design 0\.\d+ away/);
   await page.locator("#apply-change").click();
-  await page.waitForFunction(() => document.querySelector("#verdict").dataset.going === "none", null, { timeout: 30000 });
+  await page.waitForFunction(() => document.querySelector("#verdict").dataset.going === "none", null,
+    { timeout: 30000 });
   await settled();
   assert.equal(await verdict("coming"), "none");
 });

@@ -12,7 +12,8 @@ for (const [name, colorScheme, tab] of [["explorer", "light", "response"], ["exp
   await browser.goto();
   await page.waitForSelector('#chart[data-done="true"]');
   await page.locator(`#tab-${tab}`).click();
-  await page.waitForSelector(tab === "quiet" ? "#apply-change" : '.response[data-draws]:not([data-draws="0"])', { timeout: 60000 });
+  await page.waitForSelector(tab === "quiet" ? "#apply-change" : '.response[data-draws]:not([data-draws="0"])',
+    { timeout: 60000 });
   await page.waitForTimeout(2000); // fine samples and the last paint
   await page.screenshot({ path: join(folder, `${name}.png`) });
   await browser.close();

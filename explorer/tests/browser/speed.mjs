@@ -1,5 +1,5 @@
-// How fast the page is, in headless Chromium: `node tests/browser/speed.mjs`. Prints figures and judges none of them, for
-// they are the machine's as well.
+// How fast the page is, in headless Chromium: `node tests/browser/speed.mjs`. Prints figures and judges none of them,
+// for they are the machine's as well.
 import { openPage, startExplorer } from "./session.mjs";
 
 const explorer = await startExplorer();
@@ -9,7 +9,8 @@ const { page } = browser;
 // --- the first chart on screen
 const begin = performance.now();
 await browser.goto();
-await page.waitForFunction(() => Number(document.querySelector("#chart")?.dataset.redraws) > 0, null, { polling: "raf" });
+await page.waitForFunction(() => Number(document.querySelector("#chart")?.dataset.redraws) > 0, null,
+  { polling: "raf" });
 const firstLook = performance.now() - begin;
 await page.waitForSelector('#chart[data-done="true"]');
 const firstChart = performance.now() - begin;

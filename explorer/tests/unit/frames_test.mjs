@@ -8,7 +8,8 @@ export function packed(header, columns, from, states) {
   const text = new TextEncoder().encode(JSON.stringify(header));
   const aligned = (offset) => Math.ceil(offset / 8) * 8;
   const begin = aligned(4 + text.length);
-  const size = columns.reduce((offset, column) => aligned(offset + 4 * column.length), begin) + 8 * from.length + states.length;
+  const size = columns.reduce((offset, column) => aligned(offset + 4 * column.length), begin) + 8 * from.length
+    + states.length;
   const buffer = new ArrayBuffer(size);
   const bytes = new Uint8Array(buffer);
   bytes.fill(32, 4, begin);

@@ -67,7 +67,8 @@ test("the middle of a cell is its value, and a click on it finds it", () => {
     const part = place(value, axis);
     assert.ok(Math.abs(part - (k + 0.5) / 64) < 1e-12);
     assert.ok(Math.abs(shareAt(part, 64) - k / 63) < 1e-12);
-    assert.deepEqual(cellAt(box, data, box.left + part * box.width, box.top + (1 - part) * box.height), { ix: k, iy: k });
+    assert.deepEqual(cellAt(box, data, box.left + part * box.width, box.top + (1 - part) * box.height),
+      { ix: k, iy: k });
   });
   assert.equal(cellAt(box, data, 10, 100), null);
 });
