@@ -18,7 +18,8 @@ function(stridor_page file)
     set(embed "${PROJECT_SOURCE_DIR}/cmake/embed.cmake")
     list(TRANSFORM names PREPEND "${bundle}/" OUTPUT_VARIABLE files)
     if(NOT STRIDOR_PAGE)
-        file(WRITE "${bundle}/index.html" "<!doctype html><title>stridor</title><p>This stridor was built without its page "
+        file(WRITE "${bundle}/index.html"
+            "<!doctype html><title>stridor</title><p>This stridor was built without its page "
             "(Node.js was missing, or STRIDOR_PAGE off).\n")
         foreach(name page.js chunk.js later.js page.css)
             file(WRITE "${bundle}/${name}" "\n")

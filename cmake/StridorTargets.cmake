@@ -34,9 +34,9 @@ function(stridor_compile_options target scope)
     endif()
 endfunction()
 
-# Programs and tests are wiring: the modules hold the work, and are what is measured, so that a long optimisation is worth
-# nothing here. The undefined-behaviour sanitizer costs them a third of their compile time and finds its faults in the
-# modules; the address sanitizer stays everywhere.
+# Programs and tests are wiring: the modules hold the work, and are what is measured, so that a long optimisation is
+# worth nothing here. The undefined-behaviour sanitizer costs them a third of their compile time and finds its faults in
+# the modules; the address sanitizer stays everywhere.
 function(stridor_spare_wiring target)
     if(STRIDOR_SANITIZED)
         target_compile_options(${target} PRIVATE -O0 -fno-sanitize=undefined)
@@ -45,8 +45,8 @@ function(stridor_spare_wiring target)
     endif()
 endfunction()
 
-# Modules that read, write and draw do in the tests what takes no time: not optimised under sanitizers they compile in half of
-# it, with every check.
+# Modules that read, write and draw do in the tests what takes no time: not optimised under sanitizers they compile in
+# half of it, with every check.
 function(stridor_spare_optimisation target)
     if(STRIDOR_SANITIZED)
         target_compile_options(${target} PRIVATE -O0)
@@ -63,8 +63,8 @@ endfunction()
 
 # The sources of a target are compiled up to eight at a time: one parse of the headers and one copy of each template
 # instead of eight, a third of the time. Not in debug builds, which so stay quick to change. Names in the unnamed
-# namespaces of two sources may then clash; such a source stands in the APART of its target. -Wshadow would see the names of
-# the neighbours, -Wsubobject-linkage would take each source for a header: debug builds look after both.
+# namespaces of two sources may then clash; such a source stands in the APART of its target. -Wshadow would see the
+# names of the neighbours, -Wsubobject-linkage would take each source for a header: debug builds look after both.
 function(stridor_join_sources target)
     if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
@@ -117,8 +117,8 @@ function(stridor_module name)
     endif()
     add_library(stridor::${name} ALIAS ${target})
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
-    # a source includes its own header first (the structure test sees to it), which shows that the header compiles on its own;
-    # headers without a source are verified by the target all_verify_interface_header_sets
+    # a source includes its own header first (the structure test sees to it), which shows that the header compiles on
+    # its own; headers without a source are verified by the target all_verify_interface_header_sets
     target_sources(${target} ${scope}
         FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/src" FILES ${headers}
         FILE_SET alone TYPE HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/src" FILES ${ARG_HEADERS})
@@ -151,9 +151,9 @@ function(stridor_program name)
     set_property(GLOBAL APPEND PROPERTY STRIDOR_PROGRAM_TARGETS ${name})
 endfunction()
 
-# A GoogleTest executable NAME_test whose cases appear in CTest under their own names, with one LABEL (default: fast). Under
-# sanitizers it is one test, `NAME`: a thousand starts of a sanitized process cost more than most of what they test, and
-# cases that share a simulation make it once. The longest (COST, what it takes under sanitizers) start first.
+# A GoogleTest executable NAME_test whose cases appear in CTest under their own names, with one LABEL (default: fast).
+# Under sanitizers it is one test, `NAME`: a thousand starts of a sanitized process cost more than most of what they
+# test, and cases that share a simulation make it once. The longest (COST, what it takes under sanitizers) start first.
 # Sources may include "support/..." from tests/, find the checkout at STRIDOR_SOURCE_DIR (a string literal), and, with
 # PROGRAM, start the built program (support/process.hpp).
 function(stridor_test name)
@@ -188,7 +188,8 @@ function(stridor_test name)
         add_test(NAME ${name} COMMAND ${target} --gtest_brief=1)
         set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 1200 COST ${ARG_COST})
         if(ARG_PROGRAM)
-            # looking at frames that returned costs the program a fifth of its time; tests of modules do (CMakePresets.json)
+            # looking at frames that returned costs the program a fifth of its time;
+            # tests of modules do (CMakePresets.json)
             set_tests_properties(${name} PROPERTIES ENVIRONMENT "ASAN_OPTIONS=strict_string_checks=1")
         endif()
         return()
@@ -217,8 +218,8 @@ function(stridor_example name)
     set_tests_properties(example.${name} PROPERTIES LABELS example TIMEOUT 300)
 endfunction()
 
-# A Google Benchmark executable NAME_benchmark in ${CMAKE_BINARY_DIR}/benchmarks, where `./dev bench` finds it; with OWN_MAIN
-# a program that measures by itself.
+# A Google Benchmark executable NAME_benchmark in ${CMAKE_BINARY_DIR}/benchmarks, where `./dev bench` finds it; with
+# OWN_MAIN a program that measures by itself.
 function(stridor_benchmark name)
     cmake_parse_arguments(PARSE_ARGV 1 ARG "OWN_MAIN" "" "SOURCES;DEPENDS;LIBRARIES")
     stridor_check_arguments(stridor_benchmark ${name})

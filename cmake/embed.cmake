@@ -1,4 +1,5 @@
-# cmake -DFILES=a;b -DOUTPUT=file.inc -P embed.cmake: files as arrays of bytes, named after them (index.html: index_html).
+# cmake -DFILES=a;b -DOUTPUT=file.inc -P embed.cmake: files as arrays of bytes,
+# named after them (index.html: index_html).
 set(text "")
 foreach(file IN LISTS FILES)
     get_filename_component(name "${file}" NAME)

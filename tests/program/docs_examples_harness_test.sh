@@ -51,9 +51,12 @@ done
 expect differs '$ stridor silent|...'
 
 # --update writes what is printed, and leaves what agrees
-printf '```console\n$ stridor lines\n$ stridor lines\none\n...\n$ stridor silent\ngone\n\n$ stridor \\\n  warn\n```\n' >"$work/page.md"
-printf '```console\n$ stridor lines\none\ntwo\nthree\nfour\n$ stridor lines\none\n...\n$ stridor silent\n$ stridor \\\n  warn\ncareful\n```\n' \
-    >"$work/wanted.md"
+printf '```console\n$ stridor lines\n$ stridor lines\none\n...\n$ stridor silent\ngone\n\n$ stridor \\\n  warn\n```\n' \
+    >"$work/page.md"
+{
+    printf '```console\n$ stridor lines\none\ntwo\nthree\nfour\n$ stridor lines\none\n...\n'
+    printf '$ stridor silent\n$ stridor \\\n  warn\ncareful\n```\n'
+} >"$work/wanted.md"
 sh "$harness" --update "$program" "$work/source" "$work/page.md" >"$work/log" 2>&1 || failures=$((failures + 1))
 tests=$((tests + 1))
 diff "$work/wanted.md" "$work/page.md" || failures=$((failures + 1))

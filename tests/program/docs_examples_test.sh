@@ -4,10 +4,10 @@
 #     docs_examples_test.sh [--update] PROGRAM SOURCE_FOLDER [PAGE.md ...]
 #
 # An example is a line "$ command" in a block fenced by ```console. Lines below it are its expected output, standard
-# output and standard error together; without such lines it must print nothing. A line "..." stands for one or more lines
-# that the page leaves out. A command may end with a comment "# exit 2" that names the exit code it must have. A line that
-# ends with a backslash goes on in the next line. The examples of one page run one after the other in one empty folder,
-# with PROGRAM on the PATH as `stridor`.
+# output and standard error together; without such lines it must print nothing. A line "..." stands for one or more
+# lines that the page leaves out. A command may end with a comment "# exit 2" that names the exit code it must have. A
+# line that ends with a backslash goes on in the next line. The examples of one page run one after the other in one
+# empty folder, with PROGRAM on the PATH as `stridor`.
 #
 # --update writes the real output into the pages where it is another; read the difference before you commit it.
 set -u
@@ -93,11 +93,13 @@ put_together() {
 
 # without blanks at line ends and blank lines at the end
 tidy() {
-    awk '{ sub(/[ \t]+$/, ""); line[NR] = $0 } END { while (NR > 0 && line[NR] == "") NR--; for (k = 1; k <= NR; k++) print line[k] }'
+    awk '
+        { sub(/[ \t]+$/, ""); line[NR] = $0 }
+        END { while (NR > 0 && line[NR] == "") NR--; for (k = 1; k <= NR; k++) print line[k] }'
 }
 
-# Do the lines of the file $2 agree with those of $1, where "..." stands for one or more lines? What lies between two such
-# marks is looked for from above; the last lines must end the output.
+# Do the lines of the file $2 agree with those of $1, where "..." stands for one or more lines? What lies between two
+# such marks is looked for from above; the last lines must end the output.
 agree() {
     awk -v expected="$1" '
         function matches(first, size, at,   k) {

@@ -94,14 +94,16 @@ for place in 2 3 5 6 9; do says "wrong.toml:$place:"; done
 says 'axial_stiffness'
 
 # --- changing the kind of drive by hand
-sed -e 's/^kind = "sinusoidal"/kind = "constant"/' squeal.toml | awk '{ print } /^kind = "constant"/ { print "velocity = \"0.1 m/s\"" }' > constant.toml
+sed -e 's/^kind = "sinusoidal"/kind = "constant"/' squeal.toml |
+    awk '{ print } /^kind = "constant"/ { print "velocity = \"0.1 m/s\"" }' > constant.toml
 step 0 'stridor simulate constant.toml'
 says 'amplitude'
 says 'warning'
 
 # --- a part that stiffens in the cold
 awk '/^axial_stiffness = /{ next } { print } END {
-    print "[temperature]\nvalue = \"23 degC\"\nat = [\"-30 degC\", \"80 degC\"]\naxial_stiffness = [\"2e7 N/m\", \"5e6 N/m\"]" }' \
+    print "[temperature]\nvalue = \"23 degC\"\nat = [\"-30 degC\", \"80 degC\"]"
+    print "axial_stiffness = [\"2e7 N/m\", \"5e6 N/m\"]" }' \
     squeal.toml > cold.toml
 step 0 'stridor simulate cold.toml --set temperature=-10'
 step 2 'stridor simulate cold.toml --set temperature=100'

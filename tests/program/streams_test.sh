@@ -21,8 +21,9 @@ expect() {
 expect 0 "init -o"
 
 # every way to print: a document, a table, help and version, completions
-for words in "simulate squeal.toml --set run.window=0.3 --set run.duration=0.3 --json" "simulate squeal.toml --set run.window=0.3 --set run.duration=0.3" "init squeal" \
-    "check squeal.toml" "--help" "--version" "chart --help" "completion bash" "library fields" "stability squeal.toml --json"; do
+for words in "simulate squeal.toml --set run.window=0.3 --set run.duration=0.3 --json" \
+    "simulate squeal.toml --set run.window=0.3 --set run.duration=0.3" "init squeal" "check squeal.toml" "--help" \
+    "--version" "chart --help" "completion bash" "library fields" "stability squeal.toml --json"; do
     # shellcheck disable=SC2086
     "$program" $words > /dev/full 2> err
     expect 5 "$words > /dev/full"

@@ -60,7 +60,8 @@ function check_line(place, file, module, line,    header) {
     if (line ~ /include[ \t]*"/)
         check_ours(place, file, module, header)
     else if (rank[module] <= rank[last_core] && (header in edge_of_the_world))
-        complain(place, module " includes <" header ">, which belongs at the edges (sweep, io, report, explorer, apps).")
+        complain(place, module " includes <" header ">, which belongs at the edges " \
+            "(sweep, io, report, explorer, apps).")
 }
 
 BEGIN {

@@ -27,7 +27,11 @@ good_tree() {
 
 # expect VERDICT CLAIM PATTERN: the check accepts or rejects the tree, and says PATTERN
 expect() {
-    if output=$(sh "$check" "$tree" base model classification chart io 2>&1); then verdict=accepts; else verdict=rejects; fi
+    if output=$(sh "$check" "$tree" base model classification chart io 2>&1); then
+        verdict=accepts
+    else
+        verdict=rejects
+    fi
     if [ "$verdict" = "$1" ] && printf '%s\n' "$output" | grep -q -e "$3"; then
         echo "ok: $1 $2"
     else
@@ -52,7 +56,8 @@ good_tree
 file model/a.hpp '#include "stridor/model/b.hpp"'
 file model/b.hpp '#include "stridor/model/c.hpp"'
 file model/c.hpp '#include "stridor/model/a.hpp"'
-expect rejects 'files that include each other' 'model/a.hpp -> stridor/model/b.hpp -> stridor/model/c.hpp -> stridor/model/a.hpp'
+expect rejects 'files that include each other' \
+    'model/a.hpp -> stridor/model/b.hpp -> stridor/model/c.hpp -> stridor/model/a.hpp'
 
 good_tree
 file base/error.cpp '#include <string>' '#include "stridor/base/error.hpp"'
