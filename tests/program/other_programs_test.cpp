@@ -3,6 +3,7 @@
 // against Stridor's own JSON.
 
 #include "support/json_of.hpp"
+#include "support/needs.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -32,7 +33,7 @@ struct Reader {
 };
 
 const Reader pandas{"pandas", {"/usr/bin/python3"}, "import pandas\n", "python3-pandas"};
-const Reader xarray{"xarray", {"/usr/bin/python3"}, "import netCDF4, xarray\n", "python3-xarray and python3-netcdf4"};
+const Reader xarray{"xarray", {"/usr/bin/python3"}, "import netCDF4, xarray\n", "python3-xarray python3-netcdf4"};
 const Reader octave{"Octave", {"/usr/bin/octave-cli", "--no-init-file", "--quiet"}, "x = 1;\n", "octave"};
 const Reader octave_netcdf{
     "Octave", {"/usr/bin/octave-cli", "--no-init-file", "--quiet"}, "pkg load netcdf\n", "octave-netcdf"};
@@ -175,8 +176,7 @@ cat("peaks", sprintf("%.17g", sapply(table[2:4], function(x) max(abs(x)))), "\n"
 
 }  // namespace
 
-#define NEEDS(reader) \
-    if (!can_run(reader)) GTEST_SKIP() << (reader).name << " is not there: apt-get install " << (reader).packages
+#define NEEDS(reader) STRIDOR_NEEDS(can_run(reader), (reader).name, (reader).packages)
 
 TEST_F(OtherPrograms, PandasReadsCharts) {
     NEEDS(pandas);

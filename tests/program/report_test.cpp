@@ -1,3 +1,4 @@
+#include "support/needs.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -101,7 +102,7 @@ TEST_F(Report, WithoutAPrinterSaysWhatToInstall) {
 }
 
 TEST_F(Report, IsPrintedWhereABrowserIsThere) {
-    if (std::system("command -v chromium > /dev/null 2>&1") != 0) GTEST_SKIP() << "no chromium";
+    STRIDOR_NEEDS(std::system("command -v chromium > /dev/null 2>&1") == 0, "Chromium", "chromium");
     const Finished done = report({"--no-advice", "--points", "4", "-o", "report.pdf"});
     ASSERT_EQ(done.exit_code, 0) << done.err;
     const std::string bytes = read_text(folder_.path() / "report.pdf");

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { test } from "node:test";
 import { openFirefox } from "./firefox.mjs";
+import { lacking } from "./needs.mjs";
 import { program, startExplorer } from "./session.mjs";
 
 const names = process.env.STRIDOR_FIREFOX ? [process.env.STRIDOR_FIREFOX] : ["firefox-esr", "firefox"];
@@ -14,7 +15,7 @@ const found = names.find((name) => {
   }
 });
 
-const skip = found ? false : "no Firefox here (apt-get install firefox-esr)";
+const skip = lacking(found, "Firefox", "firefox-esr");
 
 test("the page works in Firefox", { skip, timeout: 400_000 }, async () => {
   const explorer = await startExplorer();

@@ -3,6 +3,7 @@
 #include "io_support.hpp"
 #include "signal_support.hpp"
 #include "stridor/io/atomic_file.hpp"
+#include "support/needs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,8 +30,7 @@ bool lacks_ffmpeg() {
     return false;
 }
 
-#define NEEDS_FFMPEG() \
-    if (lacks_ffmpeg()) GTEST_SKIP() << "ffmpeg's libraries are not there: apt-get install ffmpeg libavformat-dev"
+#define NEEDS_FFMPEG() STRIDOR_NEEDS(!lacks_ffmpeg(), "A library of ffmpeg's", "ffmpeg libavformat-dev")
 
 struct Sine {
     double amplitude = 0.0;
