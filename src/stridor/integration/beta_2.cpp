@@ -7,7 +7,8 @@
 //
 // Eliminating v gives pₙ₊₁ = pₙ + h aₙ: the state is (u, p). With A = M + β h C and s = (β + 1/2) h² the contact forces
 // move the end of the step by s A⁻¹ (n N + t T). Free predictor u*: gap n.u* > 0 is separation. Else the stick trial:
-// n.uₙ₊₁ = 0 and t.(uₙ₊₁ - uₙ) = x2ₙ₊₁ - x2ₙ; if the law of friction holds it sticks, else T is its share of N and N closes the gap.
+// n.uₙ₊₁ = 0 and t.(uₙ₊₁ - uₙ) = x2ₙ₊₁ - x2ₙ; if the law of friction holds it sticks,
+// else T is its share of N and N closes the gap.
 //
 // Energy: ½ p.M p + ½ uₙ.K (uₙ - h pₙ) changes over a step by exactly h vₙ.(f0 + n N + t T - C vₙ) when β = 1/2.
 

@@ -26,8 +26,8 @@ double stable_step(double beta_2, double angular_frequency);
 /// step h only, and a stick trial captures any slip velocity below about mu_s N h / m: the weakness of the
 /// method, see docs/methods/motion.md. Returns `step_limit` without running where the step is unstable, `diverged` with
 /// the time where a number left double precision, `cancelled` within milliseconds of a stop request.
-/// It solves structures of any size with one contact, any law of friction in `model`, and plastic impacts. Throws `Error`:
-/// input for any other, by name; numerical for a Painleve configuration; what `initial_state` throws.
+/// It solves structures of any size with one contact, any law of friction in `model`, and plastic impacts. Throws
+/// `Error`: input for any other, by name; numerical for a Painleve configuration; what `initial_state` throws.
 /// Source: Elmaian et al. 2012, references [9, 10]; explicit Newmark scheme with beta = 0, gamma = beta_2.
 Motion integrate_beta_2(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
                         const Beta2& settings, record::Recorder recorder, std::stop_token stop = {});

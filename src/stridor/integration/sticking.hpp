@@ -19,10 +19,10 @@ struct StuckState {
 
 /// Does a contact that sticks now stick for ever, if the drive goes on as it is?
 ///
-/// `sticks` is proven by a bound on the energy of the vibration that is left, `releases` by the forces that the drive itself
-/// builds up (derivation: sticking.cpp); `unknown` where that vibration may or may not end the stick, for a sampled drive,
-/// and where a free motion has no stiffness or negative damping. A release under a constant drive comes with its time,
-/// about. Throws `Error` (input) what `only_contact` refuses.
+/// `sticks` is proven by a bound on the energy of the vibration that is left, `releases` by the forces that the drive
+/// itself builds up (derivation: sticking.cpp); `unknown` where that vibration may or may not end the stick, for a
+/// sampled drive, and where a free motion has no stiffness or negative damping. A release under a constant drive comes
+/// with its time, about. Throws `Error` (input) what `only_contact` refuses.
 record::Outlook outlook_of_stick(const model::Structure& structure, const parameters::Drive& drive,
                                  const StuckState& now);
 

@@ -30,8 +30,8 @@ struct SurfaceMotion {
     double acceleration = 0.0;  // [m/s^2] V'
 };
 
-/// Throws `Error` (numerical) naming a Painleve configuration, for either direction of slip. `normal_compliance` Wnn and
-/// `coupling` Wnt [1/kg].
+/// Throws `Error` (numerical) naming a Painleve configuration, for either direction of slip. `normal_compliance` Wnn
+/// and `coupling` Wnt [1/kg].
 void require_no_painleve(double normal_compliance, double coupling, const FrictionLaw& friction);
 
 /// State, forces and acceleration of a structure with one contact whose gap is closed or open by its displacement u [m]

@@ -4,8 +4,8 @@
 
 namespace stridor::model {
 
-/// Coulomb friction with two coefficients, the same both ways and independent of the slip velocity (Elmaian et al. 2012,
-/// Figure 3):
+/// Coulomb friction with two coefficients, the same both ways and independent of the slip velocity (Elmaian et al.
+/// 2012, Figure 3):
 ///
 ///     stick  |T| <= mu_s N        slip  T = -sign(w) mu_d N
 struct Coulomb {

@@ -13,7 +13,8 @@ double slip_ratio(const FrictionLaw& law, Slip way) {
 }
 
 bool holds(const FrictionLaw& law, double normal_force, double friction_force) {
-    return std::abs(friction_force) <= stick_limit(law, slip_against(friction_force)) * normal_force;
+    return normal_force >= 0.0 &&
+           std::abs(friction_force) <= stick_limit(law, slip_against(friction_force)) * normal_force;
 }
 
 FrictionLaw friction_law(const parameters::Contact& contact) {

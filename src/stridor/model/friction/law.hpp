@@ -17,8 +17,8 @@ using FrictionLaw = std::variant<Coulomb>;
 /// Largest friction force over normal force [1], without sign, that keeps a stuck contact from slipping that way.
 double stick_limit(const FrictionLaw& law, Slip way);
 
-/// Friction force over normal force [1], T/N on the rubbed mass, while the contact slips that way: against the slip, so at
-/// most 0 forward and at least 0 backward, and within the limit of the stick that way.
+/// Friction force over normal force [1], T/N on the rubbed mass, while the contact slips that way: against the slip, so
+/// at most 0 forward and at least 0 backward, and within the limit of the stick that way.
 double slip_ratio(const FrictionLaw& law, Slip way);
 
 /// Can a contact stick with these forces [N]? Never if N < 0.

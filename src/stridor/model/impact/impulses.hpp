@@ -4,8 +4,8 @@
 
 namespace stridor::model {
 
-/// How a structure answers impulses at a contact, in coordinates orthogonal under M: P_n changes g' by (P_n + c P_t) / m_g,
-/// P_t changes the tangential velocity by P_t / m_x.
+/// How a structure answers impulses at a contact, in coordinates orthogonal under M: P_n changes g' by (P_n + c P_t) /
+/// m_g, P_t changes the tangential velocity by P_t / m_x.
 struct ContactInertia {
     double normal = 0.0;      // [kg] m_g
     double tangential = 0.0;  // [kg] m_x
@@ -26,8 +26,8 @@ struct Impulses {
     bool stops = false;        // the slip ends
 };
 
-/// Impulses that turn g' into -e g', with the tangential impulse in the friction cone: P_t ends the slip if the limit of the
-/// stick allows it, else it is the slip's ratio of P_n. Derivation: docs/methods/physics.md.
+/// Impulses that turn g' into -e g', with the tangential impulse in the friction cone: P_t ends the slip if the limit
+/// of the stick allows it, else it is the slip's ratio of P_n. Derivation: docs/methods/physics.md.
 Impulses impulses_with_friction(const ContactInertia& inertia, const FrictionLaw& friction, const Approach& approach,
                                 double restitution);
 

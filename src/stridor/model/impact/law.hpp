@@ -7,9 +7,9 @@
 
 #include <variant>
 
-/// What happens when a separation ends. A law is a struct of its numbers and one function; the engines call it and know no
-/// law. A new one is a file pair beside `plastic` and its name in the list below; tests/contract/impact_contract.cpp says
-/// what it must keep.
+/// What happens when a separation ends. A law is a struct of its numbers and one function; the engines call it and know
+/// no law. A new one is a file pair beside `plastic` and its name in the list below; tests/contract/impact_contract.cpp
+/// says what it must keep.
 namespace stridor::model {
 
 using ImpactLaw = std::variant<Plastic, NormalOnly, Restitution>;

@@ -4,7 +4,8 @@
 
 namespace stridor::model {
 
-/// No rebound; the tangential impulse obeys the same friction cone as the forces. What the beta_2 scheme does as h -> 0.
+/// No rebound; the tangential impulse obeys the same friction cone as the forces.
+/// What the beta_2 scheme does as h -> 0.
 struct Plastic {
     bool operator==(const Plastic&) const = default;
 };

@@ -4,7 +4,8 @@
 
 namespace stridor::model {
 
-/// Newton's law: the surfaces part with a share of the velocity at which they met; the tangential impulse as in `Plastic`.
+/// Newton's law: the surfaces part with a share of the velocity at which they met;
+/// the tangential impulse as in `Plastic`.
 struct Restitution {
     double coefficient = 0.0;  // [1] e, in [0, 1)
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "stridor/model/friction/law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+namespace stridor::contract {
+
+/// A law of friction as the contract suite sees it.
+struct FrictionUnderTest {
+    std::string name;
+    model::FrictionLaw law;
+};
+
+inline void PrintTo(const FrictionUnderTest& friction, std::ostream* out) {
+    *out << friction.name;
+}
+
+/// What every law of friction promises the engines. Instantiate it with INSTANTIATE_TEST_SUITE_P for each law.
+class FrictionContract : public testing::TestWithParam<FrictionUnderTest> {
+protected:
+    const model::FrictionLaw& law() const { return GetParam().law; }
+};
+
+}  // namespace stridor::contract
