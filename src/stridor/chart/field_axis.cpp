@@ -2,6 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,6 +27,14 @@ Text value_of(const parameters::Case& c, const parameters::Field& field) {
         return value + (quantity->unit == "deg" ? Text() : Text(" ")) + unit;
     }
     return Text(spelled(parameters::value_text(c, field)));
+}
+
+// "k1i, μd over θ by table"
+Text followers(const parameters::Case& c) {
+    Text names;
+    for (const parameters::TemperatureColumn& column : c.temperature.columns)
+        names = (is_empty(names) ? names : names + ", ") + symbol(parameters::find_field(column.key)->symbol);
+    return names + " over " + symbol(parameters::find_field("temperature.value")->symbol) + " by table";
 }
 
 }  // namespace
@@ -84,14 +93,29 @@ Text settings(const parameters::Case& c, std::span<const std::string_view> keys)
 }
 
 Text conditions(const parameters::Case& c, std::span<const std::string_view> varied) {
-    constexpr std::array<std::string_view, 10> telling{
-        "joint.incidence_angle", "contact.preload", "contact.static_friction", "contact.kinetic_friction",
-        "drive.amplitude",       "drive.frequency", "drive.velocity",          "run.duration",
-        "run.initial",           "run.step"};
+    constexpr std::array<std::string_view, 11> telling{"joint.incidence_angle",
+                                                       "contact.preload",
+                                                       "contact.static_friction",
+                                                       "contact.kinetic_friction",
+                                                       "temperature.value",
+                                                       "drive.amplitude",
+                                                       "drive.frequency",
+                                                       "drive.velocity",
+                                                       "run.duration",
+                                                       "run.initial",
+                                                       "run.step"};
+    const auto varies = [&](std::string_view key) {
+        return std::find(varied.begin(), varied.end(), key) != varied.end();
+    };
+    // what follows an axis has no one value
+    const bool is_temperature_varied = varies("temperature.value");
     std::vector<std::string_view> kept;
     for (const std::string_view key : telling)
-        if (std::find(varied.begin(), varied.end(), key) == varied.end()) kept.push_back(key);
-    return settings(c, kept);
+        if (!varies(key) && !(is_temperature_varied && parameters::temperature_column(c, key) != nullptr))
+            kept.push_back(key);
+    const Text row = settings(c, kept);
+    if (!is_temperature_varied || !parameters::has_temperature_table(c)) return row;
+    return (is_empty(row) ? row : row + "; ") + followers(c);
 }
 
 Text lettered(std::size_t panel, const Text& title) {

@@ -1,5 +1,6 @@
 #include "stridor/chart/field_axis.hpp"
 
+#include "stridor/parameters/temperature_table.hpp"
 #include "support/property.hpp"
 
 #include <gtest/gtest.h>
@@ -73,6 +74,23 @@ TEST(Conditions, LeaveOutWhatVariesAndWhatDoesNotBelong) {
     EXPECT_EQ(text.find("V = "), std::string::npos) << "the drive is sinusoidal";
     EXPECT_NE(text.find("μs = 0.8"), std::string::npos);
     EXPECT_NE(text.find("initial = rest"), std::string::npos);
+}
+
+TEST(Conditions, NameNoValueOfWhatFollowsAnAxis) {
+    parameters::Case c;
+    using Holds = parameters::TemperatureColumn::Holds;
+    parameters::set_temperature_table(c, {-30.0, 80.0},
+                                      {{"contact.kinetic_friction", {0.5, 0.7}, Holds::quantity},
+                                       {"joint.axial_stiffness", {2e7, 1e7}, Holds::quantity}});
+    const std::string at_one = plain_text(conditions(c));
+    EXPECT_NE(at_one.find("μs = 0.8, μd = "), std::string::npos) << at_one;
+    EXPECT_NE(at_one.find(", θ = "), std::string::npos) << at_one;
+    const std::array<std::string_view, 1> varied{"temperature.value"};
+    const std::string over = plain_text(conditions(c, varied));
+    EXPECT_EQ(over.find("μd ="), std::string::npos) << over;
+    EXPECT_EQ(over.find("θ ="), std::string::npos) << over;
+    EXPECT_NE(over.find("μs = 0.8"), std::string::npos) << over;
+    EXPECT_TRUE(over.ends_with("; k1i, μd over θ by table")) << over;
 }
 
 }  // namespace
