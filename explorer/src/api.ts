@@ -16,17 +16,33 @@ import type {
 
 /** The server refused, in its own words. */
 export class Failure extends Error {
+  /** All that it named, the first first. */
+  readonly complaints: readonly ServerError[];
+
   constructor(readonly error: ServerError) {
-    super([error.what, error.why ? `(${error.why})` : "", error.suggestion].filter(Boolean).join(" "));
+    super(told(error));
+    this.complaints = [error, ...(error.others ?? [])];
   }
+}
+
+function told({ what, why, suggestion }: ServerError): string {
+  return [what, why ? `(${why})` : "", suggestion].filter(Boolean).join(" ");
 }
 
 export function isAbort(error: unknown): boolean {
   return error instanceof DOMException && error.name === "AbortError";
 }
 
+/** The first thing that went wrong. */
 export function sentence(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
+}
+
+/** Everything that went wrong, each in a sentence or two. */
+export function sentences(error: unknown): string[] {
+  if (!(error instanceof Failure)) return [sentence(error)];
+  const { untold = 0 } = error.error;
+  return [...error.complaints.map(told), ...(untold > 0 ? [`${untold} more`] : [])];
 }
 
 async function checked(response: Response): Promise<Response> {

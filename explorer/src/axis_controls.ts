@@ -2,10 +2,10 @@
 import * as api from "./api.ts";
 import { button, h, select, setOptions } from "./dom.ts";
 import { number, plain, quantity, symbolText, title, words } from "./format.ts";
-import { valueIn } from "./parameters.ts";
+import { variedIn } from "./parameters.ts";
 import type { State } from "./state.ts";
 import type { Store } from "./store.ts";
-import type { Axis, Case, QuantityField, Start } from "./types.ts";
+import type { Axis, Case, Start } from "./types.ts";
 
 type Name = "x" | "y";
 
@@ -20,20 +20,17 @@ export class AxisControls {
   readonly element: HTMLElement;
   private readonly rows_: Record<Name, AxisRow>;
   private readonly figure_: HTMLSelectElement;
-  private readonly quantities_: QuantityField[];
+  private known_: ReturnType<typeof variedIn> = []; // what may be an axis of the case at hand
 
   constructor(
     private readonly store_: Store,
-    start: Start,
+    private readonly start_: Start,
     unzoom: () => void,
     private readonly complain_: (error: unknown) => void,
   ) {
-    this.quantities_ =
-      start.fields.filter((field): field is QuantityField => field.kind === "quantity" && field.usual !== null);
     this.rows_ = { x: this.row_("x"), y: this.row_("y") };
-    const figures = [["category", "category"], ...start.figures.map(({ name }) => [name, words(name)])];
-    const show = (figure: string): void => this.store_.update({ figure });
-    this.figure_ = select("Shown in the chart", figures as [string, string][], show, {
+    const figures = [["category", "category"], ...start_.figures.map(({ name }) => [name, words(name)])];
+    this.figure_ = select("Shown in the chart", figures as [string, string][], (figure) => this.store_.update({ figure }), {
       id: "figure",
     });
     this.element = h(
@@ -52,14 +49,12 @@ export class AxisControls {
 
   /** The axis of a parameter between its usual ends. */
   whole(axis: Axis): Axis {
-    const field = this.quantities_.find(({ key }) => key === axis.parameter);
-    return field?.usual ? { ...axis, ...field.usual } : axis;
+    return { ...axis, ...this.known_.find(({ key }) => key === axis.parameter)?.usual };
   }
 
   show(state: State, resolved: Case): void {
-    const known = this.quantities_.filter(({ key }) => valueIn(resolved, key) !== undefined);
-    const options =
-      known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")] as const);
+    const known = (this.known_ = variedIn(resolved, this.start_.fields));
+    const options = known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")] as const);
     for (const name of ["x", "y"] as const) {
       const axis = state[name];
       const row = this.rows_[name];
@@ -69,7 +64,7 @@ export class AxisControls {
       setOptions(row.parameter, [...options, ...extra]);
       row.parameter.value = axis.parameter;
       row.scale.value = axis.scale;
-      const unit = this.quantities_.find(({ key }) => key === axis.parameter)?.unit ?? "";
+      const unit = known.find(({ key }) => key === axis.parameter)?.unit ?? "";
       for (const end of ["from", "to"] as const)
         if (document.activeElement !== row[end])
           row[end].value = unit === "1" ? plain(axis[end], 6) : quantity(axis[end], unit, 6);

@@ -23,6 +23,7 @@ export function plain(value: number, digits = 4): string {
 export function unitText(unit: string): string {
   if (unit === "1" || unit === "") return "";
   if (unit === "deg") return "°";
+  if (unit === "degC") return "°C";
   return unit.replace("1e-9 m/s", "1 nm/s").replaceAll("*", "·").replace("^2", "²");
 }
 
@@ -69,7 +70,7 @@ export function number(text: string): number | null {
   return /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i.test(text) ? Number(text) : null;
 }
 
-const greek: Record<string, string> = { mu: "μ", alpha: "α", beta: "β", lambda: "λ", omega: "ω" };
+const greek: Record<string, string> = { mu: "μ", alpha: "α", beta: "β", theta: "θ", lambda: "λ", omega: "ω" };
 
 /** "mu_d" as a letter and what stands below it: ["μ", "d"]. */
 export function symbolParts(symbol: string): [string, string] {
@@ -89,10 +90,10 @@ export function symbolText(symbol: string): string {
   return letter + [...below].map((sign) => lowered[sign] ?? sign).join("");
 }
 
-/** "contact.kinetic_friction" as words: "kinetic friction". */
+/** "contact.kinetic_friction" as words: "kinetic friction"; a section's only value is called as the section. */
 export function words(key: string): string {
-  const name = key.split(".").pop() ?? key;
-  return name.replaceAll("_", " ");
+  const [section = "", name = section] = key.split(".");
+  return (name === "value" ? section : name).replaceAll("_", " ");
 }
 
 /** "joint mass" and "plate mass": the section where the name alone would not do. */

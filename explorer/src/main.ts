@@ -8,7 +8,7 @@ import { button, h } from "./dom.ts";
 import { Latest } from "./latest.ts";
 import { Mechanism } from "./mechanism.ts";
 import { Motions } from "./motions.ts";
-import { Complaint, Parameters } from "./parameters.ts";
+import { begun, Complaint, Parameters } from "./parameters.ts";
 import { Response } from "./response.ts";
 import { Share } from "./share.ts";
 import { themes, type Design, type State } from "./state.ts";
@@ -167,8 +167,8 @@ class Page {
 
   /** Says what was refused; null: nothing any more. */
   private complain_(error: unknown): void {
-    this.complaint_.show(error === null ? "" : api.sentence(error));
-    this.parameters_.blame(error instanceof api.Failure ? error.error : null);
+    this.complaint_.show(error === null ? [] : api.sentences(error));
+    this.parameters_.blame(error instanceof api.Failure ? error.complaints : []);
   }
 
   private async takeTour_(): Promise<void> {
@@ -209,7 +209,7 @@ class Page {
     else if (event.key === "d")
       this.store_.update({ direction: state.direction === "going" ? "coming" : "going" }, "replace");
     else if (event.key === "x" && state.view === "listen") this.views_.current?.switch?.();
-    else if (preset) this.store_.update({ design: { preset: preset.name, set: {} }, span: null, ...preset.chart });
+    else if (preset) this.store_.update(begun(this.start_, preset, state));
     else return;
     event.preventDefault();
   }

@@ -3,7 +3,7 @@ import * as api from "./api.ts";
 import { Asked } from "./asked.ts";
 import { h, select, setOptions, setText } from "./dom.ts";
 import { plain, quantity, symbolText, title, unitText } from "./format.ts";
-import { followsTemperature, quantityOf, valueIn } from "./parameters.ts";
+import { quantityOf, variedIn } from "./parameters.ts";
 import { Plot, type Curve } from "./plot.ts";
 import type { Design } from "./state.ts";
 import type { QuantityField, Stability, StabilityDirection, Start } from "./types.ts";
@@ -22,7 +22,6 @@ export class Modes implements ViewPart {
   private readonly growth_ = new Plot("Growth rates of steady sliding");
   private readonly verdict_ = h("p", { class: "readout", id: "modes-readout" });
   private readonly over_: HTMLSelectElement;
-  private readonly quantities_: QuantityField[];
   private readonly asked_ = new Asked<Wish, Stability>(
     ({ design, over }, signal) => api.stability(design, over, signal),
     () => this.paint_(),
@@ -30,9 +29,7 @@ export class Modes implements ViewPart {
   private key_ = "contact.kinetic_friction";
   private last_: Context | null = null;
 
-  constructor(start: Start) {
-    this.quantities_ =
-      start.fields.filter((field): field is QuantityField => field.kind === "quantity" && field.usual !== null);
+  constructor(private readonly start_: Start) {
     this.over_ = select("Over which parameter", [], (key) => {
       this.key_ = key;
       if (this.last_) this.show(this.last_);
@@ -50,8 +47,7 @@ export class Modes implements ViewPart {
     this.last_ = context;
     const { simulation, state } = context;
     if (!simulation || context.step === "drag") return;
-    const known = this.quantities_.filter(({ key }) => valueIn(simulation.case, key) !== undefined
-      && !followsTemperature(simulation.case, key) && !key.startsWith("drive."));
+    const known = variedIn(simulation.case, this.start_.fields).filter(({ key }) => !key.startsWith("drive."));
     if (!known.some(({ key }) => key === this.key_)) this.key_ = known[0]?.key ?? this.key_;
     setOptions(this.over_,
       known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")]));
@@ -74,7 +70,7 @@ export class Modes implements ViewPart {
     const { state, simulation } = this.last_;
     const direction = answer.directions.find((each) => each.direction === state.direction) ?? answer.directions[0];
     if (!direction || direction.points.length === 0) return;
-    const field = this.quantities_.find(({ key }) => key === this.key_);
+    const field = this.start_.fields.find(({ key }) => key === this.key_) as QuantityField | undefined;
     const x = direction.points.map(({ value }) => value);
     const unit = unitText(field?.unit ?? "");
     const xTitle = title(this.key_) + (unit ? ` [${unit}]` : "");

@@ -1,11 +1,11 @@
 /** The design's parameters: a slider and a field each, made from the program's field table; presets; resets. */
 import * as api from "./api.ts";
-import { button, h, select, setText, symbol } from "./dom.ts";
-import { exact, number as plainNumber, quantity, rounded, symbolParts, title, words } from "./format.ts";
+import { button, h, select, symbol } from "./dom.ts";
+import { exact, number as plainNumber, quantity, rounded, symbolParts, title, unitText, words } from "./format.ts";
 import { at, share } from "./scale.ts";
 import { withoutKeys, withValues, type State } from "./state.ts";
 import type { Store } from "./store.ts";
-import type { Case, Field, QuantityField, ServerError, Start } from "./types.ts";
+import type { Case, Field, Preset, QuantityField, ServerError, Start } from "./types.ts";
 
 const steps = 1000;
 const folded = new Set(["run", "verdict"]);
@@ -30,6 +30,47 @@ export function valueIn(resolved: Case, key: string): number | string | undefine
 export function followsTemperature(resolved: Case, key: string): boolean {
   const { temperature } = resolved;
   return typeof temperature === "object" && key in temperature;
+}
+
+type Usual = NonNullable<QuantityField["usual"]>;
+
+/** Between which values a quantity of a case is varied, if it is: of the temperature, over its table. */
+function usualOf(field: QuantityField, resolved: Case): Usual | null {
+  const { key, usual } = field;
+  if (valueIn(resolved, key) === undefined || followsTemperature(resolved, key)) return null;
+  if (key !== "temperature.value") return usual;
+  const at = (resolved.temperature as Record<string, unknown>).at as number[];
+  return { from: at[0] as number, to: at.at(-1) as number, scale: "linear" };
+}
+
+/** The quantities that can be varied in a case, with the values between which. */
+export function variedIn(resolved: Case, fields: readonly Field[]): (QuantityField & { usual: Usual })[] {
+  return fields.flatMap((field) => {
+    const usual = field.kind === "quantity" ? usualOf(field, resolved) : null;
+    return field.kind === "quantity" && usual ? [{ ...field, usual }] : [];
+  });
+}
+
+/** What a preset begins with: its own chart, else the present axes, unless its case does not have them. */
+export function begun(start: Start, { name, case: resolved, chart }: Preset, { x, y }: State): Partial<State> {
+  const known = variedIn(resolved, start.fields).map(({ key }) => key);
+  const keeps = known.includes(x.parameter) && known.includes(y.parameter);
+  const axes = keeps ? {} : { x: start.chart.x, y: start.chart.y };
+  return { design: { preset: name, set: {} }, span: null, ...axes, ...chart };
+}
+
+/** A row whose value comes from the table says so, in place of its slider. */
+function follow({ field, element }: Row, isFollowing: boolean): void {
+  if (isFollowing === element.classList.contains("follows")) return;
+  element.classList.toggle("follows", isFollowing);
+  const note = element.querySelector(".note") ?? h("span", { class: "note", id: `${field.key}-note` }, "follows the temperature");
+  if (isFollowing) element.append(note);
+  else note.remove();
+  for (const input of element.querySelectorAll("input")) {
+    input.disabled = isFollowing;
+    if (isFollowing) input.setAttribute("aria-describedby", note.id);
+    else input.removeAttribute("aria-describedby");
+  }
 }
 
 /** The value that a design gives a quantity: what was set, else what the case holds. */
@@ -90,17 +131,18 @@ export class Parameters {
       row.element.hidden = valueIn(resolved, key) === undefined && state.design.set[key] === undefined;
       row.element.classList.toggle("changed", state.design.set[key] !== undefined);
       if (value !== undefined) row.show(value, valueIn(preset, key));
-      for (const input of row.element.querySelectorAll("input")) input.disabled = followsTemperature(resolved, key);
+      follow(row, followsTemperature(resolved, key));
     }
     for (const [, group] of this.groups_)
       group.hidden = ![...group.querySelectorAll<HTMLElement>(".row")].some((row) => !row.hidden);
     this.resetAll_.disabled = Object.keys(state.design.set).length === 0;
   }
 
-  /** Marks the field that the server refused; null: none. */
-  blame(error: ServerError | null): void {
+  /** Marks the fields that the server refused. */
+  blame(complaints: readonly ServerError[]): void {
+    const refused = new Set(complaints.map(({ key }) => key));
     for (const row of this.rows_) {
-      const guilty = error?.key === row.field.key;
+      const guilty = refused.has(row.field.key);
       row.element.classList.toggle("refused", guilty);
       for (const input of row.element.querySelectorAll("input")) input.setAttribute("aria-invalid", String(guilty));
     }
@@ -108,11 +150,10 @@ export class Parameters {
 
   private presetPicker_(): HTMLElement {
     const group = h("fieldset", { id: "preset", class: "segments" }, h("legend", { class: "unseen" }, "Case"));
-    for (const { name, title, chart } of this.start_.presets) {
+    for (const preset of this.start_.presets) {
+      const { name, title } = preset;
       const input = h("input", { type: "radio", name: "preset", value: name, "data-preset": name });
-      input.addEventListener("change", () =>
-        this.store_.update({ design: { preset: name, set: {} }, span: null, ...chart }),
-      );
+      input.addEventListener("change", () => this.store_.update(begun(this.start_, preset, this.store_.state)));
       this.presets_.set(name, input);
       group.append(h("label", { title }, input, h("span", {}, name)));
     }
@@ -185,10 +226,11 @@ export class Parameters {
       autocomplete: "off",
       spellcheck: "false",
       "data-field": key,
-      "aria-label": `${title(key)}, ${unit === "1" ? "no unit" : unit}`,
+      "aria-label": `${title(key)}, ${unitText(unit) || "no unit"}`,
     });
     const reset = this.resetButton_(field);
-    const slider = field.usual ? new Slider(field, field.usual, (value, step) => this.set_(field, value, step)) : null;
+    const usual = field.usual ?? (key === "temperature.value" ? { from: 0, to: 1, scale: "linear" } : null);
+    const slider = usual ? new Slider(field, usual, (value, step) => this.set_(field, value, step)) : null;
 
     let shown = "";
     let refused = false; // text that the program did not take for a quantity
@@ -233,8 +275,8 @@ export class Parameters {
       shown = quantity(known, unit);
       if (document.activeElement !== number || number.value === "") number.value = shown;
       else if (plainNumber(number.value) === known) number.value = shown;
-      number.title = unit === "1" ? exact(known) : `${exact(known)} ${unit}`;
-      slider?.show(known, shown);
+      number.title = `${exact(known)} ${unitText(unit)}`.trim();
+      slider?.show(known, shown, usualOf(field, this.resolved_));
       reset.title = base === undefined ? "Reset" : `Back to ${quantity(Number(base), unit)}`;
     };
     return { field, element, show };
@@ -267,7 +309,7 @@ class Slider {
 
   constructor(
     field: QuantityField,
-    private readonly usual_: NonNullable<QuantityField["usual"]>,
+    private usual_: Usual,
     change: (value: string, step: "push" | "drag") => void,
   ) {
     this.input =
@@ -276,7 +318,8 @@ class Slider {
     this.input.addEventListener("change", () => change(exact(this.value_()), "push"));
   }
 
-  show(value: number, text: string): void {
+  show(value: number, text: string, usual: Usual | null): void {
+    if (usual) this.usual_ = usual;
     const { from, to, scale } = this.usual_;
     this.sign_ = value < 0 && from >= 0 ? -1 : 1;
     const part = share(value * this.sign_, from, to, scale);
@@ -292,12 +335,19 @@ class Slider {
   }
 }
 
-/** One line that says what was refused, or nothing. */
+/** What was refused: a line, or a list of all that is wrong; or nothing. */
 export class Complaint {
-  readonly element = h("p", { id: "complaint", class: "complaint", role: "alert", hidden: true });
+  readonly element = h("div", { id: "complaint", class: "complaint", role: "alert", hidden: true });
+  private shown_ = "";
 
-  show(text: string): void {
-    this.element.hidden = text === "";
-    setText(this.element, text);
+  show(told: readonly string[]): void {
+    const text = told.join("\n");
+    if (text === this.shown_) return; // not announced anew
+    this.shown_ = text;
+    this.element.hidden = told.length === 0;
+    // a long list scrolls, with the keys as well
+    if (told.length > 1) this.element.tabIndex = 0;
+    else this.element.removeAttribute("tabindex");
+    this.element.replaceChildren(told.length > 1 ? h("ul", {}, ...told.map((each) => h("li", {}, each))) : (told[0] ?? ""));
   }
 }

@@ -255,4 +255,7 @@ export interface ServerError {
   why: string;
   suggestion: string;
   key?: string;
+  /** What else is wrong with the same request, and how much more of it was left out. */
+  others?: ServerError[];
+  untold?: number;
 }

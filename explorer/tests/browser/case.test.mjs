@@ -169,3 +169,60 @@ test("a link that leans on a file is refused where there is none, with a way out
 test("nothing went wrong on the way", () => {
   assert.deepEqual(browser.sins.filter((sin) => !/status of 400/.test(sin)), []); // a refusal is an answer
 });
+
+test("all that is wrong with a design is told, each at its field", async () => {
+  const other = await openPage(explorer);
+  try {
+    await other.goto("#preset=squeal&contact.preload=-5+N&contact.kinetic_friction=nonsense&joint.mass=2+m");
+    await other.page.waitForSelector("#complaint:not([hidden]) li");
+    const told = await other.page.locator("#complaint li").allInnerTexts();
+    assert.equal(told.length, 3, told.join(" / "));
+    for (const key of ["contact.preload", "contact.kinetic_friction", "joint.mass"]) {
+      assert.equal(told.filter((each) => each.includes(key)).length, 1, told.join(" / "));
+      assert.equal(await other.page.locator(`[data-field="${key}"]`).getAttribute("aria-invalid"), "true", key);
+    }
+    await other.page.locator("#reset-all").click();
+    await settled(other.page);
+    assert.ok(await other.page.locator("#complaint").isHidden());
+  } finally {
+    await other.close();
+  }
+});
+
+test("what follows the temperature says so, and the temperature slides over its table", async () => {
+  const file = join(folder, "warm.toml");
+  const text = execFileSync(program, ["init", "squeal"], { encoding: "utf8" });
+  await writeFile(file, text.replace(/^kinetic_friction = .*$/m, "") +
+    '\n[temperature]\nvalue = "23 degC"\nat = [-30, 23, 80]\nkinetic_friction = [0.5, 0.6, 0.7]\n');
+  const warm = await startExplorer([file]);
+  const other = await openPage(warm);
+  try {
+    const { page } = other;
+    await other.goto();
+    await settled(page);
+    const row = page.locator('[data-row="contact.kinetic_friction"]');
+    const field = row.locator('input[type="text"]');
+    assert.match(await row.innerText(), /follows the temperature/);
+    assert.ok(await field.isDisabled());
+    assert.ok(await row.locator('input[type="range"]').isHidden());
+    const note = await field.getAttribute("aria-describedby");
+    assert.equal(await page.evaluate((id) => document.getElementById(id).textContent, note), "follows the temperature");
+    assert.match(await page.locator('[data-row="temperature.value"]').innerText(), /^θ\s*temperature/);
+    assert.equal(await page.locator('[data-field="temperature.value"]').inputValue(), "23 °C");
+    const axes = await page.locator("#axis-y option").allInnerTexts();
+    assert.ok(axes.includes("temperature θ") && !axes.some((each) => each.startsWith("kinetic friction")), axes.join(", "));
+    assert.equal(await page.locator("#axis-y").inputValue(), "temperature.value");
+    await page.locator('[data-key="temperature.value"]').fill("1000"); // its end
+    await page.waitForFunction(() => document.querySelector('[data-field="contact.kinetic_friction"]').value === "0.7");
+    await page.locator("#preset label").filter({ hasText: "squeak" }).click();
+    await settled(page);
+    assert.notEqual(await page.locator("#axis-y").inputValue(), "temperature.value", "this case has none");
+    assert.ok(await field.isEnabled());
+    assert.equal(await field.getAttribute("aria-describedby"), null);
+    assert.ok(!(await row.innerText()).includes("follows"));
+    assert.deepEqual(other.sins, []);
+  } finally {
+    await other.close();
+    assert.equal(await warm.stop(), 0);
+  }
+});

@@ -5,11 +5,9 @@ import { random } from "./random.mjs";
 
 test("quantities are written as people write them", () => {
   const cases = [
-    [20, "N", "20 N"], [1e7, "N/m", "10 MN/m"], [0.004, "m", "4 mm"], [70, "deg", "70°"], [0.6, "1", "0.6"],
-    [0.1, "kg", "100 g"],
-    [0, "N", "0 N"], [-0.1, "m/s", "-100 mm/s"], [999.96, "N", "1 kN"], [1e-6, "s", "1 µs"],
-    [5.6e-16, "J", "5.6e-16 J"], [428.532, "Hz", "428.5 Hz"],
-    [null, "N", "–"], [undefined, "N", "–"], [NaN, "N", "–"], [166.2, "dB", "166.2 dB"],
+    [20, "N", "20 N"], [1e7, "N/m", "10 MN/m"], [0.004, "m", "4 mm"], [70, "deg", "70°"], [0.6, "1", "0.6"], [0.1, "kg", "100 g"],
+    [0, "N", "0 N"], [-0.1, "m/s", "-100 mm/s"], [999.96, "N", "1 kN"], [1e-6, "s", "1 µs"], [5.6e-16, "J", "5.6e-16 J"], [428.532, "Hz", "428.5 Hz"],
+    [-10, "degC", "-10 °C"], [null, "N", "–"], [undefined, "N", "–"], [NaN, "N", "–"], [166.2, "dB", "166.2 dB"],
   ];
   for (const [value, unit, text] of cases) assert.equal(quantity(value, unit), text);
 });
@@ -40,6 +38,7 @@ test("symbols have their letters and what stands below", () => {
   assert.deepEqual(symbolParts("k1i"), ["k", "1i"]);
   assert.deepEqual(symbolParts("A_exc"), ["A", "exc"]);
   assert.deepEqual(symbolParts("alpha"), ["α", ""]);
+  assert.deepEqual(symbolParts("theta"), ["θ", ""]);
   assert.deepEqual(symbolParts("F"), ["F", ""]);
   assert.equal(symbolText("m1"), "m₁");
 });
@@ -48,6 +47,7 @@ test("names alone would be ambiguous where two parts have them", () => {
   assert.equal(title("joint.mass"), "joint mass");
   assert.equal(title("plate.stiffness"), "plate stiffness");
   assert.equal(title("contact.preload"), "preload");
+  assert.equal(title("temperature.value"), "temperature");
 });
 
 test("numbers keep few digits and never lie about nothing", () => {

@@ -20,8 +20,8 @@ namespace stridor::explorer {
 /// A document; with a line end after it.
 Response json(std::string document);
 
-/// "stridor.explorer.error/1", on one line.
-std::string error_document(const base::Problem& problem);
+/// "stridor.explorer.error/1", on one line: the first complaint, the next few in "others", how many more in "untold".
+std::string error_document(const Error& error);
 
 // answers_case.cpp
 

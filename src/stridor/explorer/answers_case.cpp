@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,8 @@ namespace {
 
 constexpr double most_samples = 1e6;     // of a trace
 constexpr double least_interval = 1e-7;  // [s] between them
+constexpr std::size_t most_complaints =
+    12;  // of one error that the page has room for; a request may hold 200 wrong values
 
 Json field_object(const parameters::Field& field) {
     Json object{{"key", parameters::key_of(field)},
@@ -141,6 +144,13 @@ std::string key_in(const std::string& message) {
     return {};
 }
 
+Json problem_object(const base::Problem& problem) {
+    return {{"what", problem.what},
+            {"why", problem.why},
+            {"suggestion", problem.suggestion},
+            {"key", key_in(problem.what)}};
+}
+
 }  // namespace
 
 integration::Motion run_case(const parameters::Case& c, const record::Request& request, const std::stop_token& stop) {
@@ -155,13 +165,14 @@ Response json(std::string document) {
     return {200, "application/json", std::move(document) + "\n"};
 }
 
-std::string error_document(const base::Problem& problem) {
-    const Json document{{"schema", "stridor.explorer.error/1"},
-                        {"error",
-                         {{"what", problem.what},
-                          {"why", problem.why},
-                          {"suggestion", problem.suggestion},
-                          {"key", key_in(problem.what)}}}};
+std::string error_document(const Error& error) {
+    const std::size_t told = std::min(error.complaints().size(), most_complaints);
+    Json first = problem_object(error.problem());
+    first["others"] = Json::array();
+    for (const base::Complaint& complaint : std::span(error.complaints()).first(told).subspan(1))
+        first["others"].push_back(problem_object(complaint.problem));
+    first["untold"] = error.complaints().size() - told;
+    const Json document{{"schema", "stridor.explorer.error/1"}, {"error", std::move(first)}};
     return document.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

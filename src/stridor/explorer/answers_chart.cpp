@@ -109,7 +109,7 @@ Response chart(const World& world, const Json& body, const std::stop_token&) {
             const sweep::RunReport report = sweep::run(study, *keeper, options);
             if (report.ending == sweep::Ending::completed) frames.show(sweep::load(study, keeper), true);
         } catch (const Error& error) {
-            send(error_document(error.problem()) + "\n");
+            send(error_document(error) + "\n");
         }
     };
     return response;

@@ -38,14 +38,15 @@ int status_of(ErrorKind kind) {
     return 500;
 }
 
-Response refusal(int status, const base::Problem& problem) {
-    Response response = json(error_document(problem));
+Response refusal(int status, const Error& error) {
+    Response response = json(error_document(error));
     response.status = status;
     return response;
 }
 
 Response unknown(const Request& request) {
-    return refusal(404, {request.method + " " + request.path.substr(0, 100) + " means nothing here", "", ""});
+    const std::string what = request.method + " " + request.path.substr(0, 100) + " means nothing here";
+    return refusal(404, Error(ErrorKind::input, {what, "", ""}));
 }
 
 Response route(const World& world, const Request& request, const std::stop_token& stop) {
@@ -67,9 +68,9 @@ Response answer(const World& world, const Request& request, const std::stop_toke
     try {
         return route(world, request, stop);
     } catch (const Error& error) {
-        return refusal(status_of(error.kind()), error.problem());
+        return refusal(status_of(error.kind()), error);
     } catch (const std::exception& error) {
-        return refusal(500, {"the explorer failed", error.what(), ""});
+        return refusal(500, Error(ErrorKind::io, {"the explorer failed", error.what(), ""}));
     }
 }
 

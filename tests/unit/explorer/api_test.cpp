@@ -94,6 +94,26 @@ TEST(Api, SimulatesADesign) {
     EXPECT_EQ(document["phases"].size(), 2U);
 }
 
+TEST(Api, TellsAllThatIsWrongAndSaysHowMuchItLeavesOut) {
+    const auto error_of = [](std::vector<std::string> set) {
+        const Response response = post("/api/simulate", design(std::move(set)).dump());
+        EXPECT_EQ(response.status, 400);
+        return json(json::parse(response.body)["error"]);
+    };
+    const json two = error_of({"contact.preload=-1", "joint.mass=2 m"});
+    EXPECT_EQ(two["key"], "contact.preload");
+    ASSERT_EQ(two["others"].size(), 1U) << two;
+    EXPECT_EQ(two["others"][0]["key"], "joint.mass");
+    EXPECT_EQ(two["untold"], 0);
+    std::vector<std::string> many;
+    for (int i = 0; i < 50; ++i)
+        many.push_back("joint.nothing" + std::to_string(i) + "=1");
+    const json some = error_of(many);
+    EXPECT_EQ(1 + some["others"].size() + some["untold"].get<std::size_t>(), 50U) << some;
+    EXPECT_LT(some["others"].size(), 20U);
+    EXPECT_EQ(error_of({"contact.preload=-1"})["others"].size(), 0U);
+}
+
 TEST(Api, SendsAMotionAsArrays) {
     json body = design();
     body["interval"] = 1e-4;
