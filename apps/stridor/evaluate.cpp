@@ -1,18 +1,16 @@
 #include "commands.hpp"
 #include "evaluate_text.hpp"
+#include "heard_recordings.hpp"
 #include "interrupt.hpp"
 #include "kept.hpp"
 #include "progress.hpp"
 #include "sound.hpp"
-#include "stridor/classification/sound_rules.hpp"
 #include "stridor/io/atomic_file.hpp"
 #include "stridor/io/hearing_report.hpp"
-#include "stridor/io/open_signal.hpp"
 #include "stridor/io/toml_document.hpp"
 #include "stridor/io/toml_study.hpp"
 #include "stridor/io/toml_writer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/signal/sound_analysis.hpp"
 #include "stridor/sweep/paper_charts.hpp"
 #include "stridor/sweep/soft_parts.hpp"
 #include "terminal.hpp"
@@ -64,14 +62,6 @@ sweep::HearingOptions hearing_options(const EvaluateOptions& options) {
 }
 
 // --- what is heard
-
-// the loudest channel, as `stridor classify` has it
-classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds) {
-    const std::vector<signal::SoundAnalysis> channels = signal::analyse(source);
-    const auto loudest = std::max_element(channels.begin(), channels.end(),
-                                          [](const auto& a, const auto& b) { return a.mean_square < b.mean_square; });
-    return classification::classify_recording(loudest->stretches, thresholds);
-}
 
 // the whole motion as `stridor listen` makes it audible
 classification::RecordingVerdict verdict_on_whole(const parameters::Case& c, const sweep::HearingOptions& options) {
@@ -148,12 +138,6 @@ void hear_charts(std::vector<io::HeardChart>& charts, sweep::HearingOptions opti
         kept->finish();
 }
 
-io::HeardRecording hear_recording(const io::Expectation& expectation, const parameters::SoundThresholds& thresholds) {
-    const std::unique_ptr<io::SignalFile> file = io::open_signal(expectation.file);
-    const classification::RecordingVerdict verdict = verdict_on(*file, thresholds);
-    return {expectation, verdict.category, verdict.reasons.front()};
-}
-
 void evaluate(const EvaluateOptions& options) {
     if (!options.csv.empty() && !options.recordings.empty() && options.files.empty())
         throw Error(ErrorKind::input, {"--csv has nothing to write", "it has a row per simulated sound",
@@ -168,8 +152,8 @@ void evaluate(const EvaluateOptions& options) {
         report.options.stop = interrupt.token();
         if (!report.charts.empty()) report.cases = hear_table_1(report.options);
         hear_charts(report.charts, report.options);
-        for (const io::Expectation& expectation : expectations)
-            report.recordings.push_back(hear_recording(expectation, report.options.settings.thresholds));
+        if (!expectations.empty())
+            report.recordings = heard_recordings(expectations, report.options.settings.thresholds, report.options.stop);
     }
     if (!options.csv.empty()) io::write_file(options.csv, io::hearing_csv(report));
     print(options.json ? io::hearing_json(report) + "\n" : evaluation_text(report));
@@ -215,7 +199,7 @@ void add_evaluate(CLI::App& program) {
         ->check(CLI::Range(0, 4096));
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.evaluate/1)");
     command->footer(
-        "Ctrl-C stops and keeps the sounds heard so far (in $XDG_CACHE_HOME or ~/.cache); the same command goes on.\n"
+        "Ctrl-C stops and keeps what was heard so far (in $XDG_CACHE_HOME or ~/.cache); the same command goes on.\n"
         "Examples:\n  stridor evaluate\n  stridor evaluate --planes soft\n  stridor evaluate pair.toml --set "
         "joint.incidence_angle=50 --csv sounds.csv\n"
         "  stridor evaluate pair.toml --set creak_rest=0.6 --perturb-every 0\n"

@@ -73,6 +73,21 @@ TEST_F(KeptResults, AKilledEvaluationEndsWithTheSameBytes) {
     expect_resumed(with_points({"evaluate", "pair.toml", "--threads", "1", "--perturb-every", "20", "--json"}));
 }
 
+TEST_F(KeptResults, AKilledEvaluationOfRecordingsEndsWithTheSameBytes) {
+    ASSERT_EQ(run({"listen", "pair.toml", "--cell", "x=20 N,y=0.6", "--direction", "going", "--out", "cell.wav"},
+                  folder_.path())
+                  .exit_code,
+              0);
+    std::string table = "file,expected\n";
+    for (int k = 0; k < 60; ++k) {
+        const std::string name = "clip" + std::to_string(k) + ".wav";
+        std::filesystem::copy_file(folder_.path() / "cell.wav", folder_.path() / name);
+        table += name + ",squeal\n";
+    }
+    write_text(folder_ / "expected.csv", table);
+    expect_resumed({"evaluate", "--recordings", folder_.path().string(), "--json"});
+}
+
 TEST_F(KeptResults, AKilledSearchEndsWithTheSameBytes) {
     ASSERT_EQ(run({"listen", "pair.toml", "--cell", "x=20 N,y=0.6", "--direction", "going", "--out", "cell.wav"},
                   folder_.path())
