@@ -40,8 +40,11 @@ function balance({ energy, engine }: Simulation): HTMLElement {
     h(
       "p",
       { class: "muted" },
-      `created or lost by the ${String(engine.name ?? "")} engine: ${quantity(energy.residual, "J", 2)} ` +
-        `(${plain(energy.relative_residual ?? NaN, 2)} of the turnover)`,
+      `created or lost by the ${String(engine.name ?? "")} engine: `,
+      h("span", { class: "number" }, quantity(energy.residual, "J", 2)),
+      " (",
+      h("span", { class: "number" }, plain(energy.relative_residual ?? NaN, 2)),
+      " of the turnover)",
     ),
   );
 }
@@ -55,7 +58,7 @@ function reasons({ phase, verdict }: PhaseResult): HTMLElement {
       {},
       h("th", { scope: "row" }, words(margin.figure)),
       h("td", { class: "number" }, margin.value === null ? "–" : plain(margin.value, 3)),
-      h("td", { class: "muted" }, `${(margin.distance ?? 0) >= 0 ? "≥" : "<"} ${plain(margin.threshold_value, 3)}`),
+      h("td", { class: "muted" }, `${(margin.distance ?? 0) >= 0 ? "≥" : "<"}\u00a0${plain(margin.threshold_value, 3)}`),
       h("td", { class: "muted" }, words(margin.threshold)),
     ),
   );

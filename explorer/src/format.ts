@@ -90,6 +90,11 @@ export function symbolText(symbol: string): string {
   return letter + [...below].map((sign) => lowered[sign] ?? sign).join("");
 }
 
+/** Parts of a line that wraps between them and never inside: "t = 5 ms · N = 20 N". */
+export function inRow(parts: readonly string[]): string {
+  return parts.map((part) => part.replaceAll(" ", "\u00a0")).join(" · ");
+}
+
 /** "contact.kinetic_friction" as words: "kinetic friction"; a section's only value is called as the section. */
 export function words(key: string): string {
   const [section = "", name = section] = key.split(".");

@@ -283,13 +283,12 @@ function paintTitle(surface: Surface, view: LanesView, lane: LaneSpec, box: Lane
   const title = `${lane.title} [${unit}]`;
   let left = marginLeft + 6;
   const write = (text: string, colour: string): void => {
-    pen.lineWidth = 4;
-    pen.lineJoin = "round";
-    pen.strokeStyle = view.palette.panel;
-    pen.strokeText(text, left, box.top + 3);
+    const { width } = pen.measureText(text);
+    pen.fillStyle = view.palette.panel;
+    pen.fillRect(left - 4, box.top, width + 8, 16); // curves must not run through it
     pen.fillStyle = colour;
     pen.fillText(text, left, box.top + 3);
-    left += pen.measureText(text).width + 12;
+    left += width + 12;
   };
   write(title, view.palette.ink);
   pen.font = font(11);

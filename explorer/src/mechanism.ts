@@ -1,7 +1,7 @@
 /** The rubbing system of the paper's Figure 2, moving in slow motion with its contact state and forces. */
 import { Clock, slowness } from "./clock.ts";
 import { button, h, select, setText } from "./dom.ts";
-import { plain, quantity } from "./format.ts";
+import { inRow, plain, quantity } from "./format.ts";
 import { stateAt, valueAt, type Motion } from "./frames.ts";
 import { plateTravel, tellingTime } from "./motions.ts";
 import { valueIn } from "./parameters.ts";
@@ -318,13 +318,14 @@ export class Mechanism {
   private tell_(): void {
     const state = stateAt(this.motion_ as Motion, this.clock.time);
     const magnified = plain(this.scales_.length * 2.6e-4, 2); // a CSS pixel is 0.26 mm
-    setText(
-      this.readout_,
-      `t = ${(this.clock.time * 1000).toFixed(2)} ms · V = ${this.at_("surface_velocity").toFixed(3)} m/s · ` +
-        `N = ${quantity(this.at_("normal_force"), "N", 3)} · T = ${quantity(this.at_("friction_force"), "N", 3)}` +
-          ` · drawn × ${magnified}`,
-    );
-    if (!this.clock.playing)
-      this.surface_.canvas.setAttribute("aria-label", `The rubbing system: ${state}, ${this.readout_.textContent}`);
+    const told = [
+      `t = ${(this.clock.time * 1000).toFixed(2)} ms`,
+      `V = ${this.at_("surface_velocity").toFixed(3)} m/s`,
+      `N = ${quantity(this.at_("normal_force"), "N", 3)}`,
+      `T = ${quantity(this.at_("friction_force"), "N", 3)}`,
+      `drawn × ${magnified}`,
+    ];
+    setText(this.readout_, inRow(told));
+    if (!this.clock.playing) this.surface_.canvas.setAttribute("aria-label", `The rubbing system: ${state}, ${this.readout_.textContent}`);
   }
 }

@@ -2,6 +2,7 @@
 import uPlot from "uplot";
 import { h } from "./dom.ts";
 import { plain } from "./format.ts";
+import { rows } from "./scale.ts";
 import { font } from "./surface.ts";
 import { onTheme, palette } from "./theme.ts";
 
@@ -119,7 +120,10 @@ export class Plot {
       stroke(ctx, bbox.left, y, bbox.left + bbox.width, y);
     }
     ctx.font = font(10 * devicePixelRatio);
-    for (const { x, label } of content.marks ?? []) {
+    ctx.textAlign = "left";
+    const rowOf = rows();
+    const inOrder = [...(content.marks ?? [])].sort((a, b) => a.x - b.x);
+    for (const { x, label } of inOrder) {
       const at = plot.valToPos(x, "x", true);
       if (at < bbox.left || at > bbox.left + bbox.width) continue;
       ctx.strokeStyle = colours.accent;
@@ -127,8 +131,9 @@ export class Plot {
       stroke(ctx, at, bbox.top, at, bbox.top + bbox.height);
       ctx.fillStyle = colours.accent;
       const right = at > bbox.left + 0.7 * bbox.width;
-      ctx.textAlign = right ? "right" : "left";
-      ctx.fillText(label, at + (right ? -5 : 5) * devicePixelRatio, bbox.top + 11 * devicePixelRatio);
+      const width = ctx.measureText(label).width;
+      const left = at + 5 * devicePixelRatio - (right ? width + 10 * devicePixelRatio : 0);
+      ctx.fillText(label, left, bbox.top + (11 + 12 * rowOf(left, width)) * devicePixelRatio);
     }
     ctx.restore();
   }

@@ -1,7 +1,7 @@
 /** The response in time: histories that zoom and pan over a million samples, contact states, phase portrait. */
 import type { Clock } from "./clock.ts";
 import { button, h, setText } from "./dom.ts";
-import { quantity } from "./format.ts";
+import { inRow, quantity } from "./format.ts";
 import { stateAt, valueAt, type Motion } from "./frames.ts";
 import { laneSpecs, marginLeft, marginRight, paintLanes, Pyramids, timeAt } from "./lanes.ts";
 import type { Motions } from "./motions.ts";
@@ -223,12 +223,12 @@ export class Response implements ViewPart {
 
 function readAt(motion: Motion, time: number): string {
   const value = (name: string, unit: string): string => quantity(valueAt(motion, name, time), unit, 3);
-  return [
+  return inRow([
     `t = ${(1000 * time).toFixed(3)} ms`,
     stateAt(motion, time),
     `ẋ₁ = ${value("x1_velocity", "m/s")}`,
     `V = ${value("surface_velocity", "m/s")}`,
     `N = ${value("normal_force", "N")}`,
     `T = ${value("friction_force", "N")}`,
-  ].join(" · ");
+  ]);
 }

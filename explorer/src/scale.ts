@@ -108,3 +108,14 @@ export function nearest(values: readonly number[], value: number, scale: Scale):
   });
   return best;
 }
+
+/** In which row a label stands that must not lie on those before it; they come from left to right. */
+export function rows(): (left: number, width: number) => number {
+  const ends: number[] = []; // of the last label in each row
+  return (left, width) => {
+    const free = ends.findIndex((end) => end < left);
+    const row = free < 0 ? ends.length : free;
+    ends[row] = left + width;
+    return row;
+  };
+}

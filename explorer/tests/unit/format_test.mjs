@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { exact, level, number, percent, plain, quantity, symbolParts, symbolText, title } from "../../src/format.ts";
+import { exact, inRow, level, number, percent, plain, quantity, symbolParts, symbolText, title } from "../../src/format.ts";
 import { random } from "./random.mjs";
 
 test("quantities are written as people write them", () => {
@@ -56,4 +56,8 @@ test("numbers keep few digits and never lie about nothing", () => {
   assert.equal(plain(1.5e-7, 2), "1.5e-7");
   assert.equal(percent(0.6786), "67.9 %");
   assert.equal(percent(null), "–");
+});
+
+test("a row of values wraps between them alone", () => {
+  assert.equal(inRow(["t = 5 ms", "N = 20 N"]), "t\u00a0=\u00a05\u00a0ms · N\u00a0=\u00a020\u00a0N");
 });

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { at, holds, moved, nearest, share, stretched, ticks, widened, zoomed } from "../../src/scale.ts";
+import { at, holds, moved, nearest, rows, share, stretched, ticks, widened, zoomed } from "../../src/scale.ts";
 import { cellAt, place, shareAt } from "../../src/map.ts";
 import { random } from "./random.mjs";
 
@@ -91,4 +91,9 @@ test("an axis is widened until it holds the design, and no further than its quan
 test("an axis widened to zero is linear, one to a limit ends there", () => {
   assert.deepEqual(widened({ ...axis, from: 500 }, 0, { low: 0, high: null }), { ...axis, scale: "linear", from: 0 });
   assert.deepEqual(widened({ ...axis, from: 2, to: 89, scale: "linear" }, 99, { low: 0, high: 100 }).to, 100);
+});
+
+test("labels that would lie on each other stand in rows", () => {
+  const rowOf = rows();
+  assert.deepEqual([[0, 30], [20, 30], [31, 10], [45, 10], [46, 5]].map(([left, width]) => rowOf(left, width)), [0, 1, 0, 0, 2]);
 });

@@ -23,7 +23,7 @@ Scene friction_law(const parameters::Contact& contact) {
     panel.x.label = Text("relative velocity ") + symbol("V_rel") + " (any unit)";
     panel.x.range = {-1.0, 1.0};
     panel.x.ticks = {{0.0, "0", TickSize::major}};
-    panel.y.label = Text("friction over normal force ") + symbol("F_T") + " / " + symbol("F_N");
+    panel.y.label = Text("friction over normal force ") + symbol("T") + " / " + symbol("N");
     panel.y.unit = "1";
     panel.y.range = {-top, top};
     panel.y.ticks = {{0.0, "0", TickSize::major}};
@@ -44,8 +44,8 @@ Scene friction_law(const parameters::Contact& contact) {
     panel.layers.emplace_back(Line{{0.0, 0.0}, {-s, s}, {state_colour(model::ContactState::stick), 1.6, Dash::solid}});
     panel.layers.emplace_back(Line{{0.0, 1.0}, {d, d}, {accent, 1.6, Dash::solid}});
     panel.layers.emplace_back(Note{"stick", 0.06, 0.5 * d, Anchor::data, Align::left, ink, 0.0, std::nullopt});
-    panel.layers.emplace_back(Note{"slip", 0.5, d - 0.08 * top, Anchor::data, Align::centre, ink, 0.0, std::nullopt});
-    panel.layers.emplace_back(Note{"slip", -0.5, -d + 0.08 * top, Anchor::data, Align::centre, ink, 0.0, std::nullopt});
+    panel.layers.emplace_back(Note{"slip", 0.5, d - 0.1 * top, Anchor::data, Align::centre, ink, 0.0, std::nullopt});
+    panel.layers.emplace_back(Note{"slip", -0.5, -d + 0.1 * top, Anchor::data, Align::centre, ink, 0.0, std::nullopt});
 
     Scene scene;
     scene.title = "Friction law";

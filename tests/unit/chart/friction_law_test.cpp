@@ -30,6 +30,7 @@ TEST(FrictionLaw, JumpsAtRestAndIsFlatElsewhere) {
 
 TEST(FrictionLaw, NamesBothCoefficients) {
     const Scene scene = friction_law({});
+    EXPECT_EQ(plain_text(scene.panels.at(0).y.label), "friction over normal force T / N");
     std::vector<std::string> labels;
     for (const Tick& tick : scene.panels.at(0).y.ticks)
         labels.push_back(plain_text(tick.label));
