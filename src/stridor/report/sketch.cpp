@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace stridor::report {
 
@@ -69,37 +72,127 @@ std::string support(Point from, Point to) {
     return text + "</g>";
 }
 
-// the joint's axes i and j, each towards the upper side, where its support hangs
-std::string joint_supports(double angle) {
-    std::string text;
+// What is drawn so far, as points, so that labels find a free place.
+class Crowd {
+public:
+    void add(Point from, Point to) {
+        const int steps = 1 + static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / 3.0);
+        for (int k = 0; k <= steps; ++k) {
+            const double share = static_cast<double>(k) / steps;
+            points_.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+        }
+    }
+    void add_text(Point at, double length) { add({at.x, at.y - 4.0}, {at.x + length, at.y - 4.0}); }
+
+    // [px] from a line to the nearest point
+    double room(Point from, Point to) const {
+        Crowd probe;
+        probe.add(from, to);
+        double least = width;
+        for (const Point& each : probe.points_)
+            for (const Point& other : points_)
+                least = std::min(least, std::hypot(each.x - other.x, each.y - other.y));
+        return least;
+    }
+    double room_for_text(Point at, double length) const {
+        return room({at.x, at.y - 4.0}, {at.x + length, at.y - 4.0});
+    }
+
+    // the first place with room enough for a text, else the one with most
+    Point place(const std::vector<Point>& candidates, double length) {
+        constexpr double enough = 11.0;  // [px] half a letter's height and some air
+        Point best = candidates.front();
+        double most = -1.0;
+        for (const Point& candidate : candidates) {
+            const double room = room_for_text(candidate, length);
+            if (room > most) {
+                most = room;
+                best = candidate;
+            }
+            if (most >= enough) break;
+        }
+        add_text(best, length);
+        return best;
+    }
+
+private:
+    std::vector<Point> points_;
+};
+
+constexpr double index_length = 17.0;   // [px] of "k1i"
+constexpr double letter_length = 11.0;  // [px] of "F"
+
+// an axis of the joint towards the upper side, where its support hangs
+struct Support {
+    Point d;             // direction, length 1
+    double reach = 0.0;  // [px] from the joint's centre to the wall
+    std::string_view index;
+};
+
+std::array<Support, 2> joint_supports(double angle) {
     const double radians = angle * std::numbers::pi / 180.0;
-    struct Axis {
-        Point along;
-        std::string_view index;
-    };
-    for (const Axis& axis :
-         {Axis{{std::cos(radians), -std::sin(radians)}, "1i"}, Axis{{-std::sin(radians), -std::cos(radians)}, "1j"}}) {
-        const double up = axis.along.y > 0.05 ? -1.0 : 1.0;
-        const Point d{up * axis.along.x, up * axis.along.y};
-        const double reach = std::min(
-            {(0.5 * width - 16.0) / std::max(std::abs(d.x), 1e-6), (body.y - 12.0) / std::max(-d.y, 1e-6), 122.0});
-        const Point wall{body.x + reach * d.x, body.y + reach * d.y};
-        text += support({body.x + 16.0 * d.x, body.y + 16.0 * d.y}, wall);
-        // beside the middle, on the spring's and the dashpot's side
-        const Point middle{body.x + 0.6 * reach * d.x, body.y + 0.6 * reach * d.y};
-        text += sign({middle.x + 23.0 * d.y - 7.0, middle.y - 23.0 * d.x + 4.0}, "k", axis.index);
-        text += sign({middle.x - 24.0 * d.y - 7.0, middle.y + 24.0 * d.x + 4.0}, "c", axis.index);
+    std::array<Support, 2> supports{
+        {{{std::cos(radians), -std::sin(radians)}, 0.0, "1i"}, {{-std::sin(radians), -std::cos(radians)}, 0.0, "1j"}}};
+    for (Support& each : supports) {
+        if (each.d.y > 0.05) each.d = {-each.d.x, -each.d.y};
+        each.reach = std::min({(0.5 * width - 16.0) / std::max(std::abs(each.d.x), 1e-6),
+                               (body.y - 12.0) / std::max(-each.d.y, 1e-6), 122.0});
+    }
+    return supports;
+}
+
+Point beside(const Support& support, double along, double aside) {
+    return {body.x + along * support.d.x + aside * support.d.y, body.y + along * support.d.y - aside * support.d.x};
+}
+
+std::string drawn(const Support& each, Crowd& crowd) {
+    for (const double aside : {-10.0, 0.0, 10.0})
+        crowd.add(beside(each, 16.0, aside), beside(each, each.reach, aside));
+    crowd.add(beside(each, each.reach + 3.0, -16.0), beside(each, each.reach + 3.0, 16.0));
+    return support(beside(each, 16.0, 0.0), beside(each, each.reach, 0.0));
+}
+
+// beside the middle, on the spring's and the dashpot's side
+std::string names(const Support& each, Crowd& crowd) {
+    std::string text;
+    for (const auto& [letter, side] : {std::pair("k", 1.0), std::pair("c", -1.0)}) {
+        std::vector<Point> candidates;
+        for (const double aside : {23.0, 26.0, 29.0, 19.0})
+            for (const double share : {0.6, 0.7, 0.5, 0.8, 0.4, 0.9}) {
+                const Point middle = beside(each, share * each.reach, side * aside);
+                candidates.push_back({middle.x - 0.5 * index_length, middle.y + 4.0});
+            }
+        text += sign(crowd.place(candidates, index_length), letter, each.index);
     }
     return text;
 }
 
-std::string incidence(double angle) {
-    constexpr double radius = 46.0;
+constexpr double arc_radius = 46.0;  // [px]
+
+std::string incidence(double angle, Crowd& crowd) {
     const double shown = std::clamp(angle, 0.0, 180.0) * std::numbers::pi / 180.0;
+    const auto on_arc = [&](double share, double radius) {
+        return Point{body.x + radius * std::cos(share * shown), body.y - radius * std::sin(share * shown)};
+    };
+    for (int k = 0; k < 12; ++k)
+        crowd.add(on_arc(k / 12.0, arc_radius), on_arc((k + 1) / 12.0, arc_radius));
+    const Point end = on_arc(1.0, arc_radius);
+    crowd.add({body.x + 18, body.y}, {body.x + 62, body.y});
     return line({body.x + 18, body.y}, {body.x + 62, body.y}, " stroke-dasharray=\"3 3\"") +
-           fmt::format("<path d=\"M {:.1f} {:.1f} A {} {} 0 0 0 {:.1f} {:.1f}\"/>", body.x + radius, body.y, radius,
-                       radius, body.x + radius * std::cos(shown), body.y - radius * std::sin(shown)) +
-           sign({body.x + 66, body.y - 6}, "α", "", fmt::format("{:g}°", angle));
+           fmt::format("<path d=\"M {:.1f} {:.1f} A {} {} 0 0 0 {:.1f} {:.1f}\"/>", body.x + arc_radius, body.y,
+                       arc_radius, arc_radius, end.x, end.y);
+}
+
+// at the arc, else at its begin
+std::string incidence_name(double angle, Crowd& crowd) {
+    const double shown = std::clamp(angle, 0.0, 180.0) * std::numbers::pi / 180.0;
+    std::vector<Point> candidates;
+    for (const double radius : {arc_radius + 13.0, arc_radius - 13.0, arc_radius + 24.0})
+        for (const double share : {0.5, 0.4, 0.3, 0.2, 0.6, 0.7, 0.8})
+            candidates.push_back({body.x + radius * std::cos(share * shown) - 0.5 * letter_length,
+                                  body.y - radius * std::sin(share * shown) + 4.0});
+    candidates.push_back({body.x + 68, body.y + 4});
+    return sign(crowd.place(candidates, letter_length), "α");
 }
 
 std::string plate(const parameters::Case& c) {
@@ -116,33 +209,61 @@ std::string plate(const parameters::Case& c) {
     return text;
 }
 
-// where above the joint a vertical arrow is farthest from the lines of both supports
-double free_place(double angle) {
-    constexpr double aside = 20.0;
-    constexpr double above = 50.0;
-    const double radians = angle * std::numbers::pi / 180.0;
-    const auto distance = [&](double x) {
-        double least = width;
-        for (const Point& d : {Point{std::cos(radians), -std::sin(radians)}, {-std::sin(radians), -std::cos(radians)}})
-            if (std::abs(d.y) > 1e-3) least = std::min(least, std::abs(x - (body.x - above * d.x / d.y)));
-        return least;
-    };
-    return distance(body.x - aside) >= distance(body.x + aside) ? body.x - aside : body.x + aside;
+// the preload comes from above, where no support is
+std::string preload(Crowd& crowd) {
+    double best = body.x;
+    double most = -1.0;
+    for (const double aside : {-20.0, 20.0, -14.0, 14.0, 0.0, -8.0, 8.0}) {
+        const double x = body.x + aside;
+        const double room = crowd.room({x, body.y - 72}, {x, body.y - 34});
+        if (room > most + 0.1) {
+            most = room;
+            best = x;
+        }
+    }
+    crowd.add({best, body.y - 72}, {best, body.y - 22});
+    std::vector<Point> candidates;
+    for (const double y : {body.y - 66, body.y - 58, body.y - 50})
+        for (const double x : {best - letter_length - 7.0, best + 7.0})
+            candidates.push_back({x, y});
+    candidates.push_back({best - 0.5 * letter_length, body.y - 78});
+    return arrow({best, body.y - 72}, {best, body.y - 22}) + sign(crowd.place(candidates, letter_length), "F");
 }
 
-std::string joint(const parameters::Case& c) {
+// below the plate, where nothing else is
+std::string values(const parameters::Case& c) {
+    constexpr double left = 20.0;
+    return sign({left, contact.y + 50}, "F", "", fmt::format("{:.4g} N", c.contact.preload)) +
+           sign({left, contact.y + 67}, "α", "", fmt::format("{:g}°", c.joint.incidence_angle)) +
+           sign({left, contact.y + 84}, "μ", "d", fmt::format("{:g}", c.contact.kinetic_friction));
+}
+
+std::string joint() {
     std::string text = fmt::format(
         "<path d=\"M {0:.1f} {1:.1f} l -9 -10 h -16 v -32 q 0 -5 5 -5 h 40 q 5 0 5 5 v 32 h -16 z\" "
         "style=\"fill:var(--paper,#fff)\" stroke-width=\"1.6\"/>",
         contact.x, contact.y);
     text += sign({contact.x - 10, body.y + 3}, "m", "1");
-    text += sign({contact.x + 32, contact.y - 10}, "μ", "d", fmt::format("{:g}", c.contact.kinetic_friction));
-    // the preload comes from above, where no support is
-    const double x = free_place(c.joint.incidence_angle);
-    const std::string value = fmt::format("{:.4g} N", c.contact.preload);
-    const double length = 36.0 + 7.5 * static_cast<double>(value.size());  // [px] about that of "F = 20 N"
-    const double label = x < contact.x ? x - length : x + 8.0;
-    return text + arrow({x, body.y - 72}, {x, body.y - 22}) + sign({label, body.y - 62}, "F", "", value);
+    return text + sign({contact.x + 32, contact.y - 10}, "μ", "d");
+}
+
+// the joint, how it is held and pressed, and what all of it is called
+std::string joint_part(const parameters::Case& c) {
+    const double angle = c.joint.incidence_angle;
+    const std::array<Support, 2> supports = joint_supports(angle);
+    Crowd crowd;
+    crowd.add({body.x - 25, body.y - 19}, {body.x + 25, body.y - 19});
+    crowd.add({body.x - 25, body.y - 19}, {body.x - 25, body.y + 18});
+    crowd.add({body.x + 25, body.y - 19}, {body.x + 25, body.y + 18});
+    crowd.add({0, contact.y}, {width, contact.y});
+    crowd.add_text({contact.x + 32, contact.y - 10}, index_length);
+    std::string text;
+    for (const Support& each : supports)
+        text += drawn(each, crowd);
+    text += incidence(angle, crowd) + preload(crowd) + incidence_name(angle, crowd);
+    for (const Support& each : supports)
+        text += names(each, crowd);
+    return text + joint();
 }
 
 }  // namespace
@@ -154,8 +275,7 @@ std::string sketch_svg(const parameters::Case& c) {
                "<style>.stridor-sketch text{{fill:currentColor;stroke:none;font:13px serif}}</style>"
                "<g class=\"stridor-sketch\">",
                width, height) +
-           plate(c) + joint_supports(c.joint.incidence_angle) + incidence(c.joint.incidence_angle) + joint(c) +
-           "</g></svg>";
+           plate(c) + joint_part(c) + values(c) + "</g></svg>";
 }
 
 }  // namespace stridor::report

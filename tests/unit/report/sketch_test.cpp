@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <regex>
 #include <string>
+#include <vector>
 
 namespace stridor::report {
 namespace {
@@ -33,6 +35,36 @@ TEST(Sketch, StaysWithinItsFrameAtEveryAngle) {
             EXPECT_LE(std::stod((*it)[2]), 170.1) << "no support of the joint hangs in the plate, " << angle;
         }
         EXPECT_EQ(supports, 3) << angle;
+    }
+}
+
+// Seen at 45 degrees: "F = 20 N" on "k1i".
+TEST(Sketch, KeepsItsLabelsApartAtEveryAngle) {
+    struct Label {
+        double left, right, y;
+    };
+    const std::regex text("<text x=\"(-?[0-9.]+)\" y=\"(-?[0-9.]+)\">(.*?)</text>");
+    const std::regex tag("<[^>]*>");
+    for (int angle = -360; angle <= 360; angle += 5) {
+        parameters::Case c;
+        c.joint.incidence_angle = angle;
+        const std::string svg = sketch_svg(c);
+        std::vector<Label> labels;
+        for (std::sregex_iterator it(svg.begin(), svg.end(), text), end; it != end; ++it) {
+            const double left = std::stod((*it)[1]);
+            const double length = 5.5 * static_cast<double>(std::regex_replace((*it)[3].str(), tag, "").size());
+            labels.push_back({left, left + length, std::stod((*it)[2])});
+        }
+        ASSERT_EQ(labels.size(), 15U) << angle;
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            EXPECT_GE(labels[i].left, 0.0) << angle;
+            EXPECT_LE(labels[i].right, 340.0) << angle;
+            EXPECT_GE(labels[i].y, 9.0) << angle;
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_TRUE(labels[i].right <= labels[k].left || labels[k].right <= labels[i].left ||
+                            std::abs(labels[i].y - labels[k].y) >= 10.0)
+                    << angle << " degrees: labels " << k << " and " << i;
+        }
     }
 }
 
