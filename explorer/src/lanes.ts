@@ -271,7 +271,7 @@ function limits(parts: Float32Array[], spiky: boolean): [number, number] {
   }
   if (!(low <= high) || !Number.isFinite(low) || !Number.isFinite(high)) return [-1, 1];
   const room = 0.06 * (high - low) || Math.abs(high) * 0.1 || 1e-12;
-  return [low - room, high + room];
+  return [low - room, high + 4 * room]; // above is the title's place
 }
 
 function paintTitle(surface: Surface, view: LanesView, lane: LaneSpec, box: LaneBox, motion: Motion): void {
