@@ -17,8 +17,8 @@ namespace stridor::app {
 classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds,
                                             const signal::Progress& progress = {});
 
-/// Recordings by ear, each kept until all of them are heard; stderr says how far it is and how long it will take. Throws
-/// `Error`: interrupted when it is stopped, and what reading a recording throws.
+/// Recordings by ear, each kept until all of them are heard; stderr says how far it is and how long it will take.
+/// Throws `Error`: interrupted when it is stopped, and what reading a recording throws.
 std::vector<io::HeardRecording> heard_recordings(std::span<const io::Expectation> expectations,
                                                  const parameters::SoundThresholds& thresholds,
                                                  const std::stop_token& stop);

@@ -30,7 +30,8 @@ export class AxisControls {
   ) {
     this.rows_ = { x: this.row_("x"), y: this.row_("y") };
     const figures = [["category", "category"], ...start_.figures.map(({ name }) => [name, words(name)])];
-    this.figure_ = select("Shown in the chart", figures as [string, string][], (figure) => this.store_.update({ figure }), {
+    const show = (figure: string): void => this.store_.update({ figure });
+    this.figure_ = select("Shown in the chart", figures as [string, string][], show, {
       id: "figure",
     });
     this.element = h(
@@ -54,7 +55,8 @@ export class AxisControls {
 
   show(state: State, resolved: Case): void {
     const known = (this.known_ = variedIn(resolved, this.start_.fields));
-    const options = known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")] as const);
+    const options =
+      known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")] as const);
     for (const name of ["x", "y"] as const) {
       const axis = state[name];
       const row = this.rows_[name];

@@ -58,7 +58,11 @@ function reasons({ phase, verdict }: PhaseResult): HTMLElement {
       {},
       h("th", { scope: "row" }, words(margin.figure)),
       h("td", { class: "number" }, margin.value === null ? "–" : plain(margin.value, 3)),
-      h("td", { class: "muted" }, `${(margin.distance ?? 0) >= 0 ? "≥" : "<"}\u00a0${plain(margin.threshold_value, 3)}`),
+      h(
+        "td",
+        { class: "muted" },
+        `${(margin.distance ?? 0) >= 0 ? "≥" : "<"}\u00a0${plain(margin.threshold_value, 3)}`,
+      ),
       h("td", { class: "muted" }, words(margin.threshold)),
     ),
   );

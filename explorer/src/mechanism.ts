@@ -326,6 +326,8 @@ export class Mechanism {
       `drawn × ${magnified}`,
     ];
     setText(this.readout_, inRow(told));
-    if (!this.clock.playing) this.surface_.canvas.setAttribute("aria-label", `The rubbing system: ${state}, ${this.readout_.textContent}`);
+    if (this.clock.playing) return;
+    const label = `The rubbing system: ${state}, ${this.readout_.textContent}`;
+    this.surface_.canvas.setAttribute("aria-label", label);
   }
 }

@@ -63,7 +63,8 @@ export function begun(start: Start, { name, case: resolved, chart }: Preset, { x
 function follow({ field, element }: Row, isFollowing: boolean): void {
   if (isFollowing === element.classList.contains("follows")) return;
   element.classList.toggle("follows", isFollowing);
-  const note = element.querySelector(".note") ?? h("span", { class: "note", id: `${field.key}-note` }, "follows the temperature");
+  const id = `${field.key}-note`;
+  const note = element.querySelector(".note") ?? h("span", { class: "note", id }, "follows the temperature");
   if (isFollowing) element.append(note);
   else note.remove();
   for (const input of element.querySelectorAll("input")) {
@@ -348,6 +349,7 @@ export class Complaint {
     // a long list scrolls, with the keys as well
     if (told.length > 1) this.element.tabIndex = 0;
     else this.element.removeAttribute("tabindex");
-    this.element.replaceChildren(told.length > 1 ? h("ul", {}, ...told.map((each) => h("li", {}, each))) : (told[0] ?? ""));
+    const list = (): Node => h("ul", {}, ...told.map((each) => h("li", {}, each)));
+    this.element.replaceChildren(told.length > 1 ? list() : (told[0] ?? ""));
   }
 }

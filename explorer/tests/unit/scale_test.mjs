@@ -95,5 +95,6 @@ test("an axis widened to zero is linear, one to a limit ends there", () => {
 
 test("labels that would lie on each other stand in rows", () => {
   const rowOf = rows();
-  assert.deepEqual([[0, 30], [20, 30], [31, 10], [45, 10], [46, 5]].map(([left, width]) => rowOf(left, width)), [0, 1, 0, 0, 2]);
+  const labels = [[0, 30], [20, 30], [31, 10], [45, 10], [46, 5]];
+  assert.deepEqual(labels.map(([left, width]) => rowOf(left, width)), [0, 1, 0, 0, 2]);
 });

@@ -28,7 +28,8 @@ Text setting(const parameters::Case& c, std::string_view key);
 Text settings(const parameters::Case& c, std::span<const std::string_view> keys);
 
 /// What a reader must know to repeat a figure made from this case: the contact, the drive, the start and the time step,
-/// without the fields named in `varied`. Where the temperature varies, what follows it by table is named without a value.
+/// without the fields named in `varied`. Where the temperature varies, what follows it by table is
+/// named without a value.
 Text conditions(const parameters::Case& c, std::span<const std::string_view> varied = {});
 
 /// "a) ", "b) " ... before a panel's title.
