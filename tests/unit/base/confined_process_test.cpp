@@ -1,0 +1,127 @@
+#include "stridor/base/confined_process.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace stridor::base {
+namespace {
+
+using Channel = ConfinedProcess::Channel;
+
+void say(const Channel& channel, int number) {
+    channel.send(std::as_bytes(std::span(&number, 1)));
+}
+
+// what the work answers; nothing where it ends before
+std::vector<int> answers_of(const Confines& confines, const std::function<void(const Channel&)>& work,
+                            std::string& ending) {
+    ConfinedProcess process(confines, work);
+    std::vector<int> answers;
+    int number = 0;
+    while (process.receive(std::as_writable_bytes(std::span(&number, 1))))
+        answers.push_back(number);
+    ending = process.ending();
+    return answers;
+}
+
+TEST(ConfinedProcess, AnswersWhatItIsAsked) {
+    ConfinedProcess process({}, [](const Channel& channel) {
+        int number = 0;
+        while (channel.receive(std::as_writable_bytes(std::span(&number, 1))))
+            say(channel, 2 * number);
+    });
+    for (const int number : {1, 21, -7}) {
+        process.send(std::as_bytes(std::span(&number, 1)));
+        int answer = 0;
+        ASSERT_TRUE(process.receive(std::as_writable_bytes(std::span(&answer, 1)))) << process.ending();
+        EXPECT_EQ(answer, 2 * number);
+    }
+}
+
+TEST(ConfinedProcess, MayCrash) {
+    std::string ending;
+    const auto fault = [](const Channel& channel) {
+        say(channel, 1);
+        volatile int* volatile nowhere = nullptr;
+        *nowhere = 1;
+    };
+    EXPECT_EQ(answers_of({}, fault, ending), std::vector<int>{1});
+    EXPECT_NE(ending, "") << "how depends on the sanitizer";
+    EXPECT_TRUE(answers_of(
+                    {}, [](const Channel&) { std::abort(); }, ending)
+                    .empty());
+    EXPECT_NE(ending, "");
+    EXPECT_TRUE(answers_of(
+                    {}, [](const Channel&) { throw std::bad_alloc(); }, ending)
+                    .empty());
+    EXPECT_EQ(ending, "it ended too early");
+}
+
+TEST(ConfinedProcess, ComputesForSoLongAndNoLonger) {
+    std::string ending;
+    const auto work = [](const Channel&) {
+        const std::atomic<bool> is_endless{true};
+        while (is_endless)
+            continue;
+    };
+    EXPECT_TRUE(answers_of({.processor_time = 1}, work, ending).empty());
+    EXPECT_EQ(ending, "it computed for too long");
+}
+
+TEST(ConfinedProcess, MayNotKeepUsWaiting) {
+    std::string ending;
+    const auto work = [](const Channel& channel) {
+        std::byte byte{};
+        channel.receive(std::span(&byte, 1));
+    };
+    EXPECT_TRUE(answers_of({.patience = 1}, work, ending).empty());
+    EXPECT_EQ(ending, "it did not answer within 1 s");
+}
+
+TEST(ConfinedProcess, GetsSoMuchMemoryAndNoMore) {
+    std::string ending;
+    const auto work = [](const Channel& channel) {
+        for (const std::size_t size : {std::size_t{1} << 20U, std::size_t{1} << 28U}) {
+            void* memory = std::malloc(size);
+            say(channel, memory != nullptr ? 1 : 0);
+            std::free(memory);
+        }
+    };
+    EXPECT_EQ(answers_of({.memory = std::uint64_t{1} << 26U}, work, ending), (std::vector<int>{1, 0}));
+}
+
+TEST(ConfinedProcess, ReachesNothingButItsFile) {
+    const int file = ::open("/etc/passwd", O_RDONLY | O_CLOEXEC);
+    ASSERT_GE(file, 0);
+    std::string ending;
+    const auto work = [file](const Channel& channel) {
+        char byte = 0;
+        say(channel, ::open("/etc/passwd", O_RDWR) >= 0);                   // writing
+        say(channel, ::open("/tmp/stridor-confined", O_CREAT, 0600) >= 0);  // making
+        say(channel, ::socket(AF_INET, SOCK_STREAM, 0) >= 0);
+        say(channel, ::fork() >= 0);
+        say(channel, ::kill(::getppid(), 0) == 0);
+        say(channel, ::write(STDOUT_FILENO, "", 0) < 0);  // leads nowhere, but is there
+        say(channel, file > 4 && ::read(file, &byte, 1) >= 0);
+        // the file of its own, as often as was agreed on
+        const int first = ::open(ConfinedProcess::file_path, O_RDONLY);
+        say(channel, first >= 0 && ::read(first, &byte, 1) == 1 && byte != 0 ? 7 : 0);
+        ::close(first);
+        say(channel, ::open(ConfinedProcess::file_path, O_RDONLY) >= 0);
+        say(channel, ::open("/etc/passwd", O_RDONLY) >= 0);
+    };
+    const std::vector<int> answers = answers_of({.openings = 1, .file = file}, work, ending);
+    ::close(file);
+    EXPECT_EQ(answers, (std::vector<int>{0, 0, 0, 0, 0, 0, 0, 7, 0, 0})) << ending;
+}
+
+}  // namespace
+}  // namespace stridor::base
