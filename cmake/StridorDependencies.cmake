@@ -17,6 +17,17 @@ pkg_check_modules(ffmpeg QUIET libavformat>=59.27 libavcodec>=59.37 libavutil>=5
 if(NOT ffmpeg_FOUND)
     message(STATUS "No ffmpeg libraries: recordings in AAC, AMR and WebM are not read")
 endif()
+# optional: MAT files; opened while the program runs, by the name of the version whose headers these are
+pkg_check_modules(matio QUIET matio>=1.5)
+if(matio_FOUND)
+    find_library(matio_FILE NAMES matio HINTS ${matio_LIBRARY_DIRS})
+    file(REAL_PATH "${matio_FILE}" matio_path)
+    string(REGEX MATCH "libmatio\\.so\\.[0-9]+" matio_NAME "${matio_path}")
+endif()
+if(NOT matio_NAME)
+    set(matio_FOUND FALSE)
+    message(STATUS "No libmatio: MAT files are not read")
+endif()
 
 if(STRIDOR_TESTS)
     find_package(GTest REQUIRED)

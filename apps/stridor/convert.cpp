@@ -153,7 +153,8 @@ void add_convert(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "convert", "Read a recording of any format, say what it holds, and write it as another.");
     command
-        ->add_option("in", options->input, "WAV, FLAC, Ogg, MP3, AIFF, M4A, CSV or UFF 58 file; - for standard input")
+        ->add_option("in", options->input,
+                     "WAV, FLAC, Ogg, MP3, AIFF, M4A, CSV, UFF 58 or MAT file; - for standard input")
         ->required();
     command->add_option("out", options->output,
                         "file to write (.wav, .csv, .uff); without it only the report is printed");

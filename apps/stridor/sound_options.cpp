@@ -41,7 +41,8 @@ signal::Progress progress_of(const signal::Layout& layout) {
 
 void add_sound_options(CLI::App& command, SoundOptions& options) {
     command
-        .add_option("file", options.file, "WAV, FLAC, Ogg, MP3, AIFF, M4A, CSV or UFF 58 file; - for standard input")
+        .add_option("file", options.file,
+                    "WAV, FLAC, Ogg, MP3, AIFF, M4A, CSV, UFF 58 or MAT file; - for standard input")
         ->required();
     add_input_options(command, options.recording);
     command.add_option("--set", options.thresholds, "another threshold: --set squeal_regularity=0.7 (repeatable)")

@@ -50,6 +50,10 @@ constexpr std::array allowed_calls{Allowed{SYS_read},
                                    Allowed{SYS_lseek},
                                    Allowed{SYS_fstat},
                                    Allowed{SYS_newfstatat},
+                                   Allowed{SYS_readlinkat},
+#ifdef SYS_readlink  // newer architectures have the former alone
+                                   Allowed{SYS_readlink},
+#endif
                                    Allowed{SYS_openat, O_WRONLY | O_RDWR | O_CREAT | O_TRUNC},
                                    Allowed{SYS_flock},
                                    Allowed{SYS_mmap, PROT_EXEC},

@@ -63,6 +63,8 @@ public:
         return *count;
     }
 
+    std::optional<int> descriptor() const override { return descriptor_; }
+
 private:
     int descriptor_;
     std::uint64_t size_;

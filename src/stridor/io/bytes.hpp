@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,9 @@ public:
     ///
     /// Throws `Error` (io) where reading fails.
     virtual std::size_t read_at(std::uint64_t offset, std::span<char> into) const = 0;
+
+    /// The open file that they stand in, for libraries that want one; nothing where it has no name.
+    virtual std::optional<int> descriptor() const { return std::nullopt; }
 };
 
 /// Opens a file. "-" is standard input; that and any other pipe is first copied into a nameless temporary file, so its

@@ -5,6 +5,8 @@
 #include "stridor/io/atomic_file.hpp"
 #include "stridor/io/audio.hpp"
 #include "stridor/io/compressed_audio.hpp"
+#include "stridor/io/mat.hpp"
+#include "stridor/io/mat_choice.hpp"
 #include "stridor/io/recording_files.hpp"
 #include "stridor/io/refusal.hpp"
 #include "stridor/io/sidecar.hpp"
@@ -43,7 +45,6 @@ constexpr std::array foreign_formats{
     Foreign{"TDSm", "a TDMS file of LabVIEW or DIAdem",
             "Export it as CSV from there, or with Python's npTDMS: "
             "TdmsFile(\"IN.tdms\").as_dataframe(time_index=True).to_csv(\"OUT.csv\", index_label=\"time\")"},
-    Foreign{"MATLAB ", "a MAT file of MATLAB", "Write a table there: writetable(table(time, force), \"OUT.csv\")"},
     Foreign{"MDF     ", "an MDF file", "Export it as CSV from the program that wrote it."},
     Foreign{"\x89HDF\r\n\x1a\n", "an HDF5 file",
             "Write its time and samples as CSV, with the columns \"time [s]\" and \"NAME [UNIT]\"."}};
@@ -62,13 +63,14 @@ RawSignal open_raw(const SignalInput& input, const OpenOptions& options) {
     if (is_audio(beginning) && !is_utf16) return open_audio(input);
     if (is_compressed_audio(beginning)) return open_compressed_audio(input);
     if (is_uff(beginning)) return open_uff58(input, options.dataset);
+    if (is_mat(beginning)) return open_mat(input, {options.rate, options.channel_name});
     refuse_foreign(beginning, input.name);
     if (is_text(beginning) && has_sound_name(input.name))
         throw refusal(input.name, "this is text and no sound", "a sound file begins with the mark of its format",
                       "If it is a table, give it a name that ends in .csv.");
     if (is_text(beginning) || is_utf16) return open_signal_csv(input, options.rate);
-    throw refusal(input.name, "the format of the file is not known", "it is no sound file, no table and no UFF file",
-                  "Convert it to WAV, CSV or UFF 58 first.");
+    throw refusal(input.name, "the format of the file is not known",
+                  "it is no sound file, no table, no UFF and no MAT file", "Convert it to WAV, CSV or UFF 58 first.");
 }
 
 std::string label(const signal::Channel& channel, std::size_t index) {

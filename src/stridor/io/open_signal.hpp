@@ -16,7 +16,7 @@ namespace stridor::io {
 /// What the user knows better than the file.
 struct OpenOptions {
     std::vector<FullScale> full_scales{};  // what the number 1 in the file stands for, of every channel or one each
-    std::optional<double> rate{};          // [Hz] of a CSV table
+    std::optional<double> rate{};          // [Hz] of a CSV table or a MAT file
     std::optional<std::size_t> dataset{};  // [1] of the time histories of a UFF file, from 1
     std::optional<std::size_t> channel{};  // [1] this one alone, from 1
     std::string channel_name{};            // the same by its name, or its number as text (`signal::channel_named`)
@@ -56,8 +56,9 @@ private:
     std::uint64_t frames_ = 0;         // read so far
 };
 
-/// Opens a recording: WAV, RF64, W64, FLAC, Ogg, MP3, AIFF and others through libsndfile, MPEG-4, AAC, AMR and WebM
-/// through ffmpeg's libraries where they are there, a table of signals as CSV, UFF 58 and 58b.
+/// Opens a recording: WAV, RF64, W64, FLAC, Ogg, MP3, AIFF and others through libsndfile, MPEG-4, AAC, AMR and WebM through
+/// ffmpeg's libraries where they are there, a table of signals as CSV, UFF 58 and 58b, MAT files through libmatio where it
+/// is there.
 /// The format is told by the content; "-" is standard input.
 ///
 /// Units come from the options, else the sidecar NAME.json, else the calibration in the file's description, else the

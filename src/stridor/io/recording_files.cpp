@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 16> sound_endings{".wav",  ".flac", ".ogg
                                                          ".rf64", ".caf",  ".au",  ".mp3", ".opus", ".m4a",
                                                          ".aac",  ".3gp",  ".amr", ".webm"};
 // not ".txt": most texts are no tables
-constexpr std::array<std::string_view, 6> table_endings{".csv", ".tsv", ".uff", ".unv", ".uf", ".uff58"};
+constexpr std::array<std::string_view, 7> table_endings{".csv", ".tsv", ".uff", ".unv", ".uf", ".uff58", ".mat"};
 
 bool ends_with_one_of(std::string_view name, std::span<const std::string_view> endings) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };

@@ -189,14 +189,10 @@ public:
 
 private:
     void check_time(double time) const {
-        const double step = 1.0 / (layout_.rate * times_->unit);  // in the unit of the file
-        const double expected = times_->first.front() + static_cast<double>(frames_) * step;
-        const double off = std::abs(time - expected);
-        if (off <= 0.05 * step) return;
-        // printed to its last digit, a time is off by less than one unit of it against a line through two others
-        if (off <= 0.05 * step + time_grid::resolution(times_->precision, time)) return;
+        const std::optional<double> due = time_grid::missed(*times_, layout_.rate, frames_, time);
+        if (!due) return;
         throw refusal(rows_.place(time_column_), "the times are not evenly spaced",
-                      "at " + base::shortest(layout_.rate) + " Hz this row is due at " + base::shortest(expected) +
+                      "at " + base::shortest(layout_.rate) + " Hz this row is due at " + base::shortest(*due) +
                           ", not at " + base::shortest(time),
                       "Resample the table to an even step.");
     }

@@ -62,4 +62,14 @@ SnappedRate rate_of(const Times& times) {
     return snapped_rate(step * times.unit, std::clamp(tolerance, 1e-12, 0.01));
 }
 
+std::optional<double> missed(const Times& times, double rate, std::uint64_t row, double time) {
+    const double step = 1.0 / (rate * times.unit);  // in the unit of the file
+    const double expected = times.first.front() + static_cast<double>(row) * step;
+    const double off = std::abs(time - expected);
+    if (off <= 0.05 * step) return std::nullopt;
+    // printed to its last digit, a time is off by less than one unit of it against a line through two others
+    if (off <= 0.05 * step + resolution(times.precision, time)) return std::nullopt;
+    return expected;
+}
+
 }  // namespace stridor::io::time_grid

@@ -4,6 +4,8 @@
 
 #include "stridor/io/rate.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -34,5 +36,9 @@ struct Times {
 ///
 /// Snapped to an exact one within what the printed digits leave open. Needs two increasing times.
 SnappedRate rate_of(const Times& times);
+
+/// The time a row is due at, counted from 0, where its own is off by more than 5 % of a step and what its digits leave
+/// open; both in the unit of the file.
+std::optional<double> missed(const Times& times, double rate, std::uint64_t row, double time);
 
 }  // namespace stridor::io::time_grid

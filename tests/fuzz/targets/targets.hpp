@@ -21,17 +21,26 @@ void store(std::string_view bytes);
 void library(std::string_view bytes);
 void case_file(std::string_view bytes);
 void compressed_audio(std::string_view bytes);
+void mat(std::string_view bytes);
 
 struct Target {
     std::string_view name;  // of its folder in the corpus
     void (*run)(std::string_view bytes);
 };
 
-inline constexpr std::array targets{
-    Target{"signal_csv", signal_csv},   Target{"uff58", uff58},       Target{"sidecar", sidecar},
-    Target{"calibration", calibration}, Target{"riff", riff},         Target{"tar", tar},
-    Target{"manifest", manifest},       Target{"store", store},       Target{"library", library},
-    Target{"case_file", case_file},     Target{"requests", requests}, Target{"compressed_audio", compressed_audio}};
+inline constexpr std::array targets{Target{"signal_csv", signal_csv},
+                                    Target{"uff58", uff58},
+                                    Target{"sidecar", sidecar},
+                                    Target{"calibration", calibration},
+                                    Target{"riff", riff},
+                                    Target{"tar", tar},
+                                    Target{"manifest", manifest},
+                                    Target{"store", store},
+                                    Target{"library", library},
+                                    Target{"case_file", case_file},
+                                    Target{"requests", requests},
+                                    Target{"compressed_audio", compressed_audio},
+                                    Target{"mat", mat}};
 
 /// Stops the program where a promise is broken, in every build.
 inline void require(bool promise) {
