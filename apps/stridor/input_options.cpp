@@ -28,7 +28,8 @@ void add_input_options(CLI::App& command, InputOptions& options) {
         ->type_name("NAME|NUMBER");
     command.add_option("--dataset", options.dataset, "this time history of a UFF file, counted from 1")
         ->check(CLI::Range(1, 1'000'000));
-    command.add_option("--rate", options.rate, "sampling rate of a CSV table or MAT file that does not tell it")->type_name("HZ");
+    command.add_option("--rate", options.rate, "sampling rate of a CSV table or MAT file that does not tell it")
+        ->type_name("HZ");
 }
 
 io::OpenOptions open_options(const InputOptions& options) {

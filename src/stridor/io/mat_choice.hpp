@@ -40,13 +40,13 @@ struct Choice {
     std::vector<std::pair<std::string, std::string>> metadata{};  // other single numbers
 };
 
-/// Chooses the channels: all vectors of numbers of one length, and the columns of matrices, NAME(1) to NAME(n). The longer
-/// side of a matrix is its time, a square's its rows.
+/// Chooses the channels: all vectors of numbers of one length, and the columns of matrices, NAME(1) to NAME(n). The
+/// longer side of a matrix is its time, a square's its rows.
 ///
 /// The rate is a single number called `fs`, `sample_rate` or the like, or one over `dt`; the times are a vector called
-/// `t` or `time` in seconds, or the first column of a matrix that is alone and without a rate. Where there are times, what is
-/// as long as they are is chosen. Throws `Error` (input) with what there is where nothing or no one length can be chosen, and
-/// where there is neither a rate nor times.
+/// `t` or `time` in seconds, or the first column of a matrix that is alone and without a rate. Where there are times,
+/// what is as long as they are is chosen. Throws `Error` (input) with what there is where nothing or no one length can
+/// be chosen, and where there is neither a rate nor times.
 Choice choose(const std::vector<Variable>& variables, const Wishes& wishes, const std::string& file);
 
 }  // namespace stridor::io::mat

@@ -1,8 +1,9 @@
 #include "stridor/io/mat_header.hpp"
 
-// Version 4: variables, one after the other. Each has five words (type, rows, columns, is it complex, length of its name with
-// a zero), its name, its numbers. Version 5: 128 bytes of header with the version and the order of bytes at their end; then
-// variables, each with its type and its length in two words. Source: MathWorks, "MAT-File Format", 2019, chapters 1 and 2.
+// Version 4: variables, one after the other. Each has five words (type, rows, columns, is it complex, length of its
+// name with a zero), its name, its numbers. Version 5: 128 bytes of header with the version and the order of bytes at
+// their end; then variables, each with its type and its length in two words. Source: MathWorks, "MAT-File Format",
+// 2019, chapters 1 and 2.
 
 #include "stridor/io/mat_answers.hpp"
 #include "stridor/io/refusal.hpp"

@@ -56,9 +56,9 @@ private:
     std::uint64_t frames_ = 0;         // read so far
 };
 
-/// Opens a recording: WAV, RF64, W64, FLAC, Ogg, MP3, AIFF and others through libsndfile, MPEG-4, AAC, AMR and WebM through
-/// ffmpeg's libraries where they are there, a table of signals as CSV, UFF 58 and 58b, MAT files through libmatio where it
-/// is there.
+/// Opens a recording: WAV, RF64, W64, FLAC, Ogg, MP3, AIFF and others through libsndfile, MPEG-4, AAC, AMR and WebM
+/// through ffmpeg's libraries where they are there, a table of signals as CSV, UFF 58 and 58b, MAT files through
+/// libmatio where it is there.
 /// The format is told by the content; "-" is standard input.
 ///
 /// Units come from the options, else the sidecar NAME.json, else the calibration in the file's description, else the
