@@ -4,27 +4,39 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace stridor::base {
 
 namespace {
 
-// optimal string alignment distance (Damerau-Levenshtein with neighbours swapped once)
-std::size_t edits(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+// rows of a table of edits, kept from one pair of texts to the next
+struct Rows {
+    std::vector<std::size_t> before_last, last, row;
+};
+
+// optimal string alignment distance (Damerau-Levenshtein with neighbours swapped once);
+// `most` or more where it is no less
+std::size_t edits(std::string_view a, std::string_view b, std::size_t most, Rows& rows) {
+    auto& [before_last, last, row] = rows;
+    for (std::vector<std::size_t>* each : {&before_last, &last, &row})
+        each->resize(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j)
         last[j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
         row[0] = i;
+        std::size_t least = std::min(i, last[0]);  // of this row and the one before: later ones are no less
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const std::size_t replace = last[j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U);
-            row[j] = std::min({replace, last[j] + 1, row[j - 1] + 1});
+            row[j] = std::min(std::min(replace, last[j] + 1), row[j - 1] + 1);
             const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
             if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
+            least = std::min(least, std::min(row[j], last[j]));
         }
-        before_last = last;
-        last = row;
+        if (least >= most) return most;
+        std::swap(before_last, last);
+        std::swap(last, row);
     }
     return last[b.size()];
 }
@@ -42,11 +54,12 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
                               std::size_t most_edits) {
     std::string_view best;
     std::size_t fewest = most_edits + 1;
+    Rows rows;
     for (const std::string_view candidate : candidates) {
         // each character too many is an edit
         const std::size_t longer = std::max(name.size(), candidate.size());
         if (longer - std::min(name.size(), candidate.size()) >= fewest) continue;
-        const std::size_t count = edits(name, candidate);
+        const std::size_t count = edits(name, candidate, fewest, rows);
         if (count < fewest && count < candidate.size()) {
             fewest = count;
             best = candidate;

@@ -213,9 +213,20 @@ std::string key_of(const Field& field) {
     return field.section.empty() ? std::string(field.name) : std::string(field.section) + "." + std::string(field.name);
 }
 
+namespace {
+
+// key_of(field) == key, without putting it together: this is asked for each line of a file and each field
+bool has_key(const Field& field, std::string_view key) {
+    if (field.section.empty()) return key == field.name;
+    return key.size() == field.section.size() + 1 + field.name.size() && key.starts_with(field.section) &&
+           key[field.section.size()] == '.' && key.ends_with(field.name);
+}
+
+}  // namespace
+
 const Field* find_field(std::string_view key) {
     const auto found =
-        std::find_if(table.begin(), table.end(), [&](const Field& field) { return key_of(field) == key; });
+        std::find_if(table.begin(), table.end(), [&](const Field& field) { return has_key(field, key); });
     return found == table.end() ? nullptr : &*found;
 }
 
