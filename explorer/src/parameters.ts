@@ -83,6 +83,7 @@ export function quantityOf(state: State, resolved: Case, key: string): number {
 /** Keys that mean nothing any more once a choice is made anew. */
 const dependants: Record<string, string[]> = {
   "drive.kind": ["drive.amplitude", "drive.frequency", "drive.velocity", "verdict.settling", "verdict.reversal"],
+  "contact.friction": ["contact.static_friction_coming", "contact.kinetic_friction_coming"],
   "contact.impact": ["contact.restitution"],
   "run.initial": ["run.perturbation"],
   "run.engine": ["run.step", "run.beta_2"],
@@ -203,6 +204,10 @@ export class Parameters {
     if (key === "drive.kind" && choice === "sinusoidal") {
       const speed = Math.abs(now("drive.velocity")) || 0.1;
       return { "drive.amplitude": exact(rounded(speed / (2 * Math.PI * 5))), "drive.frequency": "5" };
+    }
+    if (key === "contact.friction" && choice === "directional") {
+      const [limit, sliding] = ["static_friction", "kinetic_friction"].map((name) => exact(now(`contact.${name}`)));
+      return { "contact.static_friction_coming": limit, "contact.kinetic_friction_coming": sliding };
     }
     if (key === "contact.impact" && choice === "restitution") return { "contact.restitution": "0.5" };
     return {};

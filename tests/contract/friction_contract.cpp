@@ -91,5 +91,11 @@ INSTANTIATE_TEST_SUITE_P(Coulomb, FrictionContract,
                                          FrictionUnderTest{"none", model::Coulomb{0.0, 0.0}}),
                          testing::PrintToStringParamName());
 
+INSTANTIATE_TEST_SUITE_P(
+    Directional, FrictionContract,
+    testing::Values(FrictionUnderTest{"rough_backward", model::Directional{{0.3, 0.8}, {0.2, 0.6}}},
+                    FrictionUnderTest{"rough_forward", model::Directional{{0.9, 0.4}, {0.7, 0.4}}}),
+    testing::PrintToStringParamName());
+
 }  // namespace
 }  // namespace stridor::contract

@@ -104,6 +104,11 @@ Case wild_case(std::uint64_t number) {
     c.run.window = c.run.duration;
     choose_drive(c, random);
     c.run.engine = Engine::exact;
+    if (random.one_in(5)) {
+        c.contact.friction = FrictionLaw::directional;
+        c.contact.static_friction_coming = c.contact.static_friction * random.between(0.1, 1.0);
+        c.contact.kinetic_friction_coming = c.contact.static_friction_coming * random.between(0.0, 1.0);
+    }
     return c;
 }
 

@@ -1,6 +1,7 @@
 #include "stridor/chart/friction_law.hpp"
 
 #include "stridor/chart/palette.hpp"
+#include "stridor/model/friction/law.hpp"
 
 #include <algorithm>
 
@@ -8,16 +9,42 @@ namespace stridor::chart {
 
 namespace {
 
-Text named(std::string_view sign, std::string_view name, double value) {
-    return Text(sign) + symbol(name) + " = " + Text(sign) + number_text(value);
+// of one way to slip, as drawn: V_rel > 0 is a plate that goes
+struct Branch {
+    double sign;
+    double limit;    // [1] of the stick
+    double sliding;  // [1] while it slips
+    const char* limit_symbol;
+    const char* sliding_symbol;
+};
+
+Text named(double sign, std::string_view name, double value) {
+    const char* const minus = sign < 0.0 ? "−" : "";
+    return Text(minus) + symbol(name) + " = " + Text(minus) + number_text(value);
+}
+
+void add_branch(Panel& panel, const Branch& branch, double top) {
+    const double x = branch.sign, s = branch.sign * branch.limit, d = branch.sign * branch.sliding;
+    if (branch.limit > branch.sliding)
+        panel.y.ticks.push_back({s, named(x, branch.limit_symbol, branch.limit), TickSize::major});
+    panel.y.ticks.push_back({d, named(x, branch.sliding_symbol, branch.sliding), TickSize::major});
+    panel.layers.emplace_back(Line{{std::min(x, 0.0), std::max(x, 0.0)}, {d, d}, {accent, 1.6, Dash::solid}});
+    panel.layers.emplace_back(
+        Note{"slip", 0.5 * x, d - 0.1 * x * top, Anchor::data, Align::centre, ink, 0.0, std::nullopt});
 }
 
 }  // namespace
 
 Scene friction_law(const parameters::Contact& contact) {
-    const double s = contact.static_friction;
-    const double d = contact.kinetic_friction;
-    const double top = 1.3 * std::max({s, d, 1e-3});
+    const model::FrictionLaw law = model::friction_law(contact);
+    const bool is_the_same = contact.friction == parameters::FrictionLaw::coulomb;
+    const auto branch = [&](model::Slip way, double sign, const char* limit, const char* sliding) {
+        return Branch{sign, stick_limit(law, way), sign * slip_ratio(law, way), limit, sliding};
+    };
+    const Branch going = branch(model::Slip::backward, 1.0, "mu_s", "mu_d");
+    const Branch coming =
+        branch(model::Slip::forward, -1.0, is_the_same ? "mu_s" : "mu_sc", is_the_same ? "mu_d" : "mu_dc");
+    const double top = 1.3 * std::max({going.limit, coming.limit, going.sliding, coming.sliding, 1e-3});
     Panel panel;
     panel.grid = Grid::none;
     panel.x.label = Text("relative velocity ") + symbol("V_rel") + " (any unit)";
@@ -27,25 +54,18 @@ Scene friction_law(const parameters::Contact& contact) {
     panel.y.unit = "1";
     panel.y.range = {-top, top};
     panel.y.ticks = {{0.0, "0", TickSize::major}};
-    if (s > d)
-        for (const double sign : {-1.0, 1.0})
-            panel.y.ticks.push_back({sign * s, named(sign < 0.0 ? "−" : "", "mu_s", s), TickSize::major});
-    for (const double sign : {-1.0, 1.0})
-        panel.y.ticks.push_back({sign * d, named(sign < 0.0 ? "−" : "", "mu_d", d), TickSize::major});
-
     const Stroke axis{grid_ink, 0.5, Dash::solid};
     const Stroke helper{quiet_ink, 0.4, Dash::dotted};
     panel.layers.emplace_back(Rule{0.0, Orientation::vertical, axis});
     panel.layers.emplace_back(Rule{0.0, Orientation::horizontal, axis});
-    panel.layers.emplace_back(Line{{-1.0, 0.0}, {s, s}, helper});
-    panel.layers.emplace_back(Line{{-1.0, 0.0}, {d, d}, helper});
-    panel.layers.emplace_back(Line{{-1.0, 0.0}, {-s, -s}, helper});
-    panel.layers.emplace_back(Line{{-1.0, 0.0}, {-d, -d}, {accent, 1.6, Dash::solid}});
-    panel.layers.emplace_back(Line{{0.0, 0.0}, {-s, s}, {state_colour(model::ContactState::stick), 1.6, Dash::solid}});
-    panel.layers.emplace_back(Line{{0.0, 1.0}, {d, d}, {accent, 1.6, Dash::solid}});
-    panel.layers.emplace_back(Note{"stick", 0.06, 0.5 * d, Anchor::data, Align::left, ink, 0.0, std::nullopt});
-    panel.layers.emplace_back(Note{"slip", 0.5, d - 0.1 * top, Anchor::data, Align::centre, ink, 0.0, std::nullopt});
-    panel.layers.emplace_back(Note{"slip", -0.5, -d + 0.1 * top, Anchor::data, Align::centre, ink, 0.0, std::nullopt});
+    for (const double level : {going.limit, going.sliding, -coming.limit})
+        panel.layers.emplace_back(Line{{-1.0, 0.0}, {level, level}, helper});
+    panel.layers.emplace_back(
+        Line{{0.0, 0.0}, {-coming.limit, going.limit}, {state_colour(model::ContactState::stick), 1.6, Dash::solid}});
+    add_branch(panel, coming, top);
+    add_branch(panel, going, top);
+    panel.layers.emplace_back(
+        Note{"stick", 0.06, 0.5 * going.sliding, Anchor::data, Align::left, ink, 0.0, std::nullopt});
 
     Scene scene;
     scene.title = "Friction law";

@@ -17,13 +17,20 @@ constexpr double most_cut = 1.0 - 1e-9;
 // of beta_2 in a stretch that is judged
 constexpr double least_steps = 10.0;
 
+// of one way to slip; `way` ends keys and symbols: "" or "_coming"
+void check_friction(double kinetic, double stat, const std::string& way, std::vector<Finding>& found) {
+    if (kinetic <= stat) return;
+    const std::string letter = way.empty() ? "" : "c";
+    found.push_back({"contact.kinetic_friction" + way,
+                     {"mu_d" + letter + " = " + shortest(kinetic) + " exceeds mu_s" + letter + " = " + shortest(stat),
+                      "kinetic friction may not be larger than static", "Swap them?"},
+                     {"contact.static_friction" + way}});
+}
+
 void check_contact(const Case& c, std::vector<Finding>& found) {
-    if (c.contact.kinetic_friction <= c.contact.static_friction) return;
-    found.push_back(
-        {"contact.kinetic_friction",
-         {"mu_d = " + shortest(c.contact.kinetic_friction) + " exceeds mu_s = " + shortest(c.contact.static_friction),
-          "kinetic friction may not be larger than static", "Swap them?"},
-         {"contact.static_friction"}});
+    check_friction(c.contact.kinetic_friction, c.contact.static_friction, "", found);
+    if (c.contact.friction == FrictionLaw::directional)
+        check_friction(c.contact.kinetic_friction_coming, c.contact.static_friction_coming, "_coming", found);
 }
 
 // V is linear between samples: it is zero from one to the next if it is so at both

@@ -45,6 +45,7 @@ constexpr UsualRange usual_angle = between(20.0, 160.0);
 // a window of 1 s holds the one and a half periods that are needed from 1.5 Hz on
 constexpr UsualRange usual_frequency = octaves(2.0, 50.0);
 
+constexpr std::array<std::string_view, 2> friction_names{"coulomb", "directional"};
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
 constexpr std::array<std::string_view, 3> drive_names{"sinusoidal", "constant", "sampled"};
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
@@ -66,6 +67,9 @@ bool is_sampled(const Case& c) {
 bool has_phases(const Case& c) {
     return !is_constant(c);
 }
+bool has_friction_each_way(const Case& c) {
+    return c.contact.friction == FrictionLaw::directional;
+}
 bool rebounds(const Case& c) {
     return c.contact.impact == ImpactLaw::restitution;
 }
@@ -83,9 +87,9 @@ Quantity quantity(std::string_view unit, Range range, std::optional<UsualRange> 
 }
 
 template <auto part, auto member, typename Enumeration>
-Choice choice(std::span<const std::string_view> names) {
+Choice choice(std::span<const std::string_view> names, Choice::Canonical canonical = Choice::Canonical::always) {
     return {names, [](const Case& c) { return static_cast<int>((c.*part).*member); },
-            [](Case& c, int index) { (c.*part).*member = static_cast<Enumeration>(index); }};
+            [](Case& c, int index) { (c.*part).*member = static_cast<Enumeration>(index); }, canonical};
 }
 
 constexpr Text title{[](const Case& c) { return c.title; }, [](Case& c, std::string_view text) { c.title = text; }};
@@ -117,10 +121,20 @@ const std::array table{
 
     Field{"contact", "preload", "F", "force that presses joint and plate together at rest",
           quantity<&Case::contact, &Contact::preload>("N", positive, usual_preload), always},
+    Field{"contact", "friction", "", "law of friction: the same both ways, or other coefficients each way",
+          choice<&Case::contact, &Contact::friction, FrictionLaw>(friction_names, Choice::Canonical::unless_first),
+          always},
     Field{"contact", "static_friction", "mu_s", "friction coefficient while sticking",
           quantity<&Case::contact, &Contact::static_friction>("1", not_negative, usual_static_friction), always},
     Field{"contact", "kinetic_friction", "mu_d", "friction coefficient while slipping, at most mu_s",
           quantity<&Case::contact, &Contact::kinetic_friction>("1", not_negative, usual_kinetic_friction), always},
+    Field{"contact", "static_friction_coming", "mu_sc",
+          "mu_s of the other way, in which a coming plate drags the joint",
+          quantity<&Case::contact, &Contact::static_friction_coming>("1", not_negative, usual_static_friction),
+          has_friction_each_way},
+    Field{"contact", "kinetic_friction_coming", "mu_dc", "mu_d of the other way, at most mu_sc",
+          quantity<&Case::contact, &Contact::kinetic_friction_coming>("1", not_negative, usual_kinetic_friction),
+          has_friction_each_way},
     Field{"contact", "impact", "", "what happens when a separation ends",
           choice<&Case::contact, &Contact::impact, ImpactLaw>(impact_names), always},
     Field{"contact", "restitution", "e", "velocity after an impact over that before it, impact = restitution",
@@ -366,13 +380,23 @@ std::string listed(const std::vector<std::string>& texts) {
 
 }  // namespace
 
+namespace {
+
+bool goes_without_saying(const Case& c, const Field& field) {
+    const auto* choice = std::get_if<Choice>(&field.kind);
+    return choice != nullptr && choice->canonical == Choice::Canonical::unless_first && choice->get(c) == 0;
+}
+
+}  // namespace
+
 std::string canonical_text(const Case& c) {
     std::string text;
     for (const Field& field : table) {
         const bool names_a_thing =
             std::holds_alternative<Text>(field.kind);  // a title or a file name changes no result
         const bool follows = temperature_column(c, key_of(field)) != nullptr;
-        if (field.belongs(c) && !names_a_thing && !follows) text += key_of(field) + " = " + value_text(c, field) + "\n";
+        if (field.belongs(c) && !names_a_thing && !follows && !goes_without_saying(c, field))
+            text += key_of(field) + " = " + value_text(c, field) + "\n";
     }
     if (has_temperature_table(c)) text += "temperature.at = " + listed(node_texts(c)) + "\n";
     for (const TemperatureColumn& column : c.temperature.columns)

@@ -52,6 +52,8 @@ struct Choice {
     std::span<const std::string_view> names;
     int (*get)(const Case&);
     void (*set)(Case&, int index);
+    // a choice that came later goes without saying where it is the first: what was kept of a case stays its own
+    enum class Canonical { always, unless_first } canonical = Canonical::always;
 };
 
 /// Free text.

@@ -81,12 +81,16 @@ Named fastest_rate(const Case& c, double friction) {
 
 void find_fast(const Case& c, std::vector<Finding>& found) {
     if (c.run.engine != Engine::exact) return;  // beta_2 has its step
-    const double rate = fastest_rate(c, c.contact.kinetic_friction).value;
+    const bool has_coming = c.contact.friction == FrictionLaw::directional;
+    const Named friction =
+        largest_of({{"contact.kinetic_friction", c.contact.kinetic_friction},
+                    {"contact.kinetic_friction_coming", has_coming ? c.contact.kinetic_friction_coming : 0.0}});
+    const double rate = fastest_rate(c, friction.value).value;
     if (rate * c.run.duration <= most_apart) return;
     const Named frictionless = fastest_rate(c, 0.0);
     const bool is_long = rate <= most_apart;  // a second would do
     const bool is_rough = frictionless.value * c.run.duration <= most_apart;
-    const std::string_view key = is_long ? "run.duration" : is_rough ? "contact.kinetic_friction" : frictionless.key;
+    const std::string_view key = is_long ? "run.duration" : is_rough ? friction.key : frictionless.key;
     found.push_back({std::string(key),
                      {setting(c, key) + " makes a run of " + shortest(c.run.duration) + " s at rates of up to " +
                           shortest(rate) + " 1/s",
@@ -135,10 +139,13 @@ void find_unresolvable(const Case& c, std::vector<Finding>& found) {
     const Named joint_mass{"joint.mass", c.joint.mass};
     const Named plate_mass{"plate.mass", c.plate.mass};
     find_ratio(c, largest_of({joint_mass, plate_mass}), smallest_of({joint_mass, plate_mass}), found);
-    if (c.contact.static_friction > most_apart)
-        found.push_back({"contact.static_friction",
-                         {setting(c, "contact.static_friction") + " is above 1e12",
+    for (const std::string_view key : {"contact.static_friction", "contact.static_friction_coming"}) {
+        const Field& field = *find_field(key);
+        if (!field.belongs(c) || get_quantity(c, field) <= most_apart) continue;
+        found.push_back({std::string(key),
+                         {setting(c, key) + " is above 1e12",
                           "the friction force would be known to less than four digits", "Rubber on glass has 2."}});
+    }
     find_reversals(c, found);
     find_short_window(c, found);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/model/friction/coulomb.hpp"
+#include "stridor/model/friction/directional.hpp"
 #include "stridor/parameters/case.hpp"
 
 #include <variant>
@@ -12,7 +13,7 @@
 /// beside `coulomb` and its name in the list below; tests/contract/friction_contract.cpp says what it must keep.
 namespace stridor::model {
 
-using FrictionLaw = std::variant<Coulomb>;
+using FrictionLaw = std::variant<Coulomb, Directional>;
 
 /// Largest friction force over normal force [1], without sign, that keeps a stuck contact from slipping that way.
 double stick_limit(const FrictionLaw& law, Slip way);
