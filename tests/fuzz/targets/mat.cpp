@@ -2,9 +2,11 @@
 
 #include "fuzz/targets/reading.hpp"
 #include "stridor/io/mat_choice.hpp"
+#include "stridor/io/mat_header.hpp"
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 
 namespace stridor::fuzz {
 
@@ -29,10 +31,24 @@ private:
 
 // what deflate can pack into a byte
 constexpr std::uint64_t most_per_byte = 1032;
+// a process for each file would take all the time, and what it runs is the library, which no counter sees
+constexpr std::size_t files_per_process = 256;
+
+// what this process itself reads of a file
+void follow_lengths(std::string_view bytes) {
+    const io::SignalInput input{io::bytes_of(std::string(bytes)), "input", {}};
+    try {
+        io::mat::check_length(input, *io::mat::version_of(bytes));
+    } catch (const Error& error) {
+        require(error.kind() == ErrorKind::input && !error.problem().what.empty());
+    }
+}
 
 }  // namespace
 
 void mat(std::string_view bytes) {
+    if (io::is_mat(bytes) && std::hash<std::string_view>()(bytes) % files_per_process != 0)
+        return follow_lengths(bytes);
     if (io::is_mat(bytes))
         return read_signal(
             bytes, [](const io::SignalInput& input) { return io::open_mat(input, {}); }, most_per_byte);
