@@ -32,7 +32,7 @@ std::string kind_name(StabilityKind kind) {
 
 std::string modes_text(const analysis::SlidingStability& stability) {
     std::string text;
-    for (const analysis::Mode& mode : stability.modes)
+    for (const analysis::Eigenmode& mode : stability.modes)
         text += fmt::format("  {:9.2f} Hz {:+10.3f} 1/s", mode.frequency, mode.growth);
     return text;
 }

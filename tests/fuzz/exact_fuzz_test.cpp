@@ -43,7 +43,7 @@ Case with_short_window(Case c) {
 // with the paper's time stepping, a fiftieth of its stable step
 Case with_steps(Case c) {
     c.run.engine = parameters::Engine::beta_2;
-    c.contact.impact = parameters::ImpactLaw::plastic;
+    c.contact.impact = parameters::ImpactKind::plastic;
     c.run.step = std::min(0.02 * integration::cost(c).step_limit, 1e-3 * c.run.duration);
     return c;
 }
@@ -70,7 +70,7 @@ std::string failure_of(const Case& c) {
         if (reason == Reason::diverged && has_outgrown_numbers(motion)) return {};
         // a bounce that loses nothing under a growing force comes ever faster, and never rests
         const bool bounces_for_ever =
-            c.contact.impact == parameters::ImpactLaw::restitution && c.contact.restitution == 1.0;
+            c.contact.impact == parameters::ImpactKind::restitution && c.contact.restitution == 1.0;
         if (reason == Reason::chattering && bounces_for_ever) return {};
         if (reason != Reason::completed && reason != Reason::settled)
             return std::string(integration::reason_names[static_cast<std::size_t>(reason)]) + " at " +

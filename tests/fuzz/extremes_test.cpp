@@ -51,7 +51,7 @@ Case with_drive(Case c, DriveKind kind) {
 Case with_engine(Case c, Engine engine) {
     c.run.engine = engine;
     c.run.step = 1e-5;
-    if (engine == Engine::beta_2) c.contact.impact = ImpactLaw::plastic;
+    if (engine == Engine::beta_2) c.contact.impact = ImpactKind::plastic;
     return c;
 }
 
@@ -78,7 +78,7 @@ TEST(Extremes, OfEveryFieldEndSoonAndSayWhatTheyAre) {
                         if (!tries_all() && number++ % every != 0) continue;
                         Case c = with_engine(with_drive(paper_case(name), drive), engine);
                         c.run.duration = c.run.window = 0.4;
-                        if (field.name == "restitution") c.contact.impact = ImpactLaw::restitution;
+                        if (field.name == "restitution") c.contact.impact = ImpactKind::restitution;
                         if (field.name == "perturbation") c.run.initial = Initial::sliding;
                         try {
                             set_quantity(c, field, value);

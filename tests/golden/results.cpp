@@ -27,7 +27,7 @@ namespace {
 using parameters::Case;
 using parameters::DriveKind;
 using parameters::Engine;
-using parameters::ImpactLaw;
+using parameters::ImpactKind;
 using parameters::PaperCase;
 
 void add(Values& values, const record::Tally& tally) {
@@ -163,7 +163,7 @@ Case sampled_drive() {
 }
 
 // a contact that opens and closes often
-Case bouncing(ImpactLaw law) {
+Case bouncing(ImpactKind law) {
     Case c = column(PaperCase::squeak);
     c.contact.impact = law;
     return c;
@@ -223,7 +223,7 @@ Result stability() {
         for (const analysis::StabilityPoint& point : direction.path.points) {
             values.add("kind", point.stability.kind);
             values.add("normal_force", point.stability.normal_force);
-            for (const analysis::Mode& mode : point.stability.modes) {
+            for (const analysis::Eigenmode& mode : point.stability.modes) {
                 values.add("growth", mode.growth);
                 values.add("frequency", mode.frequency);
             }
@@ -287,8 +287,8 @@ std::vector<Result> results(integration::InstructionSet set) {
     add_early("early.coming", constant_drive(-0.1));
     add_early("early.lip", support::seal_lip());
     add_by_both("sampled", sampled_drive());
-    add_run("impact.normal-only", bouncing(ImpactLaw::normal_only));
-    add_run("impact.restitution.exact", bouncing(ImpactLaw::restitution));
+    add_run("impact.normal-only", bouncing(ImpactKind::normal_only));
+    add_run("impact.restitution.exact", bouncing(ImpactKind::restitution));
     all.push_back(chart("chart.plain", pair()));
     all.push_back(chart("chart.refined", refined_with_starts()));
     all.push_back(stability());

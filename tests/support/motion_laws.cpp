@@ -4,6 +4,8 @@
 
 #include "support/motion_laws.hpp"
 
+#include "stridor/model/friction/law.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -164,7 +166,7 @@ private:
         const double w = v[0] - V;
         expect(std::abs(trace_.surface_velocity[k] - V) <= 1e-11 * largest_surface_velocity(), "surface velocity at ",
                time, ": ", trace_.surface_velocity[k], " is not ", V);
-        const double mu_s = c_.contact.static_friction, mu_d = c_.contact.kinetic_friction;
+        const model::FrictionLaw law = model::friction_law(c_.contact);
         if (trace_.state[k] == ContactState::separation) {
             expect(u[1] - u[2] >= -event_depth * length, "gap ", u[1] - u[2], " at ", time);
             expect(std::abs(above.value) <= rounding * size, "force ", above.value, " across an open gap at ", time);
@@ -178,10 +180,13 @@ private:
                N);
         if (trace_.state[k] == ContactState::stick) {
             expect(std::abs(w) <= rounding * speed, "stuck contact moves with ", w, " at ", time);
-            expect(std::abs(tangential.value) <= mu_s * above.value + event_depth * size, "stick at ", time, " with T ",
-                   tangential.value, " and N ", above.value);
+            const double limit = stick_limit(law, model::slip_against(tangential.value));
+            expect(std::abs(tangential.value) <= limit * above.value + event_depth * size, "stick at ", time,
+                   " with T ", tangential.value, " and N ", above.value);
         } else {
-            expect(std::abs(std::abs(T) - mu_d * N) <= rounding * size, "slip at ", time, " with T ", T, " and N ", N);
+            const double off = std::min(std::abs(T - slip_ratio(law, model::Slip::forward) * N),
+                                        std::abs(T - slip_ratio(law, model::Slip::backward) * N));
+            expect(off <= rounding * size, "slip at ", time, " with T ", T, " and N ", N);
             // a slip that ends where the plate comes to a stop: w is what rounding of the velocities before has left
             const double pace = speed + largest_surface_velocity();
             expect(T * w <= 0.0 || std::abs(w) <= event_depth * pace || std::abs(T) <= event_depth * size,

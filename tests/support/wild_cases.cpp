@@ -93,7 +93,8 @@ Case wild_case(std::uint64_t number) {
     c.contact.kinetic_friction = random.one_in(4)   ? c.contact.static_friction
                                  : random.one_in(6) ? 0.0
                                                     : c.contact.static_friction * random.between(0.0, 1.0);
-    c.contact.impact = std::array{ImpactLaw::plastic, ImpactLaw::normal_only, ImpactLaw::restitution}[random.below(3)];
+    c.contact.impact =
+        std::array{ImpactKind::plastic, ImpactKind::normal_only, ImpactKind::restitution}[random.below(3)];
     c.contact.restitution = random.one_in(6) ? static_cast<double>(random.below(2)) : random.between(0.0, 1.0);
     c.run.initial = std::array{Initial::rest, Initial::stuck, Initial::sliding}[random.below(3)];
     c.run.perturbation = random.one_in(4) ? 0.0 : random.decades(1e-6, 1e2);
@@ -105,7 +106,7 @@ Case wild_case(std::uint64_t number) {
     choose_drive(c, random);
     c.run.engine = Engine::exact;
     if (random.one_in(5)) {
-        c.contact.friction = FrictionLaw::directional;
+        c.contact.friction = FrictionKind::directional;
         c.contact.static_friction_coming = c.contact.static_friction * random.between(0.1, 1.0);
         c.contact.kinetic_friction_coming = c.contact.static_friction_coming * random.between(0.0, 1.0);
     }

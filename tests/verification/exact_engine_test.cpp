@@ -162,7 +162,7 @@ TEST(ExactSampledDrive, ComesNearTheSineItIsSampledFrom) {
 
 // --- impacts
 
-Case bouncing(parameters::ImpactLaw law, double restitution) {
+Case bouncing(parameters::ImpactKind law, double restitution) {
     Case c = constant_case(PaperCase::squeal, 0.1257, 0.2);
     c.contact.impact = law;
     c.contact.restitution = restitution;
@@ -211,7 +211,7 @@ Extrapolation tangent_at(const record::Trace& trace, std::size_t k, std::size_t 
 // 1e-9 of velocities up to 1 m/s
 TEST(ExactImpacts, ReboundWithTheirShareOfTheClosingVelocity) {
     for (const double e : {0.2, 0.5, 0.9, 1.0}) {
-        Case c = bouncing(parameters::ImpactLaw::restitution, e);
+        Case c = bouncing(parameters::ImpactKind::restitution, e);
         c.run.duration = c.run.window = 0.05;
         const Motion motion = integration::simulate(c, {record::KeepHistory::yes, {0.0, 0.05, 2e-7}});
         const record::Trace& trace = motion.record.trace;
@@ -234,7 +234,7 @@ TEST(ExactImpacts, ReboundWithTheirShareOfTheClosingVelocity) {
 // flights get shorter by e each time, infinitely many in a finite time; then the contact goes on closed
 TEST(ExactImpacts, BounceToRest) {
     for (const double e : {0.2, 0.5, 0.7}) {
-        const Motion motion = integration::simulate(bouncing(parameters::ImpactLaw::restitution, e), with_history);
+        const Motion motion = integration::simulate(bouncing(parameters::ImpactKind::restitution, e), with_history);
         EXPECT_TRUE(integration::has_result(motion.outcome)) << e;
         EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-10) << e;
         const auto flights = std::count_if(
@@ -245,7 +245,7 @@ TEST(ExactImpacts, BounceToRest) {
 }
 
 TEST(ExactImpacts, WithoutTangentialImpulseLeaveTheSlipAlone) {
-    Case c = bouncing(parameters::ImpactLaw::normal_only, 0.5);
+    Case c = bouncing(parameters::ImpactKind::normal_only, 0.5);
     c.run.duration = c.run.window = 0.05;
     constexpr double interval = 2e-7;
     const Motion motion = integration::simulate(c, {record::KeepHistory::yes, {0.0, 0.05, interval}});
@@ -265,8 +265,8 @@ TEST(ExactImpacts, WithoutTangentialImpulseLeaveTheSlipAlone) {
 }
 
 TEST(ExactImpacts, WithoutReboundArePlasticBitForBit) {
-    const Motion plastic = integration::simulate(bouncing(parameters::ImpactLaw::plastic, 0.5), with_history);
-    const Motion dead = integration::simulate(bouncing(parameters::ImpactLaw::restitution, 0.0), with_history);
+    const Motion plastic = integration::simulate(bouncing(parameters::ImpactKind::plastic, 0.5), with_history);
+    const Motion dead = integration::simulate(bouncing(parameters::ImpactKind::restitution, 0.0), with_history);
     ASSERT_EQ(plastic.record.history.size(), dead.record.history.size());
     for (std::size_t k = 0; k < plastic.record.history.size(); ++k) {
         EXPECT_EQ(plastic.record.history[k].from, dead.record.history[k].from);
@@ -279,7 +279,7 @@ TEST(ExactImpacts, WithoutReboundArePlasticBitForBit) {
 TEST(ExactImpacts, SeparationShareDependsOnTheirLaw) {
     Case c = parameters::paper_case(PaperCase::squeal);
     EXPECT_NEAR(share(integration::simulate(c).record, separation), 0.386, 0.005);
-    c.contact.impact = parameters::ImpactLaw::normal_only;
+    c.contact.impact = parameters::ImpactKind::normal_only;
     EXPECT_NEAR(share(integration::simulate(c).record, separation), 0.488, 0.005);
 }
 

@@ -17,7 +17,7 @@ constexpr double two_pi = 6.283185307179586476925;
 // an undamped mode's real part comes out as rounding: growth below this share of the largest eigenvalue is none
 constexpr double rounding = 1e-9;
 
-bool slower(const Mode& a, const Mode& b) {
+bool slower(const Eigenmode& a, const Eigenmode& b) {
     return a.frequency != b.frequency ? a.frequency < b.frequency : a.growth < b.growth;
 }
 
@@ -45,7 +45,7 @@ SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenva
         if (value.imag() >= 0.0) result.modes.push_back({value.real(), value.imag() / two_pi});
     std::sort(result.modes.begin(), result.modes.end(), slower);
     const auto fastest = std::max_element(result.modes.begin(), result.modes.end(),
-                                          [](const Mode& a, const Mode& b) { return a.growth < b.growth; });
+                                          [](const Eigenmode& a, const Eigenmode& b) { return a.growth < b.growth; });
     if (fastest == result.modes.end()) return result;
     result.growth = fastest->growth;
     result.frequency = fastest->frequency;

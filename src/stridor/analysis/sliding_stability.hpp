@@ -29,17 +29,17 @@ enum class StabilityKind {
 inline constexpr std::array<std::string_view, 4> stability_names{"stable", "flutter", "divergence", "locked"};
 
 /// One eigenvalue of the linearised motion; only one of a conjugate pair is listed.
-struct Mode {
+struct Eigenmode {
     double growth = 0.0;     // [1/s] real part
     double frequency = 0.0;  // [Hz] imaginary part / 2 pi, zero for a real eigenvalue
 };
 
 struct SlidingStability {
     StabilityKind kind = StabilityKind::stable;
-    double growth = 0.0;        // [1/s] largest real part
-    double frequency = 0.0;     // [Hz] of the mode with it
-    double normal_force = 0.0;  // [N] at the sliding equilibrium; negative: the contact digs in
-    std::vector<Mode> modes;    // by rising frequency, then growth
+    double growth = 0.0;           // [1/s] largest real part
+    double frequency = 0.0;        // [Hz] of the mode with it
+    double normal_force = 0.0;     // [N] at the sliding equilibrium; negative: the contact digs in
+    std::vector<Eigenmode> modes;  // by rising frequency, then growth
 };
 
 SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenvalues, double normal_force);

@@ -37,7 +37,7 @@ void add_branch(Panel& panel, const Branch& branch, double top) {
 
 Scene friction_law(const parameters::Contact& contact) {
     const model::FrictionLaw law = model::friction_law(contact);
-    const bool is_the_same = contact.friction == parameters::FrictionLaw::coulomb;
+    const bool is_the_same = contact.friction == parameters::FrictionKind::coulomb;
     const auto branch = [&](model::Slip way, double sign, const char* limit, const char* sliding) {
         return Branch{sign, stick_limit(law, way), sign * slip_ratio(law, way), limit, sliding};
     };
@@ -60,9 +60,9 @@ Scene friction_law(const parameters::Contact& contact) {
     panel.layers.emplace_back(Rule{0.0, Orientation::horizontal, axis});
     for (const double level : {going.limit, going.sliding, -coming.limit})
         panel.layers.emplace_back(Line{{-1.0, 0.0}, {level, level}, helper});
+    add_branch(panel, coming, top);
     panel.layers.emplace_back(
         Line{{0.0, 0.0}, {-coming.limit, going.limit}, {state_colour(model::ContactState::stick), 1.6, Dash::solid}});
-    add_branch(panel, coming, top);
     add_branch(panel, going, top);
     panel.layers.emplace_back(
         Note{"stick", 0.06, 0.5 * going.sliding, Anchor::data, Align::left, ink, 0.0, std::nullopt});

@@ -14,15 +14,15 @@ namespace stridor::chart {
 
 namespace {
 
-using analysis::Mode;
+using analysis::Eigenmode;
 
 // one mode followed from value to value
 struct Branch {
     std::vector<double> x;
-    std::vector<Mode> modes;
+    std::vector<Eigenmode> modes;
 };
 
-double distance(const Mode& a, const Mode& b) {
+double distance(const Eigenmode& a, const Eigenmode& b) {
     return std::hypot(a.growth - b.growth, 2.0 * std::numbers::pi * (a.frequency - b.frequency));
 }
 
@@ -31,18 +31,18 @@ std::vector<Branch> branches_of(const analysis::StabilityPath& path) {
     std::vector<Branch> branches;
     double before = 0.0;
     for (const analysis::StabilityPoint& point : path.points) {
-        std::vector<Mode> left = point.stability.modes;
+        std::vector<Eigenmode> left = point.stability.modes;
         for (Branch& branch : branches) {
             if (left.empty() || branch.x.back() != before) continue;
-            const Mode last = branch.modes.back();
-            const auto nearest = std::min_element(left.begin(), left.end(), [&](const Mode& a, const Mode& b) {
-                return distance(a, last) < distance(b, last);
-            });
+            const Eigenmode last = branch.modes.back();
+            const auto nearest = std::min_element(
+                left.begin(), left.end(),
+                [&](const Eigenmode& a, const Eigenmode& b) { return distance(a, last) < distance(b, last); });
             branch.x.push_back(point.value);
             branch.modes.push_back(*nearest);
             left.erase(nearest);
         }
-        for (const Mode& mode : left)
+        for (const Eigenmode& mode : left)
             branches.push_back({{point.value}, {mode}});
         before = point.value;
     }
@@ -67,11 +67,11 @@ std::vector<Range> unstable_stretches(const analysis::StabilityPath& path) {
     return stretches;
 }
 
-Range extent(std::span<const StabilityCurve> curves, double Mode::*member) {
+Range extent(std::span<const StabilityCurve> curves, double Eigenmode::*member) {
     Range range{0.0, 0.0};
     for (const StabilityCurve& curve : curves)
         for (const analysis::StabilityPoint& point : curve.path.points)
-            for (const Mode& mode : point.stability.modes)
+            for (const Eigenmode& mode : point.stability.modes)
                 range = {std::min(range.from, mode.*member), std::max(range.to, mode.*member)};
     const double air = range.to > range.from ? 0.08 * (range.to - range.from) : 1.0;
     return {range.from < 0.0 ? range.from - air : 0.0, range.to + air};
@@ -79,7 +79,7 @@ Range extent(std::span<const StabilityCurve> curves, double Mode::*member) {
 
 constexpr Colour mode_colours[] = {{0x00, 0x66, 0x99}, {0xC4, 0x6A, 0x00}, {0x5A, 0x5A, 0x5A}, {0x7B, 0x3F, 0x8C}};
 
-Panel mode_panel(const StabilityCurve& curve, double Mode::*member, const Range& y) {
+Panel mode_panel(const StabilityCurve& curve, double Eigenmode::*member, const Range& y) {
     Panel panel;
     panel.grid = Grid::both;
     panel.y.range = y;
@@ -91,7 +91,7 @@ Panel mode_panel(const StabilityCurve& curve, double Mode::*member, const Range&
         Line line{branches[b].x,
                   {},
                   {mode_colours[b % std::size(mode_colours)], 1.3, b % 2 == 0 ? Dash::solid : Dash::dashed}};
-        for (const Mode& mode : branches[b].modes)
+        for (const Eigenmode& mode : branches[b].modes)
             line.y.push_back(mode.*member);
         panel.layers.emplace_back(std::move(line));
     }
@@ -126,7 +126,7 @@ Scene stability(std::string_view quantity, std::span<const StabilityCurve> curve
     scene.row_heights = {1.0, 1.0};
     for (std::size_t c = 0; c < curves.size(); ++c)
         for (std::size_t row = 0; row < 2; ++row) {
-            double Mode::*const member = row == 0 ? &Mode::frequency : &Mode::growth;
+            double Eigenmode::*const member = row == 0 ? &Eigenmode::frequency : &Eigenmode::growth;
             Panel panel = mode_panel(curves[c], member, extent(curves, member));
             panel.row = row;
             panel.column = c;

@@ -190,12 +190,12 @@ void store_sample(record::Trace& trace, const Step<dofs>& now,
 
 // one run: the loop over blocks of steps between which something outside the motion happens
 template <int dofs>
-class Runner {
+class Stepping {
     using Vector = typename SizedStructure<dofs>::Vector;
 
 public:
-    Runner(const model::Structure& structure, const model::ContactPoint& contact, const parameters::Drive& drive,
-           const Start& start, const Beta2& settings, record::Recorder& recorder)
+    Stepping(const model::Structure& structure, const model::ContactPoint& contact, const parameters::Drive& drive,
+             const Start& start, const Beta2& settings, record::Recorder& recorder)
         : whole_(structure),
           structure_(structure, contact),
           coefficients_(prepare(structure_, contact.friction, settings)),
@@ -246,7 +246,7 @@ private:
 };
 
 template <int dofs>
-void Runner<dofs>::note(const Step<dofs>& now, double increment) {
+void Stepping<dofs>::note(const Step<dofs>& now, double increment) {
     const double h = coefficients_.h;
     const double surface_velocity = 0.5 * (increment + state_.last_increment) / h;
     recorder_.enter({now.contact, static_cast<double>(n_) * h, 0.0,
@@ -258,19 +258,19 @@ void Runner<dofs>::note(const Step<dofs>& now, double increment) {
 }
 
 template <int dofs>
-void Runner<dofs>::widen_reach() {
+void Stepping<dofs>::widen_reach() {
     far_ = far_.cwiseMax(state_.u.cwiseAbs());
     fast_ = fast_.cwiseMax(state_.p.cwiseAbs());
 }
 
 // [J] as that of the exact engine: what rounding works on
 template <int dofs>
-double Runner<dofs>::held() const {
+double Stepping<dofs>::held() const {
     return energy_held<dofs>(structure_, far_, fast_);
 }
 
 template <int dofs>
-inline void Runner<dofs>::add_velocity(const typename SizedStructure<dofs>::Vector& velocity) {
+inline void Stepping<dofs>::add_velocity(const typename SizedStructure<dofs>::Vector& velocity) {
     for (Eigen::Index dof = 0; dof < velocity.size(); ++dof) {
         record::Vibration& sum = vibration_[static_cast<std::size_t>(dof)];
         const double square = velocity(dof) * velocity(dof);
@@ -284,13 +284,13 @@ inline void Runner<dofs>::add_velocity(const typename SizedStructure<dofs>::Vect
 
 // the velocities at this instant, the run itself not touched
 template <int dofs>
-void Runner<dofs>::look() {
+void Stepping<dofs>::look() {
     State<dofs> copy = state_;
     add_velocity(step(coefficients_, copy, drive_.increment(n_)).velocity);
 }
 
 template <int dofs>
-void Runner<dofs>::advance(long end) {
+void Stepping<dofs>::advance(long end) {
     const Coefficients<dofs>& c = coefficients_;
     const double per_step = 0.5 / c.h;
     for (; n_ < end; ++n_) {
@@ -311,7 +311,7 @@ void Runner<dofs>::advance(long end) {
 
 // the state at this instant as a step from a copy sees it; the run itself is not touched
 template <int dofs>
-void Runner<dofs>::sample() {
+void Stepping<dofs>::sample() {
     State<dofs> copy = state_;
     const double time = static_cast<double>(n_) * coefficients_.h;
     const Step<dofs> now = step(coefficients_, copy, drive_.increment(n_));
@@ -319,7 +319,7 @@ void Runner<dofs>::sample() {
 }
 
 template <int dofs>
-Outcome Runner<dofs>::run(std::stop_token stop) {
+Outcome Stepping<dofs>::run(std::stop_token stop) {
     const double h = coefficients_.h;
     const std::vector<record::Span>& spans = recorder_.schedule().spans;
     const record::TraceRequest& trace = recorder_.request().trace;
@@ -355,7 +355,7 @@ Outcome Runner<dofs>::run(std::stop_token stop) {
 }
 
 template <int dofs>
-EnergyBalance Runner<dofs>::energy() const {
+EnergyBalance Stepping<dofs>::energy() const {
     const double h = coefficients_.h;
     EnergyBalance balance;
     balance.stored = half_step_energy(structure_, state_, h) - initial_energy_;
@@ -370,7 +370,7 @@ EnergyBalance Runner<dofs>::energy() const {
 }
 
 template <int dofs>
-record::Outlook Runner<dofs>::outlook(const Outcome& outcome) const {
+record::Outlook Stepping<dofs>::outlook(const Outcome& outcome) const {
     if (outcome.reason != Reason::completed || state_.contact != ContactState::stick) return {};
     const model::SurfaceMotion surface = drive_.at(outcome.time);
     // p is the velocity half a step ago: what it misses of the vibration is far below any margin that proves something
@@ -395,7 +395,7 @@ Motion integrate_beta_2(const model::Structure& structure, const parameters::Dri
     if (settings.step > stable_step(settings.beta_2, fastest))
         return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     return model::with_size(model::dofs_of(structure), [&](auto size) -> Motion {
-        Runner<size()> runner(structure, contact, drive, start, settings, recorder);
+        Stepping<size()> runner(structure, contact, drive, start, settings, recorder);
         const Outcome outcome = runner.run(std::move(stop));
         const EnergyBalance balance = runner.energy();
         const double most = settings.beta_2 > 0.5 ? everything : most_unexplained;

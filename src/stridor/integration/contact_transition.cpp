@@ -20,13 +20,13 @@ namespace {
 // a rebound that flies for less than this ends in contact: the sum of all later flights is e/(1-e) of it
 constexpr double shortest_flight = 1e-9;  // [s]
 
-const Flow& flow_of(const Flows& flows, Mode mode) {
+const Flow& flow_of(const Flows& flows, ContactMode mode) {
     return flows.flow[static_cast<int>(mode)];
 }
 
 // |T| <= mu_s N, half of what rounding may make of it allowed: the other half keeps the stick from ending at once
 bool holds(const Flows& flows, const Lanes& closed_state) {
-    const Flow& stick = flow_of(flows, Mode::stick);
+    const Flow& stick = flow_of(flows, ContactMode::stick);
     return std::all_of(std::begin(stick.test), std::end(stick.test), [&](const EventFunction& test) {
         return dot(test.row, closed_state) >= -0.5 * force_rounding(test.row, closed_state);
     });
@@ -46,7 +46,7 @@ struct Places {
 // g = g' = 0 from here on
 Transition open_contact(const Flows& flows, const Lanes& closed_state, int multiplicity) {
     const Places at(flows);
-    Transition next{Mode::open, multiplicity, closed_state};
+    Transition next{ContactMode::open, multiplicity, closed_state};
     next.slip_velocity = closed_state.at[at.speed] - closed_state.at[at.surface];
     next.state.at[at.gap] = next.state.at[at.gap_speed] = 0.0;
     return next;
@@ -71,7 +71,7 @@ Transition land(const Flows& flows, const model::ContactPoint& contact, const La
 
     Transition next;
     const double rebound = -P.restitution * closing;
-    const double N = dot(flow_of(flows, Mode::stick).normal_force, closed_state);
+    const double N = dot(flow_of(flows, ContactMode::stick).normal_force, closed_state);
     const bool flies = rebound > 0.0 && (N <= 0.0 || 2.0 * rebound * m_g > shortest_flight * N);
     if (flies) {
         next = open_contact(flows, closed_state, 1);
@@ -106,20 +106,20 @@ double force_rounding(const Lanes& row, const Lanes& s) {
 Transition close_contact(const Flows& flows, const Lanes& closed_state, double slip_velocity) {
     double direction = slip_velocity;
     if (slip_velocity == 0.0) {
-        const double N = dot(flow_of(flows, Mode::stick).normal_force, closed_state);
-        if (N >= 0.0 && holds(flows, closed_state)) return {Mode::stick, 0, closed_state};
-        direction = -dot(flow_of(flows, Mode::stick).friction_force, closed_state);
+        const double N = dot(flow_of(flows, ContactMode::stick).normal_force, closed_state);
+        if (N >= 0.0 && holds(flows, closed_state)) return {ContactMode::stick, 0, closed_state};
+        direction = -dot(flow_of(flows, ContactMode::stick).friction_force, closed_state);
     }
-    const Mode mode = slip_mode(model::slip_of(direction));
+    const ContactMode mode = slip_mode(model::slip_of(direction));
     if (dot(flow_of(flows, mode).normal_force, closed_state) < 0.0) return open_contact(flows, closed_state, 2);
     Transition next{mode, slip_velocity == 0.0 ? 1 : 0, closed_state};
     next.slip_velocity = slip_velocity;
     return next;
 }
 
-Transition follow(const Flows& flows, const model::ContactPoint& contact, Mode mode, int test, const Lanes& state,
-                  const SurfaceNumbers& surface) {
-    if (mode == Mode::open) return land(flows, contact, state, surface);
+Transition follow(const Flows& flows, const model::ContactPoint& contact, ContactMode mode, int test,
+                  const Lanes& state, const SurfaceNumbers& surface) {
+    if (mode == ContactMode::open) return land(flows, contact, state, surface);
     if (is_slip(mode) && test == 0) return open_contact(flows, state, 3);
     const Places at(flows);
     Lanes stuck = state;

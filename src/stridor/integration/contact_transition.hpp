@@ -14,7 +14,7 @@ struct SurfaceNumbers {
 
 /// The next contact state and what the change cost.
 struct Transition {
-    Mode mode = Mode::open;
+    ContactMode mode = ContactMode::open;
     int multiplicity = 0;        // [1] order of the root its last event function begins with; 0: none
     Lanes state{};               // in the numbers of the new state
     double closing_speed = 0.0;  // [m/s] g' before an impact, else 0
@@ -37,7 +37,7 @@ double force_rounding(const Lanes& row, const Lanes& s);
 Transition close_contact(const Flows& flows, const Lanes& closed_state, double slip_velocity);
 
 /// What follows when event function number `test` of a contact state has reached zero.
-Transition follow(const Flows& flows, const model::ContactPoint& contact, Mode mode, int test, const Lanes& state,
-                  const SurfaceNumbers& surface);
+Transition follow(const Flows& flows, const model::ContactPoint& contact, ContactMode mode, int test,
+                  const Lanes& state, const SurfaceNumbers& surface);
 
 }  // namespace stridor::integration

@@ -13,7 +13,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/integration/event_root.hpp"
-#include "stridor/integration/exact_runner.hpp"
+#include "stridor/integration/exact_run.hpp"
 #include "stridor/integration/sticking.hpp"
 #include "stridor/model/contact_forces.hpp"
 
@@ -43,9 +43,9 @@ constexpr double most_unexplained = 1e-9;
 }  // namespace
 
 template <int dofs>
-Runner<dofs>::Runner(const model::Structure& structure, const model::ContactPoint& contact,
-                     const parameters::Drive& drive, const Start& start, const Exact& settings,
-                     SizedFlows<dofs>& shared, record::Recorder& recorder, std::stop_token stop)
+ExactRun<dofs>::ExactRun(const model::Structure& structure, const model::ContactPoint& contact,
+                         const parameters::Drive& drive, const Start& start, const Exact& settings,
+                         SizedFlows<dofs>& shared, record::Recorder& recorder, std::stop_token stop)
     : whole_(structure),
       contact_(contact),
       structure_(structure, contact),
@@ -59,15 +59,15 @@ Runner<dofs>::Runner(const model::Structure& structure, const model::ContactPoin
       recorder_(recorder),
       stop_(std::move(stop)),
       book_(recorder, flows_, drive.kind == parameters::DriveKind::sampled ? drive.times : std::vector<double>()),
-      watch_(drive.velocity, 1.0 / flows_.flow[static_cast<int>(Mode::stick)].step, closed) {
+      watch_(drive.velocity, 1.0 / flows_.flow[static_cast<int>(ContactMode::stick)].step, closed) {
     may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven && !book_.has_samples() &&
                      drive.kind == parameters::DriveKind::constant && drive.velocity != 0.0;
-    sliding_mode_ = drive.velocity > 0.0 ? Mode::slip_backward : Mode::slip_forward;
+    sliding_mode_ = drive.velocity > 0.0 ? ContactMode::slip_backward : ContactMode::slip_forward;
     begin(start);
 }
 
 template <int dofs>
-void Runner<dofs>::begin(const Start& start) {
+void ExactRun<dofs>::begin(const Start& start) {
     const InitialState initial = initial_state(whole_, start, drive_.at(0.0).velocity);
     const auto inverse = coordinates_.basis.inverse().eval();
     const Vector z = inverse * initial.displacement;
@@ -87,7 +87,7 @@ void Runner<dofs>::begin(const Start& start) {
 }
 
 template <int dofs>
-SurfaceNumbers Runner<dofs>::surface(double time) const {
+SurfaceNumbers ExactRun<dofs>::surface(double time) const {
     const model::SurfaceMotion motion = drive_.at(time);
     const double omega = flow().surface_rate;
     return {motion.velocity, omega > 0.0 ? -motion.acceleration / omega : motion.acceleration};
@@ -96,7 +96,7 @@ SurfaceNumbers Runner<dofs>::surface(double time) const {
 // --- the contact changes its state
 
 template <int dofs>
-void Runner<dofs>::enter(const Transition& next) {
+void ExactRun<dofs>::enter(const Transition& next) {
     const double now = time();
     book_.enter(next, now);
     origin_ = now;
@@ -110,7 +110,7 @@ void Runner<dofs>::enter(const Transition& next) {
 // --- time goes on
 
 template <int dofs>
-typename Runner<dofs>::Crossing Runner<dofs>::first_event() const {
+typename ExactRun<dofs>::Crossing ExactRun<dofs>::first_event() const {
     const Flow& f = flow();
     Lanes bernstein[most_tests];
     const unsigned near = kernel_.look(f, s_, multiplicity_, bernstein);
@@ -119,7 +119,7 @@ typename Runner<dofs>::Crossing Runner<dofs>::first_event() const {
         if ((near >> static_cast<unsigned>(k) & 1U) == 0) continue;
         Lanes series[term_blocks];
         kernel_.apply(f.test[k].series, term_blocks, s_, series);
-        if (mode_ == Mode::stick) {
+        if (mode_ == ContactMode::stick) {
             const double rounding = force_rounding(f.test[k].row, s_);
             series[0].at[0] += rounding;
             for (double& coefficient : bernstein[k].at)
@@ -133,7 +133,7 @@ typename Runner<dofs>::Crossing Runner<dofs>::first_event() const {
 
 // what lies between here and the end of the step: samples, ends of spans, knots of the drive, the end
 template <int dofs>
-typename Runner<dofs>::Boundary Runner<dofs>::pass_boundaries(double& from, double& reach, Crossing& crossing) {
+typename ExactRun<dofs>::Boundary ExactRun<dofs>::pass_boundaries(double& from, double& reach, Crossing& crossing) {
     const double now = time();
     for (long passed = 1; !book_.is_full(); ++passed) {
         if (passed % samples_between_checks == 0 && stop_.stop_requested()) return Boundary::stop_request;
@@ -164,7 +164,7 @@ typename Runner<dofs>::Boundary Runner<dofs>::pass_boundaries(double& from, doub
 
 // whole steps far from events
 template <int dofs>
-void Runner<dofs>::glide() {
+void ExactRun<dofs>::glide() {
     const bool proves = may_end_early_ && mode_ == sliding_mode_;
     const double whole = std::floor((book_.next_stop_time() - time()) / flow().step);
     const long most = proves ? steps_between_proofs : steps_between_checks;
@@ -178,7 +178,7 @@ void Runner<dofs>::glide() {
 
 // one step with whatever happens in it
 template <int dofs>
-void Runner<dofs>::step() {
+void ExactRun<dofs>::step() {
     Crossing crossing = first_event();
     if (crossing.tau < 0.0) {
         lost_ = crossing.tau == no_number ? Reason::diverged : Reason::chattering;
@@ -205,7 +205,7 @@ void Runner<dofs>::step() {
     s_ = moved;
     if (reach > 0.0) multiplicity_ = 0;
     if (crossing.test >= 0) {
-        const SurfaceNumbers drive = mode_ == Mode::open ? surface(origin_) : SurfaceNumbers{};
+        const SurfaceNumbers drive = mode_ == ContactMode::open ? surface(origin_) : SurfaceNumbers{};
         enter(follow(flows_, contact_, mode_, crossing.test, s_, drive));
         if (may_end_early_) watch_for_cycle();
     } else if (boundary == Boundary::knot) {
@@ -216,15 +216,15 @@ void Runner<dofs>::step() {
 
 // the drive changes its slope, and the force of a stuck contact jumps
 template <int dofs>
-void Runner<dofs>::turn_knot(double time) {
-    if (mode_ != Mode::open) {
+void ExactRun<dofs>::turn_knot(double time) {
+    if (mode_ != ContactMode::open) {
         const double pace =
             std::abs(s_.at[x_speed]) + std::abs(s_.at[V]) + std::abs(s_.at[V + 1]) * flow().step;  // [m/s]
         const SurfaceNumbers drive = surface(time);
         s_.at[V] = drive.velocity;
         s_.at[V + 1] = drive.partner;
         // a slip whose plate comes to a stop just here ends, whatever rounding has left of its velocity
-        if (mode_ == Mode::stick || std::abs(s_.at[x_speed] - drive.velocity) <= 0x1p-43 * pace) {
+        if (mode_ == ContactMode::stick || std::abs(s_.at[x_speed] - drive.velocity) <= 0x1p-43 * pace) {
             s_.at[x_speed] = drive.velocity;
             enter(close_contact(flows_, s_, 0.0));
         }
@@ -232,7 +232,7 @@ void Runner<dofs>::turn_knot(double time) {
 }
 
 template <int dofs>
-bool Runner<dofs>::is_finite() const {
+bool ExactRun<dofs>::is_finite() const {
     double sum = 0.0;
     for (const double number : s_.at)
         sum += number * 0.0;
@@ -240,7 +240,7 @@ bool Runner<dofs>::is_finite() const {
 }
 
 template <int dofs>
-bool Runner<dofs>::piles_up() {
+bool ExactRun<dofs>::piles_up() {
     const double now = time();
     if (now - window_begin_ > event_window * flow().step) {
         window_begin_ = now;
@@ -250,7 +250,7 @@ bool Runner<dofs>::piles_up() {
 }
 
 template <int dofs>
-Outcome Runner<dofs>::advance() {
+Outcome ExactRun<dofs>::advance() {
     while (!book_.is_full()) {
         if (!is_finite()) return {Reason::diverged, time()};
         if (stop_.stop_requested()) return {Reason::cancelled, time()};
@@ -268,7 +268,7 @@ Outcome Runner<dofs>::advance() {
 }
 
 template <int dofs>
-Motion Runner<dofs>::run() {
+Motion ExactRun<dofs>::run() {
     const Outcome outcome = advance();
     const bool is_filled = outcome.reason == Reason::settled;
     const EnergyBalance balance = is_filled ? balance_ : energy();
@@ -277,10 +277,10 @@ Motion Runner<dofs>::run() {
 }
 
 template <int dofs>
-record::Outlook Runner<dofs>::outlook(const Outcome& outcome) const {
+record::Outlook ExactRun<dofs>::outlook(const Outcome& outcome) const {
     if (silence_) return {record::Future::slides, silence_->time};
     if (cycle_) return {record::Future::repeats, cycle_->time};
-    if (outcome.reason != Reason::completed || mode_ != Mode::stick) return {};
+    if (outcome.reason != Reason::completed || mode_ != ContactMode::stick) return {};
     const Position last = position(s_, mode_);
     const model::SurfaceMotion motion = drive_.at(outcome.time);
     return outlook_of_stick(whole_, drive_settings_,
@@ -290,7 +290,7 @@ record::Outlook Runner<dofs>::outlook(const Outcome& outcome) const {
 // --- early endings
 
 template <int dofs>
-void Runner<dofs>::watch_for_silence() {
+void ExactRun<dofs>::watch_for_silence() {
     if (!sliding_) sliding_.emplace(flow(), coordinates_.load_scale, s_.at[V]);
     silence_ = sliding_->silence(s_, time());
     if (!silence_) return;
@@ -299,7 +299,7 @@ void Runner<dofs>::watch_for_silence() {
 }
 
 template <int dofs>
-void Runner<dofs>::watch_for_cycle() {
+void ExactRun<dofs>::watch_for_cycle() {
     const CycleWatch::Finding finding = watch_.note(time(), mode_, s_);
     if (finding == CycleWatch::Finding::nothing) return;
     if (finding == CycleWatch::Finding::first_return) {
@@ -315,7 +315,7 @@ void Runner<dofs>::watch_for_cycle() {
 // --- what is kept
 
 template <int dofs>
-void Runner<dofs>::sample(double tau, double time) {
+void ExactRun<dofs>::sample(double tau, double time) {
     Lanes s;
     kernel_.move(flow(), s_, tau, s);
     Lanes rate;
@@ -332,12 +332,12 @@ void Runner<dofs>::sample(double tau, double time) {
         trace.velocity[place].push_back(here.velocity(dof));
         trace.acceleration[place].push_back(acceleration(dof));
     }
-    const bool is_open = mode_ == Mode::open;
+    const bool is_open = mode_ == ContactMode::open;
     const double N = is_open ? 0.0 : std::max(0.0, dot(flow().normal_force, s));
     trace.surface_velocity.push_back(is_open ? drive_.at(time).velocity : s.at[V]);
     trace.normal_force.push_back(N);
-    trace.friction_force.push_back(mode_ == Mode::stick ? dot(flow().friction_force, s)
-                                                        : flows_.slip_ratio[static_cast<int>(mode_)] * N);
+    trace.friction_force.push_back(mode_ == ContactMode::stick ? dot(flow().friction_force, s)
+                                                               : flows_.slip_ratio[static_cast<int>(mode_)] * N);
     trace.gap.push_back(is_open ? std::max(0.0, s.at[G]) : 0.0);
     trace.state.push_back(contact_of(mode_));
 }
@@ -357,8 +357,8 @@ Motion integrate_exact(const model::Structure& structure, const parameters::Driv
     const model::ContactPoint& contact = model::only_contact(structure, "the exact engine");
     const auto run = [&](auto size) {
         require_valid_contact<size()>({structure, contact}, contact.friction);
-        Runner<size()> runner(structure, contact, drive, start, settings, shared.of_size<size()>(), recorder,
-                              std::move(stop));
+        ExactRun<size()> runner(structure, contact, drive, start, settings, shared.of_size<size()>(), recorder,
+                                std::move(stop));
         return runner.run();
     };
     const int dofs = model::dofs_of(structure);

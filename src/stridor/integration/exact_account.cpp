@@ -42,7 +42,7 @@ Totals totals(const Flows& flows, const Account& account) {
         const Sums& part = account.part[m];
         add_velocities(sum, flows, flow, full, part);
         const double on_surface = integral(flow, full.on_surface, part.on_surface);
-        if (flow.mode == Mode::stick) sum.drive_work += on_surface;
+        if (flow.mode == ContactMode::stick) sum.drive_work += on_surface;
         if (!is_slip(flow.mode)) continue;
         const double friction = flows.slip_ratio[m];
         sum.drive_work += friction * on_surface;

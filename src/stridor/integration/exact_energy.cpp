@@ -3,7 +3,7 @@
 // and the end have shown: in between a motion is made of vibrations about these.
 
 #include "stridor/integration/energy_held.hpp"
-#include "stridor/integration/exact_runner.hpp"
+#include "stridor/integration/exact_run.hpp"
 #include "stridor/model/energy.hpp"
 
 #include <algorithm>
@@ -12,18 +12,18 @@
 namespace stridor::integration {
 
 template <int dofs>
-typename Runner<dofs>::Position Runner<dofs>::position(const Lanes& s, Mode mode) const {
+typename ExactRun<dofs>::Position ExactRun<dofs>::position(const Lanes& s, ContactMode mode) const {
     return seen(s, mode, coordinates_.basis);
 }
 
 template <int dofs>
-typename Runner<dofs>::Position Runner<dofs>::seen(const Lanes& s, Mode mode, const Matrix& basis) const {
+typename ExactRun<dofs>::Position ExactRun<dofs>::seen(const Lanes& s, ContactMode mode, const Matrix& basis) const {
     Vector z = Vector::Zero(), speed = Vector::Zero();
     for (int i = 0; i < closed; ++i) {
         z(i) = s.at[i];
         speed(i) = s.at[velocity_lane(closed, i)];
     }
-    if (mode == Mode::open) {
+    if (mode == ContactMode::open) {
         z(closed) = s.at[G];
         speed(closed) = s.at[G + 1];
     }
@@ -31,16 +31,16 @@ typename Runner<dofs>::Position Runner<dofs>::seen(const Lanes& s, Mode mode, co
 }
 
 template <int dofs>
-double Runner<dofs>::stored(const Position& here) const {
+double ExactRun<dofs>::stored(const Position& here) const {
     return model::kinetic_energy(structure_.mass, here.velocity) +
            model::elastic_energy(structure_.stiffness, here.displacement);
 }
 
 template <int dofs>
-double Runner<dofs>::held() const {
+double ExactRun<dofs>::held() const {
     const Matrix basis = coordinates_.basis.cwiseAbs();
-    const Position in_contact = seen(closed_reach_, Mode::stick, basis);
-    const Position apart = seen(open_reach_, Mode::open, basis);
+    const Position in_contact = seen(closed_reach_, ContactMode::stick, basis);
+    const Position apart = seen(open_reach_, ContactMode::open, basis);
     const Position last = position(s_, mode_);
     const Vector far = in_contact.displacement.cwiseMax(apart.displacement).cwiseMax(last.displacement.cwiseAbs());
     // a joint that begins to stick is given the plate's velocity
@@ -50,7 +50,7 @@ double Runner<dofs>::held() const {
 }
 
 template <int dofs>
-EnergyBalance Runner<dofs>::energy() const {
+EnergyBalance ExactRun<dofs>::energy() const {
     const Position last = position(s_, mode_);
     EnergyBalance balance = book_.losses();
     balance.stored = stored(last) - initial_energy_;
@@ -60,7 +60,7 @@ EnergyBalance Runner<dofs>::energy() const {
     return balance;
 }
 
-template class Runner<2>;
-template class Runner<3>;
+template class ExactRun<2>;
+template class ExactRun<3>;
 
 }  // namespace stridor::integration

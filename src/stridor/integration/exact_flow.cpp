@@ -154,8 +154,8 @@ public:
 
     Flows run() {
         describe();
-        set_open(flows_.flow[static_cast<int>(Mode::open)]);
-        set_stick(flows_.flow[static_cast<int>(Mode::stick)]);
+        set_open(flows_.flow[static_cast<int>(ContactMode::open)]);
+        set_stick(flows_.flow[static_cast<int>(ContactMode::stick)]);
         for (const model::Slip way : model::slips)
             set_slip(flows_.flow[static_cast<int>(slip_mode(way))], way);
         return flows_;
@@ -223,7 +223,7 @@ private:
     }
 
     // A h, and its transpose for rows
-    void set_powers(Flow& flow, Mode mode, Rows generator, double fastest) {
+    void set_powers(Flow& flow, ContactMode mode, Rows generator, double fastest) {
         flow.mode = mode;
         flow.step = reach / fastest;
         flow.surface_rate = omega_;
@@ -303,7 +303,7 @@ private:
             a[static_cast<std::size_t>(place)] = unit(speed);
             a[static_cast<std::size_t>(speed)] = scaled(force, -1.0 / c_.mass(i));
         }
-        set_powers(flow, Mode::open, a, rate(dofs, 0.0));
+        set_powers(flow, ContactMode::open, a, rate(dofs, 0.0));
         set_test(flow, unit(gap_lane(closed)));
         set_divided(flow);
         set_velocities(flow, dofs);
@@ -312,7 +312,7 @@ private:
     void set_stick(Flow& flow) {
         Rows a = closed_generator();
         a[static_cast<std::size_t>(velocity_lane(closed, 0))] = surface_acceleration();
-        set_powers(flow, Mode::stick, a, std::max(rate(closed, 0.0), omega_));
+        set_powers(flow, ContactMode::stick, a, std::max(rate(closed, 0.0), omega_));
         flow.friction_force = sum(internal_force(0), surface_acceleration(), c_.mass(0));
         flow.normal_force = sum(internal_force(closed), flow.friction_force, -c_.tangent_on_gap);
         set_test(flow, sum(scaled(flow.normal_force, stick_limit(friction_, model::Slip::backward)),
@@ -325,7 +325,7 @@ private:
     }
 
     void set_slip(Flow& flow, model::Slip way) {
-        const Mode mode = slip_mode(way);
+        const ContactMode mode = slip_mode(way);
         const double friction = slip_ratio(friction_, way);  // T/N
         const double sign = way == model::Slip::forward ? 1.0 : -1.0;
         flows_.slip_ratio[static_cast<int>(mode)] = friction;

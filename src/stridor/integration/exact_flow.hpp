@@ -9,8 +9,8 @@
 namespace stridor::integration {
 
 /// The contact state of slip that way.
-constexpr Mode slip_mode(model::Slip way) {
-    return way == model::Slip::forward ? Mode::slip_forward : Mode::slip_backward;
+constexpr ContactMode slip_mode(model::Slip way) {
+    return way == model::Slip::forward ? ContactMode::slip_forward : ContactMode::slip_backward;
 }
 
 /// Prepares the contact states of a structure; `drive_frequency` [Hz] is 0 unless the drive is sinusoidal.

@@ -204,25 +204,25 @@ private:
     Vector on_slip_, on_surface_;
 };
 
-template <int dofs, Mode mode>
+template <int dofs, ContactMode mode>
 STRIDOR_INLINE void step(const Flow& flow, double* s, Meter<dofs>& meter) {
-    constexpr int count = mode == Mode::open ? dofs : dofs - 1;
+    constexpr int count = mode == ContactMode::open ? dofs : dofs - 1;
     Vector velocity[count];
     for (int j = 0; j < count; ++j)
         velocity[j] = times(flow.velocity[j], s);
     Vector force{}, surface{};
-    if constexpr (mode != Mode::open) {
+    if constexpr (mode != ContactMode::open) {
         force = times(flow.force, s);
         surface = load(flow.surface.column[2 * dofs - 1]) * s[2 * dofs - 1] +
                   load(flow.surface.column[2 * dofs]) * s[2 * dofs];
     }
-    meter.add(velocity, count, force, surface, mode != Mode::stick, [](const Vector& sum) { return sum; });
+    meter.add(velocity, count, force, surface, mode != ContactMode::stick, [](const Vector& sum) { return sum; });
     meter.watch(velocity, count, flow.basis);
     const Vector next = times(flow.advance, s);
     save(next, s);
 }
 
-template <int dofs, Mode mode>
+template <int dofs, ContactMode mode>
 long glide_in(const Flow& flow, Lanes& s, long steps, Sums& sums) {
     Meter<dofs> meter(sums);
     alignas(64) double state[lanes];
@@ -237,7 +237,7 @@ long glide_in(const Flow& flow, Lanes& s, long steps, Sums& sums) {
     return taken;
 }
 
-template <int dofs, Mode mode>
+template <int dofs, ContactMode mode>
 void leap_in(const Flow& flow, Lanes& s, Sums& sums) {
     Meter<dofs> meter(sums);
     step<dofs, mode>(flow, s.at, meter);
@@ -246,16 +246,16 @@ void leap_in(const Flow& flow, Lanes& s, Sums& sums) {
 
 template <int dofs>
 long glide(const Flow& flow, Lanes& s, long steps, Sums& sums) {
-    if (flow.mode == Mode::open) return glide_in<dofs, Mode::open>(flow, s, steps, sums);
-    if (flow.mode == Mode::stick) return glide_in<dofs, Mode::stick>(flow, s, steps, sums);
-    return glide_in<dofs, Mode::slip_forward>(flow, s, steps, sums);
+    if (flow.mode == ContactMode::open) return glide_in<dofs, ContactMode::open>(flow, s, steps, sums);
+    if (flow.mode == ContactMode::stick) return glide_in<dofs, ContactMode::stick>(flow, s, steps, sums);
+    return glide_in<dofs, ContactMode::slip_forward>(flow, s, steps, sums);
 }
 
 template <int dofs>
 void leap(const Flow& flow, Lanes& s, Sums& sums) {
-    if (flow.mode == Mode::open) return leap_in<dofs, Mode::open>(flow, s, sums);
-    if (flow.mode == Mode::stick) return leap_in<dofs, Mode::stick>(flow, s, sums);
-    return leap_in<dofs, Mode::slip_forward>(flow, s, sums);
+    if (flow.mode == ContactMode::open) return leap_in<dofs, ContactMode::open>(flow, s, sums);
+    if (flow.mode == ContactMode::stick) return leap_in<dofs, ContactMode::stick>(flow, s, sums);
+    return leap_in<dofs, ContactMode::slip_forward>(flow, s, sums);
 }
 
 unsigned look(const Flow& flow, const Lanes& s, int multiplicity, Lanes* bernstein) {
@@ -376,7 +376,7 @@ template <int dofs>
 void add_part(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums& sums) {
     const Vector tau = load(flow.quadrature.node) * (tau_1 - tau_0) + tau_0;
     const Vector weight = load(flow.quadrature.weight) * ((tau_1 - tau_0) * flow.step);
-    const bool is_open = flow.mode == Mode::open;
+    const bool is_open = flow.mode == ContactMode::open;
     const int count = is_open ? dofs : dofs - 1;
     Vector velocity[dofs];
     const int length = terms_for(tau_1);
@@ -391,7 +391,7 @@ void add_part(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums
                               : series_at(flow.surface_series, s.at, tau, length);
     }
     Meter<dofs> meter(sums);
-    meter.add(velocity, count, force, surface, flow.mode != Mode::stick,
+    meter.add(velocity, count, force, surface, flow.mode != ContactMode::stick,
               [&](const Vector& sum) { return sum * weight; });
     meter.watch(velocity, count, flow.basis);
     meter.save_to(sums);

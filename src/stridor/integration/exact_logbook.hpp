@@ -14,7 +14,7 @@
 namespace stridor::integration {
 
 /// The contact state of a mode.
-model::ContactState contact_of(Mode mode);
+model::ContactState contact_of(ContactMode mode);
 
 /// What the exact engine writes down: changes of state, integrals by span, samples that are due, where the energy went.
 ///
@@ -34,8 +34,8 @@ public:
     void pass_sample() { ++sample_; }
     void pass_knot() { ++knot_; }
 
-    Sums& full(Mode mode) { return account_.full[static_cast<int>(mode)]; }
-    Sums& part(Mode mode) { return account_.part[static_cast<int>(mode)]; }
+    Sums& full(ContactMode mode) { return account_.full[static_cast<int>(mode)]; }
+    Sums& part(ContactMode mode) { return account_.part[static_cast<int>(mode)]; }
 
     /// The contact enters a state.
     void enter(const Transition& next, double now);

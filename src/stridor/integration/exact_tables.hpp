@@ -38,11 +38,11 @@ struct Quadrature {
     Lanes weight;  // [1]
 };
 /// The contact states with the two directions of slip told apart.
-enum class Mode { open, stick, slip_forward, slip_backward };  // forward: w > 0
+enum class ContactMode { open, stick, slip_forward, slip_backward };  // forward: w > 0
 inline constexpr int modes = 4;
 
-constexpr bool is_slip(Mode mode) {
-    return mode == Mode::slip_forward || mode == Mode::slip_backward;
+constexpr bool is_slip(ContactMode mode) {
+    return mode == ContactMode::slip_forward || mode == ContactMode::slip_backward;
 }
 
 /// A function that stays positive as long as the contact state lasts.
@@ -54,7 +54,7 @@ struct EventFunction {
 
 /// One contact state, prepared.
 struct Flow {
-    Mode mode;
+    ContactMode mode;
     int test_count;                                    // [1]
     int velocity_count;                                // [1] coordinates that move: all but g while closed
     double step;                                       // [s] h

@@ -25,7 +25,7 @@ double CycleWatch::distance(const Event& a, const Event& b) const {
     return difference / scale;
 }
 
-CycleWatch::Finding CycleWatch::note(double time, Mode mode, const Lanes& s) {
+CycleWatch::Finding CycleWatch::note(double time, ContactMode mode, const Lanes& s) {
     const Event here{time, mode, s};
     if (!has_anchor_) {
         anchor_ = here;

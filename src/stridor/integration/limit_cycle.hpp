@@ -21,7 +21,7 @@ public:
     CycleWatch(double velocity, double rate, int closed) : velocity_(velocity), rate_(rate), closed_(closed) {}
 
     /// The contact enters a state.
-    Finding note(double time, Mode mode, const Lanes& s);
+    Finding note(double time, ContactMode mode, const Lanes& s);
 
     /// Of the cycle found.
     const LimitCycle& cycle() const { return cycle_; }
@@ -34,7 +34,7 @@ private:
 
     struct Event {
         double time = 0.0;
-        Mode mode = Mode::open;
+        ContactMode mode = ContactMode::open;
         Lanes s{};
     };
 
@@ -43,7 +43,7 @@ private:
     double velocity_, rate_;
     int closed_;
     Event anchor_, first_;
-    std::array<Mode, longest> sequence_{};
+    std::array<ContactMode, longest> sequence_{};
     int since_ = 0;   // events since the anchor
     int length_ = 0;  // events of a period; 0: no return seen yet
     double first_distance_ = 0.0;

@@ -102,7 +102,7 @@ Json simulation_units(const Case& c) {
 
 Json stability_object(const analysis::SlidingStability& stability) {
     Json modes = Json::array();
-    for (const analysis::Mode& mode : stability.modes)
+    for (const analysis::Eigenmode& mode : stability.modes)
         modes.push_back({{"growth", mode.growth}, {"frequency", mode.frequency}});
     return {{"kind", name_of(analysis::stability_names, stability.kind)},
             {"growth", stability.growth},

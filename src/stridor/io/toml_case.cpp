@@ -147,8 +147,8 @@ void read_samples(Case& c, const TomlDocument& document, const SamplesReader& sa
 
 bool is_required(const parameters::Field& field) {
     constexpr std::array<std::string_view, 5> sections{"joint", "plate", "contact", "temperature", "drive"};
-    return std::find(sections.begin(), sections.end(), field.section) != sections.end() &&
-           parameters::key_of(field) != "contact.impact";
+    const bool is_law = field.section == "contact" && std::holds_alternative<Choice>(field.kind);  // has a usual one
+    return std::find(sections.begin(), sections.end(), field.section) != sections.end() && !is_law;
 }
 
 void assign(Case& c, const Field& field, const TomlEntry& entry) {

@@ -137,7 +137,8 @@ std::string table_lines(const Case& c, const TomlOptions& options) {
 // does a file of this case have a line for it, be it as a comment?
 bool has_line(const Case& c, const Field& field, const TomlOptions& options) {
     if (parameters::temperature_column(c, parameters::key_of(field)) != nullptr) return false;
-    return field.belongs(c) || (options.comments == Comments::full && !parameters::home_of(c, field).empty());
+    if (options.comments == Comments::full) return field.belongs(c) || !parameters::home_of(c, field).empty();
+    return field.belongs(c) && !parameters::goes_without_saying(c, field);
 }
 
 }  // namespace

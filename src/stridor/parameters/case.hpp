@@ -56,14 +56,14 @@ struct Temperature {
 };
 
 /// What happens when a separation ends.
-enum class ImpactLaw {
+enum class ImpactKind {
     plastic,      // no rebound; the tangential impulse obeys the same friction cone as the forces
     normal_only,  // no rebound and no tangential impulse
     restitution,  // rebound with a share of the closing velocity; the tangential impulse as in plastic
 };
 
 /// The law of friction.
-enum class FrictionLaw {
+enum class FrictionKind {
     coulomb,      // two coefficients, the same both ways
     directional,  // two coefficients each way: bristles, fibres, a grain
 };
@@ -71,12 +71,12 @@ enum class FrictionLaw {
 /// The contact between joint and plate: Coulomb friction with two coefficients (Figure 3), or four.
 struct Contact {
     double preload = 20.0;  // [N] F, pressing force at rest
-    FrictionLaw friction = FrictionLaw::coulomb;
+    FrictionKind friction = FrictionKind::coulomb;
     double static_friction = 0.8;          // [1] mu_s
     double kinetic_friction = 0.6;         // [1] mu_d, independent of the slip velocity, at most mu_s
     double static_friction_coming = 0.8;   // [1] directional: mu_s where the plate drags the joint coming, T < 0
     double kinetic_friction_coming = 0.6;  // [1] directional: mu_d there
-    ImpactLaw impact = ImpactLaw::plastic;
+    ImpactKind impact = ImpactKind::plastic;
     double restitution = 0.5;  // [1] impact = restitution: velocity after over velocity before an impact
 };
 

@@ -29,7 +29,7 @@ void check_friction(double kinetic, double stat, const std::string& way, std::ve
 
 void check_contact(const Case& c, std::vector<Finding>& found) {
     check_friction(c.contact.kinetic_friction, c.contact.static_friction, "", found);
-    if (c.contact.friction == FrictionLaw::directional)
+    if (c.contact.friction == FrictionKind::directional)
         check_friction(c.contact.kinetic_friction_coming, c.contact.static_friction_coming, "_coming", found);
 }
 
@@ -122,7 +122,7 @@ void check_run(const Case& c, std::vector<Finding>& found) {
                           "the window is the last part of the simulated time", "Make it at most the duration."},
                          {"run.duration"}});
     if (c.run.engine != Engine::beta_2) return;
-    if (c.contact.impact != ImpactLaw::plastic)
+    if (c.contact.impact != ImpactKind::plastic)
         found.push_back({"contact.impact",
                          {"the beta_2 engine knows plastic impacts only", "its impacts are what its steps make of them",
                           "Set run.engine = \"exact\"?"},

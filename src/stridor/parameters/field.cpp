@@ -68,10 +68,10 @@ bool has_phases(const Case& c) {
     return !is_constant(c);
 }
 bool has_friction_each_way(const Case& c) {
-    return c.contact.friction == FrictionLaw::directional;
+    return c.contact.friction == FrictionKind::directional;
 }
 bool rebounds(const Case& c) {
-    return c.contact.impact == ImpactLaw::restitution;
+    return c.contact.impact == ImpactKind::restitution;
 }
 bool has_steps(const Case& c) {
     return c.run.engine == Engine::beta_2;
@@ -122,7 +122,7 @@ const std::array table{
     Field{"contact", "preload", "F", "force that presses joint and plate together at rest",
           quantity<&Case::contact, &Contact::preload>("N", positive, usual_preload), always},
     Field{"contact", "friction", "", "law of friction: the same both ways, or other coefficients each way",
-          choice<&Case::contact, &Contact::friction, FrictionLaw>(friction_names, Choice::Canonical::unless_first),
+          choice<&Case::contact, &Contact::friction, FrictionKind>(friction_names, Choice::Canonical::unless_first),
           always},
     Field{"contact", "static_friction", "mu_s", "friction coefficient while sticking",
           quantity<&Case::contact, &Contact::static_friction>("1", not_negative, usual_static_friction), always},
@@ -136,7 +136,7 @@ const std::array table{
           quantity<&Case::contact, &Contact::kinetic_friction_coming>("1", not_negative, usual_kinetic_friction),
           has_friction_each_way},
     Field{"contact", "impact", "", "what happens when a separation ends",
-          choice<&Case::contact, &Contact::impact, ImpactLaw>(impact_names), always},
+          choice<&Case::contact, &Contact::impact, ImpactKind>(impact_names), always},
     Field{"contact", "restitution", "e", "velocity after an impact over that before it, impact = restitution",
           quantity<&Case::contact, &Contact::restitution>("1", share, between(0.0, 1.0)), rebounds},
 
@@ -380,14 +380,10 @@ std::string listed(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-namespace {
-
 bool goes_without_saying(const Case& c, const Field& field) {
     const auto* choice = std::get_if<Choice>(&field.kind);
     return choice != nullptr && choice->canonical == Choice::Canonical::unless_first && choice->get(c) == 0;
 }
-
-}  // namespace
 
 std::string canonical_text(const Case& c) {
     std::string text;

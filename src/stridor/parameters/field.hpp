@@ -104,6 +104,9 @@ double get_quantity(const Case& c, const Field& field);
 /// What a quantity may be in this case: the field's range; for a temperature that has a table, the table's.
 Range range_of(const Case& c, const Field& field);
 
+/// Is it a choice that came later, and the first? Then what is kept of a case leaves it out.
+bool goes_without_saying(const Case& c, const Field& field);
+
 /// Sets a quantity, in its unit. With the temperature it sets what follows it by table, and with any of these the
 /// dampings that are shares of critical (`DampingRatios`); a damping that is set itself is a share no more. Throws
 /// `Error` (input) without a place for a value out of range, and for a quantity that follows the temperature.

@@ -81,7 +81,7 @@ Named fastest_rate(const Case& c, double friction) {
 
 void find_fast(const Case& c, std::vector<Finding>& found) {
     if (c.run.engine != Engine::exact) return;  // beta_2 has its step
-    const bool has_coming = c.contact.friction == FrictionLaw::directional;
+    const bool has_coming = c.contact.friction == FrictionKind::directional;
     const Named friction =
         largest_of({{"contact.kinetic_friction", c.contact.kinetic_friction},
                     {"contact.kinetic_friction_coming", has_coming ? c.contact.kinetic_friction_coming : 0.0}});

@@ -28,6 +28,21 @@ TEST(FrictionLaw, JumpsAtRestAndIsFlatElsewhere) {
     EXPECT_EQ(lines[2].y, (std::vector<double>{0.6, 0.6}));
 }
 
+TEST(FrictionLaw, HasTwoSidesWhereItDiffersEachWay) {
+    parameters::Contact contact;
+    contact.friction = parameters::FrictionKind::directional;
+    contact.static_friction_coming = 0.4;
+    contact.kinetic_friction_coming = 0.2;
+    const Scene scene = friction_law(contact);
+    const std::vector<Line> lines = law_lines(scene);
+    ASSERT_EQ(lines.size(), 3U);
+    EXPECT_EQ(lines[0].y, (std::vector<double>{-0.2, -0.2}));  // a plate that comes
+    EXPECT_EQ(lines[1].y, (std::vector<double>{-0.4, 0.8}));
+    EXPECT_EQ(lines[2].y, (std::vector<double>{0.6, 0.6}));
+    EXPECT_TRUE(std::any_of(scene.panels.at(0).y.ticks.begin(), scene.panels.at(0).y.ticks.end(),
+                            [](const Tick& tick) { return plain_text(tick.label) == "−μsc = −0.4"; }));
+}
+
 TEST(FrictionLaw, NamesBothCoefficients) {
     const Scene scene = friction_law({});
     EXPECT_EQ(plain_text(scene.panels.at(0).y.label), "friction over normal force T / N");

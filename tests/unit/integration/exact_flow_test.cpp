@@ -36,7 +36,7 @@ Matrix exponential(const Matrix& a) {
     return sum;
 }
 
-const Flow& in(const Flows& flows, Mode mode) {
+const Flow& in(const Flows& flows, ContactMode mode) {
     return flows.flow[static_cast<int>(mode)];
 }
 
@@ -46,7 +46,8 @@ Flows table_1_flows(double drive_frequency) {
                          structure.contacts[0].friction, drive_frequency, kernel(InstructionSet::baseline, 3));
 }
 
-constexpr Mode all_modes[]{Mode::open, Mode::stick, Mode::slip_forward, Mode::slip_backward};
+constexpr ContactMode all_modes[]{ContactMode::open, ContactMode::stick, ContactMode::slip_forward,
+                                  ContactMode::slip_backward};
 
 // m x'' + c x' + k x = mu_d F around x = mu_d F/k, slipping backward: a damped vibration
 TEST(ExactFlow, AdvancesTheDampedOscillatorByItsClosedForm) {
@@ -54,7 +55,7 @@ TEST(ExactFlow, AdvancesTheDampedOscillatorByItsClosedForm) {
     const model::Structure belt = model::mass_on_belt({m, k, c, F, {0.5, mu}});
     const Flows flows = prepare_flows(contact_coordinates(model::SizedStructure<2>(belt, belt.contacts[0])),
                                       belt.contacts[0].friction, 0.0, kernel(InstructionSet::baseline, 3));
-    const Flow& flow = in(flows, Mode::slip_backward);
+    const Flow& flow = in(flows, ContactMode::slip_backward);
     const double decay = c / (2.0 * m), rate = std::sqrt(k / m - decay * decay);
     const double x0 = 1e-3, v0 = -0.2, rest = mu * F / k;
     const double b = (v0 + decay * (x0 - rest)) / rate;
@@ -73,12 +74,12 @@ TEST(ExactFlow, AdvancesTheDampedOscillatorByItsClosedForm) {
 TEST(ExactFlow, AdvancesByTheMatrixExponential) {
     for (const double frequency : {0.0, 5.0, 5000.0}) {
         const Flows flows = table_1_flows(frequency);
-        for (const Mode mode : all_modes) {
+        for (const ContactMode mode : all_modes) {
             const Flow& flow = in(flows, mode);
             // units in which all numbers of the state count alike: lengths 1, velocities 1/h, forces m/h^2
             State unit = State::Constant(1.0 / flow.step);
             unit(0) = unit(1) = 1.0;
-            if (mode == Mode::open) unit(5) = 1.0;
+            if (mode == ContactMode::open) unit(5) = 1.0;
             unit(4) = 0.1 / (flow.step * flow.step);
             const Matrix to_units = unit.cwiseInverse().asDiagonal(), from_units = unit.asDiagonal();
             const Matrix known = exponential(to_units * matrix_of(flow.power[1]) * from_units);
@@ -92,7 +93,7 @@ TEST(ExactFlow, AdvancesByTheMatrixExponential) {
 // the step is a fraction of the shortest period: no rate of the flow turns by more than two radians in it
 TEST(ExactFlow, StepsNoFurtherThanItsFastestRate) {
     const Flows flows = table_1_flows(5.0);
-    for (const Mode mode : all_modes) {
+    for (const ContactMode mode : all_modes) {
         Matrix power = matrix_of(in(flows, mode).power[1]);
         for (int k = 0; k < 8; ++k)
             power = power * power;

@@ -138,7 +138,7 @@ TEST_P(AnyInstructionSet, GivesAnyMotionBitForBit) {
         const int kind = *support::whole_between(0, 2);
         Case c = kind == 0 ? support::any_constant_case() : support::any_sinusoidal_case();
         if (kind == 2) c.drive = sampled({0.0, 0.004, 0.011, 0.02}, {0.1, -0.05, -0.05, 0.2});
-        c.contact.impact = static_cast<parameters::ImpactLaw>(*support::whole_between(0, 2));
+        c.contact.impact = static_cast<parameters::ImpactKind>(*support::whole_between(0, 2));
         RC_ASSERT(same(by(GetParam(), c), by(InstructionSet::baseline, c)));
     });
 }

@@ -43,12 +43,29 @@ TEST(TomlCase, TakesNumbersInSiAndTextWithUnits) {
     EXPECT_EQ(c.drive.kind, parameters::DriveKind::constant);
 }
 
+TEST(TomlCase, TakesTheUsualLawsWhereNoneIsNamed) {
+    const Case c = read(minimal);
+    EXPECT_EQ(c.contact.friction, parameters::FrictionKind::coulomb);
+    EXPECT_EQ(c.contact.impact, parameters::ImpactKind::plastic);
+}
+
+// the other way has coefficients of its own, which belong to that law alone
+TEST(TomlCase, ReadsFrictionThatDiffersEachWay) {
+    const std::string each_way = "static_friction = 0.8\nstatic_friction_coming = 0.5\nkinetic_friction_coming = 0.1\n";
+    const std::string text = replaced(minimal, "static_friction = 0.8\n", each_way + "friction = \"directional\"\n");
+    const Case c = read(text);
+    EXPECT_EQ(c.contact.friction, parameters::FrictionKind::directional);
+    EXPECT_EQ(c.contact.kinetic_friction_coming, 0.1);
+    EXPECT_TRUE(refusal(replaced(minimal, "static_friction = 0.8\n", each_way)).has_value());
+    EXPECT_TRUE(refusal(replaced(text, "static_friction_coming = 0.5\n", "")).has_value());
+}
+
 TEST(TomlCase, DefaultsRunAndVerdict) {
     const Case c = read(minimal);
     const Case defaults;
     EXPECT_EQ(c.run.step, defaults.run.step);
     EXPECT_EQ(c.verdict.creak_stick, defaults.verdict.creak_stick);
-    EXPECT_EQ(c.contact.impact, parameters::ImpactLaw::plastic);
+    EXPECT_EQ(c.contact.impact, parameters::ImpactKind::plastic);
 }
 
 TEST(TomlCase, ListsAllMissingKeysAtOnce) {

@@ -40,6 +40,7 @@ Case random_case() {
     }
     if (c.drive.kind == parameters::DriveKind::sampled) c.drive.kind = parameters::DriveKind::constant;
     c.contact.kinetic_friction = c.contact.static_friction * 0.7;
+    c.contact.kinetic_friction_coming = c.contact.static_friction_coming * 0.7;
     c.run.duration = 0.3 + 1.0 / c.drive.frequency;
     c.run.window = c.run.duration / 3.0;
     c.run.step = c.run.duration / 7e5;

@@ -46,6 +46,16 @@ TEST(Findings, KineticFrictionMayNotExceedStatic) {
     EXPECT_TRUE(findings(c).empty());
 }
 
+TEST(Findings, KineticFrictionMayNotExceedStaticTheOtherWayEither) {
+    Case c;
+    c.contact.static_friction_coming = 0.3;
+    EXPECT_TRUE(findings(c).empty());  // Coulomb's law has one way for both
+    c.contact.friction = FrictionKind::directional;
+    expect_finding(c, "contact.kinetic_friction_coming", "mu_dc = 0.6 exceeds mu_sc = 0.3");
+    c.contact.kinetic_friction_coming = 0.3;
+    EXPECT_TRUE(findings(c).empty());
+}
+
 TEST(Findings, AConstantDriveMustMove) {
     Case c = constant_case();
     c.drive.velocity = 0.0;

@@ -257,5 +257,14 @@ TEST(CanonicalText, NamesASampledDriveByItsSamples) {
     EXPECT_NE(canonical_text(moved), canonical_text(c));
 }
 
+// a law that came later goes without saying: stores of before keep their study
+TEST(CanonicalText, OfACaseWithCoulombsLawDoesNotNameIt) {
+    Case c;
+    EXPECT_EQ(canonical_text(c).find("contact.friction"), std::string::npos);
+    c.contact.friction = FrictionKind::directional;
+    EXPECT_NE(canonical_text(c).find("contact.friction = directional\n"), std::string::npos);
+    EXPECT_NE(canonical_text(c).find("contact.kinetic_friction_coming = 0.6\n"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace stridor::parameters

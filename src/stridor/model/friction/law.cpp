@@ -19,9 +19,9 @@ bool holds(const FrictionLaw& law, double normal_force, double friction_force) {
 
 FrictionLaw friction_law(const parameters::Contact& contact) {
     switch (contact.friction) {
-        case parameters::FrictionLaw::coulomb:
+        case parameters::FrictionKind::coulomb:
             return Coulomb{contact.static_friction, contact.kinetic_friction};
-        case parameters::FrictionLaw::directional:  // a plate that goes drags the joint, which slips backward
+        case parameters::FrictionKind::directional:  // a plate that goes drags the joint, which slips backward
             return Directional{{contact.static_friction_coming, contact.static_friction},
                                {contact.kinetic_friction_coming, contact.kinetic_friction}};
     }

@@ -9,11 +9,11 @@ Impulses impulses(const ImpactLaw& law, const ContactInertia& inertia, const Fri
 
 ImpactLaw impact_law(const parameters::Contact& contact) {
     switch (contact.impact) {
-        case parameters::ImpactLaw::plastic:
+        case parameters::ImpactKind::plastic:
             return Plastic{};
-        case parameters::ImpactLaw::normal_only:
+        case parameters::ImpactKind::normal_only:
             return NormalOnly{};
-        case parameters::ImpactLaw::restitution:
+        case parameters::ImpactKind::restitution:
             return Restitution{contact.restitution};
     }
     return Plastic{};

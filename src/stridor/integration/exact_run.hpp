@@ -13,11 +13,11 @@ namespace stridor::integration {
 
 /// One run of the exact engine: where the motion is, and what takes it from event to event (exact.cpp).
 template <int dofs>
-class Runner {
+class ExactRun {
 public:
-    Runner(const model::Structure& structure, const model::ContactPoint& contact, const parameters::Drive& drive,
-           const Start& start, const Exact& settings, SizedFlows<dofs>& shared, record::Recorder& recorder,
-           std::stop_token stop);
+    ExactRun(const model::Structure& structure, const model::ContactPoint& contact, const parameters::Drive& drive,
+             const Start& start, const Exact& settings, SizedFlows<dofs>& shared, record::Recorder& recorder,
+             std::stop_token stop);
 
     Motion run();
 
@@ -51,7 +51,7 @@ private:
     Outcome advance();
     SurfaceNumbers surface(double time) const;
     void widen_reach() {
-        Lanes& most = mode_ == Mode::open ? open_reach_ : closed_reach_;
+        Lanes& most = mode_ == ContactMode::open ? open_reach_ : closed_reach_;
         for (int i = 0; i < lanes; ++i)
             most.at[i] = std::max(most.at[i], std::abs(s_.at[i]));
     }
@@ -66,8 +66,8 @@ private:
     bool piles_up();
 
     // exact_energy.cpp
-    Position position(const Lanes& s, Mode mode) const;
-    Position seen(const Lanes& s, Mode mode, const Matrix& basis) const;
+    Position position(const Lanes& s, ContactMode mode) const;
+    Position seen(const Lanes& s, ContactMode mode, const Matrix& basis) const;
     double stored(const Position& here) const;
     double held() const;
     EnergyBalance energy() const;
@@ -89,7 +89,7 @@ private:
     std::stop_token stop_;
     Logbook book_;
 
-    Mode mode_ = Mode::stick;
+    ContactMode mode_ = ContactMode::stick;
     Lanes s_{};
     double origin_ = 0.0;   // [s] when the steps were last counted from nought
     long count_ = 0;        // [1] steps since
@@ -106,7 +106,7 @@ private:
 
     bool may_end_early_ = false;
     std::optional<Sliding> sliding_;
-    Mode sliding_mode_ = Mode::slip_forward;
+    ContactMode sliding_mode_ = ContactMode::slip_forward;
     CycleWatch watch_;
     bool has_returned_ = false;  // the account holds the time since the watch's first return
     std::optional<Silence> silence_;
