@@ -12,6 +12,8 @@ find_package(CLI11 REQUIRED)              # command line: CLI11::CLI11
 pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)                   # exports: PkgConfig::netcdf
 pkg_check_modules(sndfile REQUIRED IMPORTED_TARGET sndfile)                 # recordings: PkgConfig::sndfile
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus>=3.3)  # cases: PkgConfig::tomlplusplus
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo>=1.16)               # figures: PkgConfig::cairo
+pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)     # their text: PkgConfig::pangocairo
 # optional: compressed recordings; the libraries are opened while the program runs, so only headers are needed
 pkg_check_modules(ffmpeg QUIET libavformat>=59.27 libavcodec>=59.37 libavutil>=57.28 libswresample>=4.7)
 if(NOT ffmpeg_FOUND)

@@ -156,7 +156,7 @@ void add_analyse(CLI::App& program) {
         ->capture_default_str();
     command
         ->add_option("--figure", options->figure,
-                     "draw waveform, level, spectrogram and segments to FILE.png or FILE.svg")
+                     "draw waveform, level, spectrogram and segments to FILE.png, FILE.svg or FILE.pdf")
         ->type_name("FILE");
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.analyse/1)");
     command->footer(

@@ -170,7 +170,7 @@ void add_figure_compare(CLI::App& figure) {
                      "how long the stretch is that is drawn wave by wave, 1 ms to 2 s")
         ->type_name("TIME")
         ->capture_default_str();
-    add_output_file(*command, options->output, "FILE.png or FILE.svg")->capture_default_str();
+    add_output_file(*command, options->output, "FILE.png, FILE.svg or FILE.pdf")->capture_default_str();
     command->footer(std::string(sound_forms) +
                     "\nExample:\n  stridor figure compare vehicle.wav rig.uff squeal.toml --label vehicle --label rig "
                     "--label model -o figure-4.png");

@@ -105,7 +105,7 @@ CLI::App* add_one(CLI::App& figure, const char* name, const char* description,
                   const std::shared_ptr<OneFigureOptions>& options) {
     CLI::App* command = figure.add_subcommand(name, description);
     add_case_options(*command, options->input);
-    add_output_file(*command, options->output, "FILE.png or FILE.svg")->capture_default_str();
+    add_output_file(*command, options->output, "FILE.png, FILE.svg or FILE.pdf")->capture_default_str();
     return command;
 }
 

@@ -14,7 +14,7 @@
 /// Results to picture files: which scene goes where.
 namespace stridor::app {
 
-/// Draws a scene into a PNG or SVG file, by its extension; whoever looks sees the old file or the whole new one.
+/// Draws a scene into a PNG, SVG or PDF file, by its extension; whoever looks sees the old file or the whole new one.
 void draw(const chart::Scene& scene, const std::filesystem::path& path);
 
 /// Draws a scene as STEM.png and STEM.svg.

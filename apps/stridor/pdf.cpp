@@ -1,8 +1,8 @@
 #include "pdf.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/process.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/chart/process.hpp"
 #include "stridor/io/atomic_file.hpp"
 #include "stridor/storage/temporary.hpp"
 
@@ -23,8 +23,8 @@ constexpr std::string_view converter = "wkhtmltopdf";
 // the first that is there; empty if none is
 std::string found_printer() {
     for (const std::string_view browser : browsers)
-        if (chart::is_on_path(std::string(browser))) return std::string(browser);
-    return chart::is_on_path(std::string(converter)) ? std::string(converter) : std::string();
+        if (base::is_on_path(std::string(browser))) return std::string(browser);
+    return base::is_on_path(std::string(converter)) ? std::string(converter) : std::string();
 }
 
 std::vector<std::string> command_for(const std::string& printer, const std::filesystem::path& folder) {
@@ -58,7 +58,7 @@ std::string printed_pdf(std::string_view html) {
     const std::string printer = found_printer();
     const storage::PrivateFolder folder;
     io::write_file((folder.path() / "report.html").string(), html);
-    const chart::ProcessResult result = chart::run_process(command_for(printer, folder.path()), "");
+    const base::ProcessResult result = base::run_process(command_for(printer, folder.path()));
     const std::filesystem::path sheet = folder.path() / "report.pdf";
     if (result.exit_status != 0 || !std::filesystem::exists(sheet)) {
         const std::string message(base::trimmed(result.messages));

@@ -1,8 +1,8 @@
 #include "player.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/process.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/chart/process.hpp"
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ std::string known_players() {
 
 std::string find_player() {
     for (const Player& player : players)
-        if (chart::is_on_path(std::string(player.program))) return std::string(player.program);
+        if (base::is_on_path(std::string(player.program))) return std::string(player.program);
     return {};
 }
 
@@ -53,7 +53,7 @@ void play(const std::string& player, const std::string& path) {
         for (const std::string_view argument : known->arguments)
             if (!argument.empty()) command.emplace_back(argument);
     command.push_back(path);
-    const chart::ProcessResult result = chart::run_process(command, "");
+    const base::ProcessResult result = base::run_process(command);
     if (result.exit_status != 0)
         throw Error(ErrorKind::io,
                     {fmt::format("{} could not play the sound", player), std::string(base::trimmed(result.messages)),

@@ -184,7 +184,8 @@ void add_rig_sensitivity(CLI::App& rig) {
         ->check(CLI::IsMember({"category", "denomination"}))
         ->capture_default_str();
     command->add_flag("--records", options->records, "a row per record instead of bins");
-    command->add_option("--figure", options->figure, "draw the records to FILE.png or FILE.svg")->type_name("FILE");
+    command->add_option("--figure", options->figure, "draw the records to FILE.png, FILE.svg or FILE.pdf")
+        ->type_name("FILE");
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.sensitivity/1)");
     add_library_option(*command, options->library);
     command->footer(

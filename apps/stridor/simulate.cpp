@@ -251,7 +251,8 @@ void add_simulate(CLI::App& program) {
     command->add_option("--history", options->history, "write every contact state with its times to FILE.csv")
         ->type_name("FILE");
     command
-        ->add_option("--figure", options->figure, "draw motion and contact states (Figure 5) to FILE.png or FILE.svg")
+        ->add_option("--figure", options->figure,
+                     "draw motion and contact states (Figure 5) to FILE.png, FILE.svg or FILE.pdf")
         ->type_name("FILE");
     command->add_option("--zoom", options->zoom, "time range of the figure's zoom")->type_name("FROM:TO");
     command->footer(

@@ -99,7 +99,7 @@ void add_stability(CLI::App& program) {
         ->type_name("KEY=FROM:TO[:POINTS]");
     command
         ->add_option("--figure", options->figure,
-                     "draw frequencies and growth rates to FILE.png or FILE.svg (needs --over)")
+                     "draw frequencies and growth rates to FILE.png, FILE.svg or FILE.pdf (needs --over)")
         ->type_name("FILE")
         ->needs("--over");
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.stability/1)");

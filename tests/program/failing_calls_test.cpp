@@ -121,9 +121,6 @@ protected:
     const Fault& fault() const { return std::get<1>(GetParam()); }
 
     void SetUp() override {
-        // a picture in no time
-        write_text(programs_ / "gnuplot", "#!/bin/sh\ncat > /dev/null\necho picture\n");
-        fs::permissions(programs_ / "gnuplot", fs::perms::owner_all);
         fs::create_directories(folder_ / "before/tmp");
         start_in("before", {"init", "squeal", "-o", "squeal.toml"});
         start_in("before", {"init", "noise-chart", "-o", "pair.toml"});
@@ -146,7 +143,6 @@ protected:
 
     Finished run_in(const std::string& place, const Arguments& arguments,
                     std::vector<std::pair<std::string, std::string>> environment) const {
-        environment.emplace_back("PATH", programs_.path().string() + ":/usr/bin:/bin");
         environment.emplace_back("TMPDIR", (folder_ / place / "tmp").string());
         const bool is_other = !command().program.empty() && arguments == command().arguments;
         return support::run(Launch{
@@ -211,7 +207,6 @@ protected:
         return false;
     }
 
-    ScratchFolder programs_{support::Medium::disk};
     ScratchFolder folder_;
     Files before_;
     Files after_;

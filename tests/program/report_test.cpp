@@ -49,7 +49,7 @@ TEST_F(Report, HoldsVerdictSoundChartAdviceAndTheCase) {
     const std::string text = page({"--points", "6"});
     for (const char* part :
          {"The model predicts noise of this design while going, and none while coming.", "What it sounds like",
-          "src=\"data:audio/wav;base64,UklGR", "Where it is quiet", "design: ", "What to change",
+          "src=\"data:audio/wav;base64,UklGR", "Where it is quiet", "The diamond is the design.", "What to change",
           "Advised: ", "How far it is from another verdict", "download=\"case.toml\"", "re 1 nm/s",
           "stridor report squeal.toml --points 6 -o report.html"})
         EXPECT_NE(text.find(part), std::string::npos) << part;

@@ -162,4 +162,26 @@ std::string from_spreadsheet_text(std::string_view cell) {
     return std::string(cell);
 }
 
+std::string markup_text(std::string_view text) {
+    std::string result;
+    for (const char c : text)
+        switch (c) {
+            case '&':
+                result += "&amp;";
+                break;
+            case '<':
+                result += "&lt;";
+                break;
+            case '>':
+                result += "&gt;";
+                break;
+            case '"':
+                result += "&quot;";
+                break;
+            default:
+                result += c;
+        }
+    return result;
+}
+
 }  // namespace stridor::base

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-/// Text that came from somebody else, made harmless for what shows it: a terminal, a shell, a spreadsheet.
+/// Text that came from somebody else, made harmless for what shows it: a terminal, a shell, a spreadsheet, a page.
 namespace stridor::base {
 
 /// Bytes of the character a text begins with; 0 where it begins with none. Well-formed UTF-8 only: no stray or missing
@@ -37,5 +37,8 @@ std::string spreadsheet_line(std::string_view line);
 
 /// The text of such a cell.
 std::string from_spreadsheet_text(std::string_view cell);
+
+/// Text for HTML or XML: the characters that mean something there are written so that they do not.
+std::string markup_text(std::string_view text);
 
 }  // namespace stridor::base

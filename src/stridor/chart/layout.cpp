@@ -1,6 +1,7 @@
 #include "stridor/chart/layout.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/chart/lettering.hpp"
 #include "stridor/chart/palette.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ struct Measures {
 };
 
 Measures measures(double font_size) {
-    const double em = font_size * 25.4 / 72.0;
+    const double em = font_size * millimetres_per_point;
     return {em, 1.35 * em, 0.75 * em};
 }
 
@@ -50,6 +51,12 @@ std::vector<Range> divided(Range room, const std::vector<double>& shares, const 
     return parts;
 }
 
+// a tick that the axis brought along may lie beyond its end
+bool is_on(const Axis& axis, const Tick& tick) {
+    const double share = position(axis, tick.value);
+    return share >= -1e-9 && share <= 1.0 + 1e-9;
+}
+
 double widest_label(const TickSet& set, double font_size) {
     double width = 0.0;
     for (const Tick& tick : set.ticks)
@@ -70,6 +77,7 @@ public:
         place_columns({margin, scene_.width - margin});
         for (std::size_t i = 0; i < scene_.panels.size(); ++i)
             place_texts(scene_.panels[i], layout_.panels[i]);
+        if (layout_.colour_bar) place_y_numbers(bar_axis(), *layout_.colour_bar, Align::left);
         return std::move(layout_);
     }
 
@@ -84,8 +92,8 @@ private:
         const double width = scene_.width - 2.0 * margin;
         double y = scene_.height - margin;
         const double title_size = scene_.font_size + 1.0;
-        for (const Text& line : wrapped(scene_.title, 1.1 * title_size, width)) {
-            layout_.texts.push_back({bold(line), margin, y - 0.6 * mm_.line, Align::left, title_size, ink});
+        for (const Text& line : wrapped(bold(scene_.title), title_size, width)) {
+            layout_.texts.push_back({line, margin, y - 0.6 * mm_.line, Align::left, title_size, ink});
             y -= 1.15 * mm_.line;
         }
         for (const Text& paragraph : scene_.caption)
@@ -246,7 +254,28 @@ private:
         return bar.area.left - 1.2 * mm_.em;
     }
 
+    void place_x_numbers(const Axis& axis, const PlacedPanel& placed) {
+        const Rectangle& area = placed.area;
+        for (const Tick& tick : placed.x.ticks)
+            if (is_on(axis, tick) && !is_empty(tick.label))
+                layout_.texts.push_back({tick.label, area.left + width_of(area) * position(axis, tick.value),
+                                         area.bottom - mm_.to_tick - 0.4 * mm_.em, Align::centre, scene_.font_size,
+                                         ink});
+    }
+
+    // right of the panel where they are aligned to the left
+    void place_y_numbers(const Axis& axis, const PlacedPanel& placed, Align align) {
+        const Rectangle& area = placed.area;
+        const double x = align == Align::left ? area.right + 0.8 * mm_.to_tick : area.left - 0.8 * mm_.to_tick;
+        for (const Tick& tick : placed.y.ticks)
+            if (is_on(axis, tick) && !is_empty(tick.label))
+                layout_.texts.push_back({tick.label, x, area.bottom + height_of(area) * position(axis, tick.value),
+                                         align, scene_.font_size, ink});
+    }
+
     void place_texts(const Panel& panel, const PlacedPanel& placed) {
+        if (panel.x.text == AxisText::shown) place_x_numbers(panel.x, placed);
+        if (panel.y.text == AxisText::shown) place_y_numbers(panel.y, placed, Align::right);
         const Rectangle& area = placed.area;
         const double size = scene_.font_size;
         if (!is_empty(panel.title))

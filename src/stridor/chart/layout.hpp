@@ -51,7 +51,7 @@ struct PlacedSample {
 struct Layout {
     std::vector<PlacedPanel> panels;        // as in the scene
     std::optional<PlacedPanel> colour_bar;  // its y ticks stand on the right
-    std::vector<PlacedText> texts;          // titles, caption, axis titles, legend
+    std::vector<PlacedText> texts;          // titles, caption, numbers and titles of the axes, legend
     std::vector<PlacedSample> samples;
 };
 

@@ -1,8 +1,8 @@
 #include "stridor/chart/region_names.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/chart/lettering.hpp"
 #include "stridor/chart/palette.hpp"
-#include "stridor/chart/panel_script.hpp"
 #include "stridor/chart/texture.hpp"
 
 #include <algorithm>
@@ -143,6 +143,9 @@ std::vector<Note> region_names(const CategoryCells& cells, const std::vector<Tex
                                const Rectangle& area, double size) {
     STRIDOR_EXPECT(names.size() == cells.fills.size());
     const Map map(cells, panel, area);
+    std::vector<Extent> extents;
+    for (const Text& name : names)
+        extents.push_back(note_extent(name, size));
     std::vector<char> seen(cells.kinds.size(), 0);
     std::vector<Note> notes;
     for (std::uint32_t row = 0; row < map.rows(); ++row)
@@ -152,7 +155,7 @@ std::vector<Note> region_names(const CategoryCells& cells, const std::vector<Tex
             const std::vector<Place> region = region_from(map, start, seen);
             const std::size_t kind = map.kind(start);
             if (is_empty(names[kind])) continue;
-            const Extent extent = note_extent(names[kind], size);
+            const Extent& extent = extents[kind];
             double surface = 0.0;
             for (const Place& p : region)
                 surface += map.surface(p);

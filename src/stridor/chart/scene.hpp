@@ -15,6 +15,8 @@
 /// order, later ones over earlier ones. Lengths on paper are in mm, text sizes and line widths in pt.
 namespace stridor::chart {
 
+inline constexpr double millimetres_per_point = 25.4 / 72.0;
+
 struct Colour {
     std::uint8_t red = 0;
     std::uint8_t green = 0;

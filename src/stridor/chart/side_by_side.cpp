@@ -2,6 +2,7 @@
 
 #include "stridor/chart/contact_states.hpp"
 #include "stridor/chart/field_axis.hpp"
+#include "stridor/chart/lettering.hpp"
 #include "stridor/chart/palette.hpp"
 #include "stridor/chart/sound_panels.hpp"
 

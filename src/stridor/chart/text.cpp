@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cctype>
 #include <utility>
 
 namespace stridor::chart {
 
 namespace {
-
-constexpr double millimetres_per_point = 25.4 / 72.0;
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 12> greek{{{"alpha", "α"},
                                                                                {"beta", "β"},
@@ -33,44 +30,6 @@ std::string_view letter_of(std::string_view name) {
 
 bool contains(std::string_view characters, char c) {
     return characters.find(c) != std::string_view::npos;
-}
-
-// advance of one character in ems, after DejaVu Sans, the widest of the usual sans-serif fonts
-double advance(char c) {
-    if (contains("ijlI|.,:;' ", c)) return 0.34;
-    if (contains("frt()[]-/", c)) return 0.40;
-    if (contains("mwMW%@", c)) return 0.93;
-    // 0xE2 begins the minus sign and its kin
-    if (contains("=+<>~\xE2", c)) return 0.84;
-    return std::isupper(static_cast<unsigned char>(c)) != 0 ? 0.70 : 0.63;
-}
-
-bool continues_character(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;  // UTF-8
-}
-
-double width_in_ems(const TextRun& run) {
-    double width = 0.0;
-    for (const char c : run.text)
-        if (!continues_character(c)) width += advance(c);
-    const bool is_small = run.style == TextStyle::subscript || run.style == TextStyle::superscript;
-    return width * (is_small ? 0.8 : run.style == TextStyle::bold ? 1.12 : 1.0);
-}
-
-// a text in pieces that must stay together, each with its trailing blank
-std::vector<Text> words_of(const Text& text) {
-    std::vector<Text> words;
-    bool is_open = false;
-    for (const TextRun& run : text.runs)
-        for (std::size_t from = 0; from < run.text.size();) {
-            const std::size_t blank = run.text.find(' ', from);
-            const std::size_t to = blank == std::string::npos ? run.text.size() : blank + 1;
-            if (!is_open) words.emplace_back();
-            words.back().runs.push_back({run.text.substr(from, to - from), run.style});
-            is_open = blank == std::string::npos;
-            from = to;
-        }
-    return words;
 }
 
 }  // namespace
@@ -154,24 +113,6 @@ Text number_text(double value) {
     const Text power =
         Text("10") + Text(with_minus(fmt::format("{}", std::stoi(digits.substr(cut + 1)))), TextStyle::superscript);
     return factor == "1" ? power : Text(with_minus(factor) + "·") + power;
-}
-
-double text_width(const Text& text, double size) {
-    double ems = 0.0;
-    for (const TextRun& run : text.runs)
-        ems += width_in_ems(run);
-    return ems * size * millimetres_per_point;
-}
-
-std::vector<Text> wrapped(const Text& text, double size, double width) {
-    std::vector<Text> lines;
-    for (const Text& word : words_of(text)) {
-        if (lines.empty() || text_width(lines.back() + word, size) > width)
-            lines.push_back(word);
-        else
-            lines.back() = lines.back() + word;
-    }
-    return lines;
 }
 
 }  // namespace stridor::chart

@@ -47,10 +47,4 @@ Text unit_text(std::string_view unit);
 /// A number as it is printed, with six digits: "0.004", "10" with its power where it is very small or large.
 Text number_text(double value);
 
-/// Width of a text set in a sans-serif font, a little too large rather than too small [mm]; `size` in pt.
-double text_width(const Text& text, double size);
-
-/// Cuts a text into lines at its blanks so that each is at most `width` mm wide where a blank allows it.
-std::vector<Text> wrapped(const Text& text, double size, double width);
-
 }  // namespace stridor::chart

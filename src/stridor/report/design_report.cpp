@@ -2,9 +2,9 @@
 
 #include "stridor/base/version.hpp"
 #include "stridor/chart/design_mark.hpp"
-#include "stridor/chart/gnuplot.hpp"
 #include "stridor/chart/noise_chart.hpp"
 #include "stridor/chart/palette.hpp"
+#include "stridor/chart/picture.hpp"
 #include "stridor/chart/stability.hpp"
 #include "stridor/chart/time_history.hpp"
 #include "stridor/io/toml_writer.hpp"

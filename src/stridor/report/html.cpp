@@ -1,10 +1,13 @@
 #include "stridor/report/html.hpp"
 
 #include "stridor/base/base64.hpp"
+#include "stridor/base/escapes.hpp"
 
 namespace stridor::report {
 
 namespace {
+
+using base::markup_text;
 
 constexpr std::string_view style = R"css(
 :root { color-scheme: light dark; --ink: #1d2126; --paper: #ffffff; --line: #d5d9de; --soft: #5d6670;
@@ -29,7 +32,7 @@ a { color: var(--link); }
 figcaption, footer { color: var(--soft); font-size: .9rem; }
 figure { margin: 1rem 0; }
 .frame { overflow-x: auto; background: #ffffff; border-radius: 6px; border: 1px solid var(--line); }
-.frame svg { width: 100%; min-width: 38rem; height: auto; display: block;
+.frame img { width: 100%; min-width: 38rem; height: auto; display: block;
   print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 .scroll { overflow-x: auto; margin: .8rem 0; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .92rem; overflow-wrap: normal; }
@@ -58,7 +61,7 @@ footer { border-top: 1px solid var(--line); margin-top: 2.5rem; padding: .8rem 0
   .overview { grid-template-columns: minmax(0, 3fr) 6.4cm; }
   figure, .sound, .badges, tr { break-inside: avoid; }
   .frame { overflow: visible; border: 0; }
-  .frame svg { min-width: 0; }
+  .frame img { min-width: 0; }
   .scroll { overflow: visible; }
   table { font-size: 8.5pt; }
   pre, .file pre { max-height: none; overflow: visible; white-space: pre-wrap; font-size: 8pt; }
@@ -67,39 +70,34 @@ footer { border-top: 1px solid var(--line); margin-top: 2.5rem; padding: .8rem 0
 }
 )css";
 
-// the picture alone, without what makes it a file of its own
-std::string_view inner(std::string_view svg) {
-    const std::size_t begin = svg.find("<svg");
-    return begin == std::string_view::npos ? std::string_view() : svg.substr(begin);
-}
-
-std::string figure(const Section& section) {
-    return "<figure><div class=\"frame\" role=\"img\" tabindex=\"0\" aria-label=\"" + escaped(section.caption) +
-           "\">\n" + std::string(inner(section.svg)) + "\n</div><figcaption>" + escaped(section.caption) +
-           "</figcaption></figure>\n";
-}
-
 std::string data_address(std::string_view media_type, std::string_view bytes) {
     return "data:" + std::string(media_type) + ";base64," + base::base64(bytes);
 }
 
+// as an image: the names inside of it stay apart from those of the other figures
+std::string figure(const Section& section) {
+    return "<figure><div class=\"frame\" tabindex=\"0\"><img alt=\"" + markup_text(section.caption) + "\" src=\"" +
+           data_address("image/svg+xml", section.svg) + "\"></div><figcaption>" + markup_text(section.caption) +
+           "</figcaption></figure>\n";
+}
+
 std::string sound(const Sound& sound) {
-    return "<div class=\"sound\"><b>" + escaped(sound.label) + "</b> <span class=\"heard\">" + escaped(sound.words) +
-           "</span><audio controls preload=\"metadata\" aria-label=\"" + escaped(sound.label) + "\" src=\"" +
-           data_address("audio/wav", sound.wav) + "\"></audio></div>\n";
+    return "<div class=\"sound\"><b>" + markup_text(sound.label) + "</b> <span class=\"heard\">" +
+           markup_text(sound.words) + "</span><audio controls preload=\"metadata\" aria-label=\"" +
+           markup_text(sound.label) + "\" src=\"" + data_address("audio/wav", sound.wav) + "\"></audio></div>\n";
 }
 
 std::string file(const TextFile& file) {
-    return "<div class=\"file\"><pre tabindex=\"0\">" + escaped(file.text) + "</pre><p class=\"save\"><a download=\"" +
-           escaped(file.name) + "\" href=\"" + data_address("application/toml", file.text) + "\">Save as " +
-           escaped(file.name) + "</a></p></div>\n";
+    return "<div class=\"file\"><pre tabindex=\"0\">" + markup_text(file.text) +
+           "</pre><p class=\"save\"><a download=\"" + markup_text(file.name) + "\" href=\"" +
+           data_address("application/toml", file.text) + "\">Save as " + markup_text(file.name) + "</a></p></div>\n";
 }
 
 std::string row(const std::vector<std::string>& cells, std::string_view tag) {
     std::string text = "<tr>";
     constexpr std::size_t longest_word = 24;  // [1] characters; what is shorter stays on one line
     for (const std::string& cell : cells)
-        text += "<" + std::string(tag) + (cell.size() <= longest_word ? " class=\"short\">" : ">") + escaped(cell) +
+        text += "<" + std::string(tag) + (cell.size() <= longest_word ? " class=\"short\">" : ">") + markup_text(cell) +
                 "</" + std::string(tag) + ">";
     return text + "</tr>\n";
 }
@@ -112,14 +110,14 @@ std::string table(const Table& table) {
 }
 
 std::string html(const Section& section) {
-    std::string text = "<section>\n<h2>" + escaped(section.heading) + "</h2>\n";
+    std::string text = "<section>\n<h2>" + markup_text(section.heading) + "</h2>\n";
     for (const std::string& paragraph : section.paragraphs)
-        text += "<p>" + escaped(paragraph) + "</p>\n";
+        text += "<p>" + markup_text(paragraph) + "</p>\n";
     if (!section.svg.empty()) text += figure(section);
     if (!section.table.rows.empty()) text += table(section.table);
     for (const Sound& each : section.sounds)
         text += sound(each);
-    if (!section.code.empty()) text += "<pre>" + escaped(section.code) + "</pre>\n";
+    if (!section.code.empty()) text += "<pre>" + markup_text(section.code) + "</pre>\n";
     if (!section.file.text.empty()) text += file(section.file);
     return text + "</section>\n";
 }
@@ -127,41 +125,19 @@ std::string html(const Section& section) {
 std::string overview(const Report& report) {
     std::string text = "<div class=\"overview\"><div>\n<ul class=\"badges\">";
     for (const Badge& badge : report.badges)
-        text += "<li style=\"background:" + badge.ground + ";color:" + badge.ink + "\"><span>" + escaped(badge.label) +
-                "</span><b>" + escaped(badge.word) + "</b></li>";
+        text += "<li style=\"background:" + badge.ground + ";color:" + badge.ink + "\"><span>" +
+                markup_text(badge.label) + "</span><b>" + markup_text(badge.word) + "</b></li>";
     text += "</ul>\n";
     for (const std::string& paragraph : report.lead)
-        text += "<p>" + escaped(paragraph) + "</p>\n";
+        text += "<p>" + markup_text(paragraph) + "</p>\n";
     text += "</div>\n";
     if (!report.sketch.empty())
-        text += "<figure class=\"sketch\" role=\"img\" aria-label=\"" + escaped(report.sketch_caption) + "\">" +
-                report.sketch + "<figcaption>" + escaped(report.sketch_caption) + "</figcaption></figure>\n";
+        text += "<figure class=\"sketch\" role=\"img\" aria-label=\"" + markup_text(report.sketch_caption) + "\">" +
+                report.sketch + "<figcaption>" + markup_text(report.sketch_caption) + "</figcaption></figure>\n";
     return text + "</div>\n";
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text)
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += c;
-        }
-    return result;
-}
 
 std::string html(const Report& report) {
     // the policy keeps the file from ever loading anything, whatever a title holds
@@ -170,12 +146,12 @@ std::string html(const Report& report) {
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src "
         "data:; media-src data:\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-        escaped(report.title) + "</title>\n<style>" + std::string(style) + "</style></head><body>\n<h1>" +
-        escaped(report.title) + "</h1>\n";
+        markup_text(report.title) + "</title>\n<style>" + std::string(style) + "</style></head><body>\n<h1>" +
+        markup_text(report.title) + "</h1>\n";
     text += overview(report);
     for (const Section& section : report.sections)
         text += html(section);
-    if (!report.foot.empty()) text += "<footer>" + escaped(report.foot) + "</footer>\n";
+    if (!report.foot.empty()) text += "<footer>" + markup_text(report.foot) + "</footer>\n";
     return text + "</body></html>\n";
 }
 

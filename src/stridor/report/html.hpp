@@ -38,7 +38,7 @@ struct TextFile {
 struct Section {
     std::string heading;
     std::vector<std::string> paragraphs{};
-    std::string svg{};      // a figure, as gnuplot draws it
+    std::string svg{};      // a figure, as a file
     std::string caption{};  // of the figure, and what it shows to who cannot see it
     Table table{};
     std::vector<Sound> sounds{};
@@ -55,9 +55,6 @@ struct Report {
     std::vector<Section> sections{};
     std::string foot{};
 };
-
-/// Text with the characters that mean something to HTML written so that they do not.
-std::string escaped(std::string_view text);
 
 /// The whole file.
 std::string html(const Report& report);

@@ -99,5 +99,9 @@ RC_GTEST_PROP(SpreadsheetText, ReadsBackAsItWas, ()) {
     RC_ASSERT(from_spreadsheet_text(cell) == text);
 }
 
+TEST(MarkupText, HasNoCharacterThatMeansSomethingToHtml) {
+    EXPECT_EQ(markup_text("<a href=\"b\">c & d</a> 'e'"), "&lt;a href=&quot;b&quot;&gt;c &amp; d&lt;/a&gt; 'e'");
+}
+
 }  // namespace
 }  // namespace stridor::base

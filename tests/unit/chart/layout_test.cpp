@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace stridor::chart {
 namespace {
 
@@ -81,6 +83,27 @@ TEST(Layout, WideNumbersPushTheirPanelAside) {
     Scene wide = grid(1, 1);
     wide.panels[0].y.ticks = {{0.5, "separation of surfaces", TickSize::major}};
     EXPECT_GT(arrange(wide).panels[0].area.left, arrange(narrow).panels[0].area.left + 20.0);
+}
+
+TEST(Layout, NumbersStandBesideTheirTicks) {
+    Scene scene = grid(1, 1);
+    scene.panels[0].y.ticks = {{0.5, "half", TickSize::major}, {2.0, "beyond", TickSize::major}};
+    scene.panels[0].x.ticks = {{0.25, "quarter", TickSize::major}};
+    const Layout layout = arrange(scene);
+    const Rectangle& area = layout.panels[0].area;
+    const auto placed = [&](const char* word) {
+        return std::find_if(layout.texts.begin(), layout.texts.end(),
+                            [&](const PlacedText& each) { return plain_text(each.text) == word; });
+    };
+    ASSERT_NE(placed("half"), layout.texts.end());
+    ASSERT_NE(placed("quarter"), layout.texts.end());
+    EXPECT_EQ(placed("beyond"), layout.texts.end());
+    EXPECT_DOUBLE_EQ(placed("half")->y, 0.5 * (area.bottom + area.top));
+    EXPECT_LT(placed("half")->x, area.left);
+    EXPECT_DOUBLE_EQ(placed("quarter")->x, area.left + 0.25 * width_of(area));
+    EXPECT_LT(placed("quarter")->y, area.bottom);
+    scene.panels[0].y.text = AxisText::hidden;
+    EXPECT_EQ(arrange(scene).texts.size(), layout.texts.size() - 2) << "its number and its title";
 }
 
 TEST(Layout, LongTitlesAreBroken) {

@@ -1,7 +1,7 @@
 #include "stridor/chart/region_names.hpp"
 
+#include "stridor/chart/lettering.hpp"
 #include "stridor/chart/palette.hpp"
-#include "stridor/chart/panel_script.hpp"
 #include "support/property.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 #include "stridor/chart/sensitivity.hpp"
 
 #include "chart_support.hpp"
-#include "stridor/chart/script.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,6 @@
 #include "stridor/chart/text.hpp"
 
-#include "support/property.hpp"
-
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 namespace stridor::chart {
 namespace {
@@ -47,23 +43,6 @@ TEST(NumberText, WritesPowersOfTenAsPrinted) {
     EXPECT_EQ(runs(number_text(1e-6)),
               (std::vector<TextRun>{{"10", TextStyle::plain}, {"−6", TextStyle::superscript}}));
     EXPECT_EQ(plain_text(number_text(2e7)), "2·107");
-}
-
-RC_GTEST_PROP(Wrapped, LosesNothingAndBreaksOnlyAtBlanks, ()) {
-    const auto words = *rc::gen::container<std::vector<std::string>>(
-        rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::inRange('a', 'z'))));
-    std::string sentence;
-    for (const std::string& word : words)
-        sentence += (sentence.empty() ? "" : " ") + word;
-    const double width = *support::number_between(5.0, 60.0);
-    std::string joined;
-    for (const Text& line : wrapped(sentence, 8.0, width)) {
-        const std::string characters = plain_text(line);
-        const bool is_one_word = std::count(characters.begin(), characters.end(), ' ') <= 1;
-        RC_ASSERT(text_width(line, 8.0) <= width || is_one_word);
-        joined += characters;
-    }
-    RC_ASSERT(joined == sentence);
 }
 
 }  // namespace

@@ -17,7 +17,11 @@ TEST(Html, LetsNoTextBecomeMarkup) {
     const std::string page = html(hostile());
     EXPECT_EQ(page.find("<script"), std::string::npos);
     EXPECT_EQ(page.find("</pre><"), page.find("</pre><p class=\"save\">"));
-    EXPECT_EQ(page.find("<?xml"), std::string::npos) << "a figure stands in the page without its own heading";
+}
+
+TEST(Html, KeepsEachFigureApart) {
+    EXPECT_NE(html(hostile()).find("src=\"data:image/svg+xml;base64,PD94bWw/Pjxzdmc+PC9zdmc+\""), std::string::npos)
+        << "names inside of a figure are its own";
 }
 
 TEST(Html, MayLoadNothingButWhatItHolds) {

@@ -1,0 +1,154 @@
+#include "stridor/base/process.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+// the environment as POSIX declares it
+extern char** environ;  // NOLINT(readability-identifier-naming)
+
+namespace stridor::base {
+
+namespace {
+
+[[noreturn]] void fail_to(const std::string& what, int reason) {
+    throw Error(ErrorKind::io, {what, std::strerror(reason), ""});
+}
+
+// both ends of a pipe, closed at the end of the block
+struct Pipe {
+    std::array<int, 2> ends{-1, -1};  // to read from, to write to
+
+    Pipe() {
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail_to("no pipe to another program could be opened", errno);
+    }
+    ~Pipe() {
+        for (int& end : ends)
+            close(end);
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+
+    static void close(int& end) {
+        if (end >= 0) ::close(std::exchange(end, -1));
+    }
+};
+
+// what posix_spawn needs, released at the end of the block
+struct SpawnSettings {
+    posix_spawn_file_actions_t actions{};
+    posix_spawnattr_t attributes{};
+
+    SpawnSettings() {
+        posix_spawn_file_actions_init(&actions);
+        posix_spawnattr_init(&attributes);
+    }
+    ~SpawnSettings() {
+        posix_spawnattr_destroy(&attributes);
+        posix_spawn_file_actions_destroy(&actions);
+    }
+    SpawnSettings(const SpawnSettings&) = delete;
+    SpawnSettings& operator=(const SpawnSettings&) = delete;
+};
+
+// our environment, but messages in English
+std::vector<std::string> plain_environment() {
+    std::vector<std::string> variables{"LC_ALL=C.UTF-8"};
+    for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
+        const std::string_view text = *variable;
+        if (!text.starts_with("LC_") && !text.starts_with("LANG=") && !text.starts_with("LANGUAGE="))
+            variables.emplace_back(text);
+    }
+    return variables;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+    std::vector<char*> result;
+    for (std::string& text : texts)
+        result.push_back(text.data());
+    result.push_back(nullptr);
+    return result;
+}
+
+pid_t start(std::vector<std::string> command, int messages) {
+    SpawnSettings settings;
+    posix_spawn_file_actions_addopen(&settings.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&settings.actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&settings.actions, messages, STDERR_FILENO);
+    // the child starts with the signals a program expects, whatever this program blocks or ignores
+    sigset_t none;
+    sigemptyset(&none);
+    sigset_t usual;
+    sigemptyset(&usual);
+    sigaddset(&usual, SIGPIPE);
+    posix_spawnattr_setsigmask(&settings.attributes, &none);
+    posix_spawnattr_setsigdefault(&settings.attributes, &usual);
+    posix_spawnattr_setflags(&settings.attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+
+    std::vector<std::string> variables = plain_environment();
+    pid_t child = -1;
+    const int error = posix_spawnp(&child, command.front().c_str(), &settings.actions, &settings.attributes,
+                                   pointers(command).data(), pointers(variables).data());
+    if (error != 0) fail_to(command.front() + " could not be started", error);
+    return child;
+}
+
+std::string read_to_end(int end) {
+    std::string text;
+    std::array<char, 4096> buffer{};
+    for (;;) {
+        const ssize_t count = ::read(end, buffer.data(), buffer.size());
+        if (count > 0)
+            text.append(buffer.data(), static_cast<std::size_t>(count));
+        else if (count == 0 || errno != EINTR)
+            return text;
+    }
+}
+
+int wait_for(pid_t child) {
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) fail_to("another program could not be waited for", errno);
+    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+}  // namespace
+
+ProcessResult run_process(const std::vector<std::string>& command) {
+    STRIDOR_EXPECT(!command.empty());
+    Pipe messages;
+    const pid_t child = start(command, messages.ends[1]);
+    Pipe::close(messages.ends[1]);
+    ProcessResult result;
+    result.messages = read_to_end(messages.ends[0]);
+    result.exit_status = wait_for(child);
+    return result;
+}
+
+bool is_on_path(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    if (path == nullptr) return false;
+    std::string_view rest = path;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(':'), rest.size());
+        const std::string folder(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        if (!folder.empty() && ::access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+    }
+    return false;
+}
+
+}  // namespace stridor::base

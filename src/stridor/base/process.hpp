@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stridor::base {
+
+/// How a program ended and what it complained of.
+struct ProcessResult {
+    int exit_status = 0;   // [1] as of the program; 128 + signal if a signal ended it
+    std::string messages;  // its standard error
+};
+
+/// Runs a program found on PATH until it ends, without a shell.
+///
+/// It has nothing to read, what it writes to standard output is dropped, and its messages have the C locale. Throws
+/// `Error` (io) where it cannot be started.
+ProcessResult run_process(const std::vector<std::string>& command);
+
+/// Is there an executable file of this name on PATH?
+bool is_on_path(const std::string& program);
+
+}  // namespace stridor::base
