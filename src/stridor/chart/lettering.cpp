@@ -7,6 +7,24 @@
 
 #include <memory>
 
+#if defined(__SANITIZE_ADDRESS__)
+#    define STRIDOR_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#    if __has_feature(address_sanitizer)
+#        define STRIDOR_ADDRESS_SANITIZER
+#    endif
+#endif
+
+#ifdef STRIDOR_ADDRESS_SANITIZER
+// fontconfig keeps its patterns for the whole run behind offsets, which the leak checker does not take for pointers
+extern "C" const char* __lsan_default_suppressions() {  // NOLINT
+    return "leak:libfontconfig\n";
+}
+extern "C" const char* __lsan_default_options() {  // NOLINT
+    return "print_suppressions=0";
+}
+#endif
+
 namespace stridor::chart {
 
 namespace {
