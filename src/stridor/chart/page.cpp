@@ -51,7 +51,7 @@ std::string described(std::string svg, std::string_view title, std::string_view 
 // corners around the origin with y upwards, as wide to the eye as a disc of radius 1 [1]
 std::span<const Dot> corners(Mark mark) {
     static constexpr std::array<Dot, 4> square{{{-0.89, -0.89}, {0.89, -0.89}, {0.89, 0.89}, {-0.89, 0.89}}};
-    static constexpr std::array<Dot, 4> diamond{{{0.0, -1.4}, {1.4, 0.0}, {0.0, 1.4}, {-1.4, 0.0}}};
+    static constexpr std::array<Dot, 4> diamond{{{0.0, -1.25}, {1.25, 0.0}, {0.0, 1.25}, {-1.25, 0.0}}};
     static constexpr std::array<Dot, 3> triangle{{{-1.3, -0.65}, {1.3, -0.65}, {0.0, 1.3}}};
     static constexpr std::array<Dot, 3> nabla{{{-1.3, 0.65}, {1.3, 0.65}, {0.0, -1.3}}};
     switch (mark) {
@@ -96,7 +96,7 @@ struct Page::Surface {
         cairo_set_line_cap(pen.get(), is_solid && end == LineEnd::round ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
         const double unit = std::max(0.5, stroke.width);  // [pt]
         const std::array<double, 2> lengths =
-            stroke.dash == Dash::dashed ? std::array{5.0 * unit, 3.0 * unit} : std::array{1.0 * unit, 2.0 * unit};
+            stroke.dash == Dash::dashed ? std::array{4.0 * unit, 2.5 * unit} : std::array{1.0 * unit, 2.0 * unit};
         cairo_set_dash(pen.get(), lengths.data(), is_solid ? 0 : 2, 0.0);
     }
 
