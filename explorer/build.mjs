@@ -63,7 +63,10 @@ await build({
 await copyFile(join(here, "src/index.html"), join(out, "index.html"));
 
 const made = (await readdir(out)).sort().join(" ");
-const wanted = parts.flatMap(({ files }) => files).sort().join(" ");
+const wanted = parts
+  .flatMap(({ files }) => files)
+  .sort()
+  .join(" ");
 if (made !== wanted) throw new Error(`the bundle is ${made}, not ${wanted}`);
 
 for (const { name, budget, files } of parts) {

@@ -62,8 +62,11 @@ async function asked(path: string, init: RequestInit): Promise<Response> {
     return await checked(await fetch(path, { credentials: "same-origin", ...init }));
   } catch (error) {
     if (error instanceof TypeError)
-      throw new Failure({ what: "Stridor does not answer", why: "was it stopped?",
-        suggestion: "Start `stridor explore` again." });
+      throw new Failure({
+        what: "Stridor does not answer",
+        why: "was it stopped?",
+        suggestion: "Start `stridor explore` again.",
+      });
     throw error;
   }
 }

@@ -40,8 +40,12 @@ export function paintAxes(pen: CanvasRenderingContext2D, palette: Palette, box: 
   pen.strokeStyle = palette.muted;
   pen.fillStyle = palette.muted;
   pen.lineWidth = 1;
-  pen.strokeRect(Math.round(box.left) - 0.5, Math.round(box.top) - 0.5, Math.round(box.width) + 1,
-    Math.round(box.height) + 1);
+  pen.strokeRect(
+    Math.round(box.left) - 0.5,
+    Math.round(box.top) - 0.5,
+    Math.round(box.width) + 1,
+    Math.round(box.height) + 1,
+  );
   pen.font = font(11);
   pen.textAlign = "center";
   pen.textBaseline = "top";

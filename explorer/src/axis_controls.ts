@@ -41,10 +41,17 @@ export class AxisControls {
       label("over", this.rows_.x.parameter),
       label("and", this.rows_.y.parameter),
       this.ends_(),
-      button("⇄", () => this.store_.update({ x: this.store_.state.y, y: this.store_.state.x }),
-        { class: "icon", "aria-label": "Swap the axes", title: "Swap the axes" }),
-      button("⤢", unzoom, { id: "unzoom", class: "icon", "aria-label": "Unzoom",
-        title: "Back to the last axes (double click, or - on the chart)" }),
+      button("⇄", () => this.store_.update({ x: this.store_.state.y, y: this.store_.state.x }), {
+        "class": "icon",
+        "aria-label": "Swap the axes",
+        "title": "Swap the axes",
+      }),
+      button("⤢", unzoom, {
+        "id": "unzoom",
+        "class": "icon",
+        "aria-label": "Unzoom",
+        "title": "Back to the last axes (double click, or - on the chart)",
+      }),
     );
   }
 
@@ -55,8 +62,9 @@ export class AxisControls {
 
   show(state: State, resolved: Case): void {
     const known = (this.known_ = variedIn(resolved, this.start_.fields));
-    const options =
-      known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")] as const);
+    const options = known.map(
+      ({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")] as const,
+    );
     for (const name of ["x", "y"] as const) {
       const axis = state[name];
       const row = this.rows_[name];
@@ -75,19 +83,32 @@ export class AxisControls {
   }
 
   private row_(name: Name): AxisRow {
-    const parameter = select(`Parameter of the ${name} axis`, [], (key) => this.choose_(name, key),
-      { id: `axis-${name}` });
+    const parameter = select(`Parameter of the ${name} axis`, [], (key) => this.choose_(name, key), {
+      id: `axis-${name}`,
+    });
     const end = (which: "from" | "to"): HTMLInputElement => {
-      const input = h("input", { type: "text", inputmode: "decimal", autocomplete: "off",
-        "aria-label": `${name} axis, ${which}`, id: `${name}-${which}` });
+      const input = h("input", {
+        "type": "text",
+        "inputmode": "decimal",
+        "autocomplete": "off",
+        "aria-label": `${name} axis, ${which}`,
+        "id": `${name}-${which}`,
+      });
       input.addEventListener("change", () => void this.move_(name, which, input));
       return input;
     };
-    const scale = select(`Scale of the ${name} axis`, [["linear", "linear"], ["log", "log"]], (value) => {
-      const axis = this.store_.state[name];
-      if (value === "log" && axis.from <= 0) this.change_(name, { ...axis, from: axis.to / 1000, scale: "log" });
-      else this.change_(name, { ...axis, scale: value === "log" ? "log" : "linear" });
-    });
+    const scale = select(
+      `Scale of the ${name} axis`,
+      [
+        ["linear", "linear"],
+        ["log", "log"],
+      ],
+      (value) => {
+        const axis = this.store_.state[name];
+        if (value === "log" && axis.from <= 0) this.change_(name, { ...axis, from: axis.to / 1000, scale: "log" });
+        else this.change_(name, { ...axis, scale: value === "log" ? "log" : "linear" });
+      },
+    );
     return { parameter, from: end("from"), to: end("to"), scale };
   }
 
@@ -102,8 +123,12 @@ export class AxisControls {
       this.store_.update({ x: { ...x, points: Number(value) }, y: { ...y, points: Number(value) } });
     });
     points.value = "64";
-    return h("details", { class: "drop" }, h("summary", {}, "Range"),
-      h("div", { class: "sheet" }, line("x"), line("y"), points));
+    return h(
+      "details",
+      { class: "drop" },
+      h("summary", {}, "Range"),
+      h("div", { class: "sheet" }, line("x"), line("y"), points),
+    );
   }
 
   private choose_(name: Name, key: string): void {

@@ -7,8 +7,18 @@ import { button, h, setText } from "./dom.ts";
 import { between, exact, level, percent, plain, quantity, symbolText, title, unitText, words } from "./format.ts";
 import { Latest } from "./latest.ts";
 import { Legend } from "./legend.ts";
-import { cellAt, cellBox, indexOf, paintDesign, paintFrame, paintMap, plotBox, shareAt, type ChartData,
-  type Look } from "./map.ts";
+import {
+  cellAt,
+  cellBox,
+  indexOf,
+  paintDesign,
+  paintFrame,
+  paintMap,
+  plotBox,
+  shareAt,
+  type ChartData,
+  type Look,
+} from "./map.ts";
 import { quantityOf } from "./parameters.ts";
 import { holds, nearest, widened, zoomed } from "./scale.ts";
 import { chartDesign, withValues, type State } from "./state.ts";
@@ -30,8 +40,13 @@ interface Panel {
 
 export class Chart {
   readonly element: HTMLElement;
-  private readonly box_ =
-    h("div", { id: "chart", class: "maps", "data-computed": 0, "data-done": "false", "data-redraws": 0 });
+  private readonly box_ = h("div", {
+    "id": "chart",
+    "class": "maps",
+    "data-computed": 0,
+    "data-done": "false",
+    "data-redraws": 0,
+  });
   private readonly readout_ = h("p", { id: "chart-readout", class: "readout" });
   private readonly status_ = h("span", { id: "chart-status", class: "muted" });
   private readonly problem_ = h("p", { class: "complaint", hidden: true, role: "alert" });
@@ -40,10 +55,13 @@ export class Chart {
   private readonly controls_: AxisControls;
   private readonly legend_ = new Legend();
   private readonly zooms_: { x: Axis; y: Axis }[] = [];
-  private readonly requests_ =
-    new Latest<api.ChartWish>((wish, signal, shown) => this.fetch_(wish, signal, shown), patience);
-  private readonly probe_ =
-    new Latest<{ direction: Direction; ix: number; iy: number }>((wish, signal) => this.look_(wish, signal));
+  private readonly requests_ = new Latest<api.ChartWish>(
+    (wish, signal, shown) => this.fetch_(wish, signal, shown),
+    patience,
+  );
+  private readonly probe_ = new Latest<{ direction: Direction; ix: number; iy: number }>((wish, signal) =>
+    this.look_(wish, signal),
+  );
   private probeTimer_ = 0;
   private stepped_ = -Infinity; // [ms] when an arrow key last moved the cell
   private data_: ChartData | null = null;
@@ -56,14 +74,14 @@ export class Chart {
     private readonly start_: Start,
     complain: (error: unknown) => void,
   ) {
-    this.resolved_ =
-      (start_.presets.find(({ name }) => name === store_.state.design.preset) ?? start_.presets[0])?.case as Case;
+    this.resolved_ = (start_.presets.find(({ name }) => name === store_.state.design.preset) ?? start_.presets[0])
+      ?.case as Case;
     this.controls_ = new AxisControls(store_, start_, () => this.unzoom_(), complain);
     this.panels_ = (["going", "coming"] as const).map((direction) => this.panel_(direction));
     this.box_.append(...this.panels_.map(({ surface: { canvas } }) => h("div", { class: "map" }, canvas)));
     this.element = h(
       "section",
-      { class: "panel chart", "aria-label": "Noise chart" },
+      { "class": "panel chart", "aria-label": "Noise chart" },
       h("div", { class: "heading" }, h("h2", {}, "Noise chart"), this.status_, this.controls_.element),
       this.problem_,
       this.outside_,
@@ -109,11 +127,14 @@ export class Chart {
     const missed = (["x", "y"] as const).filter((name) => !holds(state[name], here[name]));
     this.outside_.hidden = missed.length === 0;
     const what = missed
-      .map((name) => `${words(state[name].parameter)} ${quantity(here[name], this.unit_(state[name]))}`).join(" and ");
+      .map((name) => `${words(state[name].parameter)} ${quantity(here[name], this.unit_(state[name]))}`)
+      .join(" and ");
     if (this.outside_.dataset.what === what) return;
     this.outside_.dataset.what = what;
-    this.outside_.replaceChildren(`The design lies outside the chart: ${what}. `,
-      button("Widen the chart", () => this.widen_(), { id: "widen" }));
+    this.outside_.replaceChildren(
+      `The design lies outside the chart: ${what}. `,
+      button("Widen the chart", () => this.widen_(), { id: "widen" }),
+    );
   }
 
   private widen_(): void {
@@ -213,8 +234,10 @@ export class Chart {
     if (frame.done) dataset.charts = String(Number(dataset.charts ?? 0) + 1);
     this.box_.style.setProperty("--progress", frame.done ? "0" : String(frame.computed / frame.total));
     const kind = wish.preview ? "preview" : frame.done ? "" : "refining";
-    setText(this.status_, [`${frame.computed} of ${frame.total} cells run`, `${plain(took, 2)} ms`, kind]
-      .filter(Boolean).join(" · "));
+    setText(
+      this.status_,
+      [`${frame.computed} of ${frame.total} cells run`, `${plain(took, 2)} ms`, kind].filter(Boolean).join(" · "),
+    );
   }
 
   private design_(): { x: number; y: number } {
@@ -228,8 +251,8 @@ export class Chart {
 
   private panel_(direction: Direction): Panel {
     const canvas = h("canvas", {
-      tabindex: 0,
-      role: "application",
+      "tabindex": 0,
+      "role": "application",
       "aria-roledescription": "chart",
       "data-direction": direction,
       "aria-label": `Noise chart, ${direction}`,
@@ -242,8 +265,10 @@ export class Chart {
     canvas.addEventListener("pointerleave", () => this.leave_(panel));
     canvas.addEventListener("dblclick", () => this.unzoom_());
     canvas.addEventListener("keydown", (event) => this.key_(panel, event));
-    canvas.addEventListener("focus", () => this.store_.state.direction !== direction
-      && this.store_.update({ direction }, "replace"));
+    canvas.addEventListener(
+      "focus",
+      () => this.store_.state.direction !== direction && this.store_.update({ direction }, "replace"),
+    );
     return panel;
   }
 
@@ -255,8 +280,12 @@ export class Chart {
     paintDesign(panel.surface, box, this.data_, this.design_(), look);
     if (panel.drag) {
       const { x0, y0, x1, y1 } = panel.drag;
-      const area = { left: Math.min(x0, x1), top: Math.min(y0, y1), width: Math.abs(x1 - x0),
-        height: Math.abs(y1 - y0) };
+      const area = {
+        left: Math.min(x0, x1),
+        top: Math.min(y0, y1),
+        width: Math.abs(x1 - x0),
+        height: Math.abs(y1 - y0),
+      };
       paintFrame(panel.surface, area, look.palette);
     } else if (panel.hover) {
       paintFrame(panel.surface, cellBox(box, this.data_, panel.hover.ix, panel.hover.iy), look.palette);
@@ -346,8 +375,12 @@ export class Chart {
 
   private key_(panel: Panel, event: KeyboardEvent): void {
     if (!this.data_ || event.ctrlKey || event.metaKey || event.altKey) return;
-    const moves: Record<string, [number, number]> =
-      { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    const moves: Record<string, [number, number]> = {
+      ArrowLeft: [-1, 0],
+      ArrowRight: [1, 0],
+      ArrowUp: [0, 1],
+      ArrowDown: [0, -1],
+    };
     const by = moves[event.key];
     if (by) this.step_(panel, by[0] * (event.shiftKey ? 8 : 1), by[1] * (event.shiftKey ? 8 : 1));
     else if (event.key === "+" || event.key === "=") this.zoomAbout_();
@@ -426,8 +459,10 @@ export class Chart {
         regularity === null ? "" : `regularity ${plain(regularity, 3)}`,
         `joint ${level(levels.joint.level)} re 1 nm/s`,
       ];
-      setText(this.readout_, [this.cellText_(cell.direction, cell.ix, cell.iy), ...figures].filter(Boolean)
-        .join(" · "));
+      setText(
+        this.readout_,
+        [this.cellText_(cell.direction, cell.ix, cell.iy), ...figures].filter(Boolean).join(" · "),
+      );
     } catch (error) {
       if (!api.isAbort(error)) setText(this.readout_, api.sentence(error));
     }

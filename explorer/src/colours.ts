@@ -44,13 +44,13 @@ export const light: Palette = {
   warn: "#A3262A",
   traces: ["#004488", "#BB5566", "#8A6A12", "#3A7D44"],
   category: {
-    none: { ground: "#E6E6E6", texture: "plain", mark: "#E6E6E6" },
+    "none": { ground: "#E6E6E6", texture: "plain", mark: "#E6E6E6" },
     "none (sticks)": { ground: "#C4CCD4", texture: "plain", mark: "#C4CCD4" },
-    squeak: { ground: "#DDAA33", texture: "dots", mark: "#7A5500" },
-    squeal: { ground: "#BB5566", texture: "rising", mark: "#E8B4BC" },
-    creak: { ground: "#004488", texture: "falling", mark: "#6F9CCC" },
-    undecided: { ground: "#FFFFFF", texture: "dots", mark: "#666666" },
-    failed: { ground: "#FFFFFF", texture: "crossed", mark: "#888888" },
+    "squeak": { ground: "#DDAA33", texture: "dots", mark: "#7A5500" },
+    "squeal": { ground: "#BB5566", texture: "rising", mark: "#E8B4BC" },
+    "creak": { ground: "#004488", texture: "falling", mark: "#6F9CCC" },
+    "undecided": { ground: "#FFFFFF", texture: "dots", mark: "#666666" },
+    "failed": { ground: "#FFFFFF", texture: "crossed", mark: "#888888" },
   },
   state: { slip: "#88CCEE", stick: "#7A7A00", separation: "#301030" },
 };
@@ -69,13 +69,13 @@ export const dark: Palette = {
   warn: "#F28B82",
   traces: ["#6CA8E6", "#E07F8F", "#DDAA33", "#7CC48A"],
   category: {
-    none: { ground: "#30353B", texture: "plain", mark: "#30353B" },
+    "none": { ground: "#30353B", texture: "plain", mark: "#30353B" },
     "none (sticks)": { ground: "#4A525C", texture: "plain", mark: "#4A525C" },
-    squeak: { ground: "#E8BC55", texture: "dots", mark: "#6B4A00" },
-    squeal: { ground: "#CC6677", texture: "rising", mark: "#F3C6CD" },
-    creak: { ground: "#1F66AE", texture: "falling", mark: "#8FBCE8" },
-    undecided: { ground: "#1A1D21", texture: "dots", mark: "#9AA3AD" },
-    failed: { ground: "#1A1D21", texture: "crossed", mark: "#7D8690" },
+    "squeak": { ground: "#E8BC55", texture: "dots", mark: "#6B4A00" },
+    "squeal": { ground: "#CC6677", texture: "rising", mark: "#F3C6CD" },
+    "creak": { ground: "#1F66AE", texture: "falling", mark: "#8FBCE8" },
+    "undecided": { ground: "#1A1D21", texture: "dots", mark: "#9AA3AD" },
+    "failed": { ground: "#1A1D21", texture: "crossed", mark: "#7D8690" },
   },
   state: { slip: "#88CCEE", stick: "#B5B52B", separation: "#8C5A9E" },
 };
@@ -158,7 +158,10 @@ function newTile(fill: Fill, ratio: number): HTMLCanvasElement {
   pen.strokeStyle = pen.fillStyle = fill.mark;
   pen.lineWidth = Math.max(1, 0.9 * ratio);
   if (fill.texture === "dots") {
-    for (const [x, y] of [[0.25, 0.25], [0.75, 0.75]] as const) {
+    for (const [x, y] of [
+      [0.25, 0.25],
+      [0.75, 0.75],
+    ] as const) {
       pen.beginPath();
       pen.arc(x * size, y * size, 0.95 * ratio, 0, 2 * Math.PI);
       pen.fill();

@@ -29,7 +29,7 @@ export function select(
   change: (value: string) => void,
   attributes: Attributes = {},
 ): HTMLSelectElement {
-  const element = h("select", { "aria-label": label, ...attributes, onchange: () => change(element.value) });
+  const element = h("select", { "aria-label": label, ...attributes, "onchange": () => change(element.value) });
   setOptions(element, options);
   return element;
 }

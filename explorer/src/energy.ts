@@ -50,7 +50,7 @@ function balance({ energy, engine }: Simulation): HTMLElement {
 }
 
 function reasons({ phase, verdict }: PhaseResult): HTMLElement {
-  const swatch = h("span", { class: "swatch", "aria-hidden": "true" });
+  const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
   paintSwatch(swatch, verdict.category);
   const rows = verdict.margins.map((margin) =>
     h(

@@ -16,7 +16,11 @@ export function plain(value: number, digits = 4): string {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
   const size = Math.abs(value);
-  if (size >= 1e7 || size < 1e-4) return value.toExponential(digits - 1).replace(/\.?0+e/, "e").replace("e+", "e");
+  if (size >= 1e7 || size < 1e-4)
+    return value
+      .toExponential(digits - 1)
+      .replace(/\.?0+e/, "e")
+      .replace("e+", "e");
   return String(Number(value.toPrecision(digits)));
 }
 
@@ -81,8 +85,9 @@ export function symbolParts(symbol: string): [string, string] {
   return [head, below];
 }
 
-const lowered: Record<string, string> =
-  { ...Object.fromEntries([..."0123456789"].map((d, i) => [d, "₀₁₂₃₄₅₆₇₈₉"[i] ?? d])) };
+const lowered: Record<string, string> = {
+  ...Object.fromEntries([..."0123456789"].map((d, i) => [d, "₀₁₂₃₄₅₆₇₈₉"[i] ?? d])),
+};
 
 /** A symbol as text, where nothing can be set lower: "μd", "k₁i". */
 export function symbolText(symbol: string): string {

@@ -93,9 +93,13 @@ export function paintLanes(surface: Surface, trees: Pyramids, view: LanesView): 
   const room = (height - bandHeight - axisHeight) / Math.max(view.lanes.length, 1);
   paintTimes(surface, view, x);
   view.lanes.forEach((lane, k) =>
-    paintLane(surface, trees, view, lane, { top: bandHeight + k * room + 6, height: room - 10, inner }));
+    paintLane(surface, trees, view, lane, { top: bandHeight + k * room + 6, height: room - 10, inner }),
+  );
   pen.lineWidth = 1;
-  for (const [time, colour] of [[view.hover, view.palette.muted], [view.playhead, view.palette.accent]] as const) {
+  for (const [time, colour] of [
+    [view.hover, view.palette.muted],
+    [view.playhead, view.palette.accent],
+  ] as const) {
     if (time === null || time < view.span[0] || time > view.span[1]) continue;
     pen.strokeStyle = colour;
     pen.beginPath();
@@ -132,7 +136,7 @@ function paintBand(surface: Surface, motion: Motion, view: LanesView, inner: num
     pen.fillRect(marginLeft, top, inner, bandRow - 1);
     pen.fillStyle = view.palette.state[state];
     const share = shares[row] as Float32Array;
-    for (let k = 0; k < count; ) {
+    for (let k = 0; k < count;) {
       const value = share[k] as number;
       let end = k + 1;
       while (end < count && Math.abs((share[end] as number) - value) < 0.02) ++end;
@@ -187,7 +191,10 @@ function paintLane(surface: Surface, trees: Pyramids, view: LanesView, lane: Lan
     .map((curve) => ({ ...curve, tree: trees.of(curve.column) }))
     .filter((curve): curve is typeof curve & { tree: Pyramid } => curve.tree !== null)
     .map((curve) => ({ ...curve, parts: columns(curve.tree, first, end, count) }));
-  const [low, high] = limits(curves.map(({ parts }) => parts), lane.spiky);
+  const [low, high] = limits(
+    curves.map(({ parts }) => parts),
+    lane.spiky,
+  );
   const y = (value: number): number => box.top + (box.height * (high - value)) / (high - low);
 
   pen.font = font(10);
@@ -228,8 +235,12 @@ function paintLane(surface: Surface, trees: Pyramids, view: LanesView, lane: Lan
  * A bar per pixel from the smallest to the largest value, long enough to meet its neighbour:
  * far cheaper than a path.
  */
-function fillParts(pen: CanvasRenderingContext2D, parts: Float32Array, y: (value: number) => number,
-    step: number): void {
+function fillParts(
+  pen: CanvasRenderingContext2D,
+  parts: Float32Array,
+  y: (value: number) => number,
+  step: number,
+): void {
   let [before, after] = [NaN, NaN]; // top and bottom of the last bar
   for (let part = 0; 2 * part < parts.length; ++part) {
     let top = y(parts[2 * part + 1] as number);

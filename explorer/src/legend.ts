@@ -23,7 +23,7 @@ export class Legend {
     const names = ["none", "none (sticks)", "squeak", "squeal", "creak", "undecided", ...(gaps ? ["failed"] : [])];
     this.element.replaceChildren(
       ...names.map((name) => {
-        const swatch = h("span", { class: "swatch", "aria-hidden": "true" });
+        const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
         paintSwatch(swatch, name);
         return h("span", { class: "entry" }, swatch, name === "failed" ? "no result" : name);
       }),
@@ -33,12 +33,15 @@ export class Legend {
   private scale_(data: ChartData, figure: string, start: Start): void {
     const unit = start.figures.find(({ name }) => name === figure)?.unit ?? "";
     const [low, high] = data.figureRange;
-    const bar = h("span", { class: "scale", "aria-hidden": "true" });
+    const bar = h("span", { "class": "scale", "aria-hidden": "true" });
     const stops = Array.from({ length: 11 }, (_, k) => `rgb(${sequential(k / 10).join(" ")})`);
     bar.style.backgroundImage = `linear-gradient(to right, ${stops.join(", ")})`;
     this.element.replaceChildren(
-      h("span", { class: "entry" },
-        `${words(figure)}  ${unit.startsWith("dB") ? low.toFixed(1) : quantity(low, unit)}`),
+      h(
+        "span",
+        { class: "entry" },
+        `${words(figure)}  ${unit.startsWith("dB") ? low.toFixed(1) : quantity(low, unit)}`,
+      ),
       bar,
       h("span", { class: "entry" }, quantity(high, unit)),
       unit.startsWith("dB") ? h("span", { class: "muted" }, "vibration, not sound pressure") : "",

@@ -19,18 +19,29 @@ export class LibraryView implements ViewPart {
   private readonly slot_ = new SoundSlot("recording");
   private readonly search_: HTMLInputElement;
   private readonly asked_ = new Asked<null, Library>(
-    (_, signal) => api.library(signal), () => this.list_(), "Opening the library …");
+    (_, signal) => api.library(signal),
+    () => this.list_(),
+    "Opening the library …",
+  );
   private chosen_: number | null = null;
 
   constructor(private readonly store_: Store) {
-    this.search_ = h("input",
-      { type: "text", placeholder: "filter", "aria-label": "Filter the recordings", oninput: () => this.list_() });
+    this.search_ = h("input", {
+      "type": "text",
+      "placeholder": "filter",
+      "aria-label": "Filter the recordings",
+      "oninput": () => this.list_(),
+    });
     this.slot_.clear();
     this.element = h(
       "div",
       { class: "library" },
-      h("div", { class: "list" }, h("div", { class: "bar" }, this.search_, this.asked_.note),
-        h("table", { id: "library" }, h("thead", {}, this.head_), this.body_)),
+      h(
+        "div",
+        { class: "list" },
+        h("div", { class: "bar" }, this.search_, this.asked_.note),
+        h("table", { id: "library" }, h("thead", {}, this.head_), this.body_),
+      ),
       h(
         "div",
         { class: "detail" },
@@ -74,12 +85,17 @@ export class LibraryView implements ViewPart {
       return h("td", {}, text);
     };
     const level = quantity(entry.figures?.level, library.units["figures.level"] ?? "");
-    const open = button(String(entry.id), () => this.choose_(entry),
-      { class: "quiet", "aria-label": `Open recording ${entry.id}: ${describe(entry)}` });
+    const open = button(String(entry.id), () => this.choose_(entry), {
+      "class": "quiet",
+      "aria-label": `Open recording ${entry.id}: ${describe(entry)}`,
+    });
     return h(
       "tr",
-      { "data-entry": entry.id, "aria-selected": String(entry.id === this.chosen_),
-        onclick: () => this.choose_(entry) },
+      {
+        "data-entry": entry.id,
+        "aria-selected": String(entry.id === this.chosen_),
+        "onclick": () => this.choose_(entry),
+      },
       h("td", {}, swatch),
       h("td", {}, open),
       ...fields.map(cell),

@@ -14,8 +14,11 @@ export class Listen implements ViewPart {
   private readonly a_ = new SoundSlot("A");
   private readonly b_ = new SoundSlot("B");
   private readonly picker_ = new SoundPicker(() => this.last_ && this.show(this.last_));
-  private readonly hint_ =
-    h("p", { class: "note" }, "Keep this cell as B, then choose another one on the chart: A follows, B stays.");
+  private readonly hint_ = h(
+    "p",
+    { class: "note" },
+    "Keep this cell as B, then choose another one on the chart: A follows, B stays.",
+  );
   private readonly flip_: HTMLButtonElement;
   private readonly recordings_: HTMLSelectElement;
   private entries_: LibraryEntry[] | null = null;
@@ -25,8 +28,11 @@ export class Listen implements ViewPart {
     private readonly store_: Store,
     private readonly start_: Start,
   ) {
-    this.flip_ = button("A ⇄ B", () => this.switch(),
-      { id: "flip", class: "primary", title: "Hear the other one from the same place on (x)" });
+    this.flip_ = button("A ⇄ B", () => this.switch(), {
+      id: "flip",
+      class: "primary",
+      title: "Hear the other one from the same place on (x)",
+    });
     this.recordings_ = select("Recording as B", [["", "a recording as B …"]], (id) => {
       if (id) store_.update({ other: { library: Number(id) } });
     });
@@ -52,8 +58,10 @@ export class Listen implements ViewPart {
     const { state } = context;
     if (context.step === "drag") return;
     const { options } = this.picker_;
-    this.a_.show(`A: ${this.nameOf_(state.design, options.direction === "whole" ? null : options.direction)}`,
-      { design: state.design, options });
+    this.a_.show(`A: ${this.nameOf_(state.design, options.direction === "whole" ? null : options.direction)}`, {
+      design: state.design,
+      options,
+    });
     this.showOther_(state.other);
     if (this.start_.library) void this.loadRecordings_();
   }
@@ -115,7 +123,8 @@ export class Listen implements ViewPart {
 
 /** A recording in a few words. */
 export function describe(entry: LibraryEntry): string {
-  const known = ["title", "name", "system", "denomination"].map((name) => entry[name])
+  const known = ["title", "name", "system", "denomination"]
+    .map((name) => entry[name])
     .filter((value) => typeof value === "string");
   return known.join(", ") || `entry ${entry.id}`;
 }

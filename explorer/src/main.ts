@@ -66,8 +66,12 @@ class Page {
     this.chart_ = new Chart(store, start_, (error) => this.complain_(error));
     this.mechanism_ = new Mechanism(this.clock_);
     const first = { response: new Response(store, this.motions_, this.clock_) };
-    this.views_ = new Views(store, first, async () => (await later()).viewsOf(store, start_),
-      (view) => view !== "library" || start_.library);
+    this.views_ = new Views(
+      store,
+      first,
+      async () => (await later()).viewsOf(store, start_),
+      (view) => view !== "library" || start_.library,
+    );
     this.motions_.listen(() => {
       const { motion } = this.motions_;
       if (motion && this.simulation_) this.mechanism_.show(motion, this.simulation_, store.state.direction);
@@ -88,14 +92,28 @@ class Page {
       { class: "tools" },
       this.tourButton_,
       new Share(this.store_, this.start_, this.chart_).element,
-      button("◐", () => this.nextTheme_(),
-        { id: "theme", class: "icon", "aria-label": "Change the theme", title: "Theme: the system's, light, dark" }),
-      button("?", () => void this.help_(),
-        { id: "help-button", class: "icon", "aria-label": "Keys", title: "Keys (?)" }),
+      button("◐", () => this.nextTheme_(), {
+        "id": "theme",
+        "class": "icon",
+        "aria-label": "Change the theme",
+        "title": "Theme: the system's, light, dark",
+      }),
+      button("?", () => void this.help_(), {
+        "id": "help-button",
+        "class": "icon",
+        "aria-label": "Keys",
+        "title": "Keys (?)",
+      }),
     );
     document.body.replaceChildren(
-      h("header", {}, h("h1", { title: `Stridor ${this.start_.version}` }, "Stridor"), this.verdict_.element,
-        this.verdict_.announcement, tools),
+      h(
+        "header",
+        {},
+        h("h1", { title: `Stridor ${this.start_.version}` }, "Stridor"),
+        this.verdict_.element,
+        this.verdict_.announcement,
+        tools,
+      ),
       this.complaint_.element,
       h("main", {}, this.parameters_.element, this.mechanism_.element, this.chart_.element, this.views_.element),
     );

@@ -85,7 +85,7 @@ function paintCategories(surface: Surface, box: Box, data: ChartData, direction:
     const top = rows[y.points - 1 - iy] as number;
     const height = (rows[y.points - iy] as number) - top;
     const row = indexOf(data, direction, 0, iy);
-    for (let ix = 0; ix < x.points; ) {
+    for (let ix = 0; ix < x.points;) {
       const category = data.category[row + ix] as number;
       let end = ix + 1;
       while (end < x.points && data.category[row + end] === category) ++end;
@@ -186,8 +186,11 @@ function paintNames(surface: Surface, box: Box, data: ChartData, direction: Dire
 
 function paintFrameOf(surface: Surface, box: Box, data: ChartData, look: Look): void {
   const { pen } = surface;
-  const axis = (frame: ChartAxisFrame, title: string): AxisLook =>
-    ({ ...frame, title, place: (value) => place(value, frame) });
+  const axis = (frame: ChartAxisFrame, title: string): AxisLook => ({
+    ...frame,
+    title,
+    place: (value) => place(value, frame),
+  });
   paintAxes(pen, look.palette, box, axis(data.x, look.xTitle), axis(data.y, look.yTitle));
   pen.fillStyle = look.palette.ink;
   pen.font = font(12, look.chosen ? 650 : 500);
@@ -204,8 +207,13 @@ function mark(pen: CanvasRenderingContext2D, x0: number, y0: number, x1: number,
 }
 
 /** Where the design lies: hair lines and a ring that is seen on every ground. */
-export function paintDesign(surface: Surface, box: Box, data: ChartData, design: { x: number; y: number },
-    look: Look): void {
+export function paintDesign(
+  surface: Surface,
+  box: Box,
+  data: ChartData,
+  design: { x: number; y: number },
+  look: Look,
+): void {
   const { pen } = surface;
   const px = box.left + box.width * place(design.x, data.x);
   const py = box.top + box.height * (1 - place(design.y, data.y));
@@ -213,7 +221,10 @@ export function paintDesign(surface: Surface, box: Box, data: ChartData, design:
   pen.beginPath();
   pen.rect(box.left - 1, box.top - 1, box.width + 2, box.height + 2);
   pen.clip();
-  for (const [colour, width] of [["#FFFFFF", 2.6], ["#111418", 1.2]] as const) {
+  for (const [colour, width] of [
+    ["#FFFFFF", 2.6],
+    ["#111418", 1.2],
+  ] as const) {
     pen.globalAlpha = look.chosen ? 0.85 : 0.4;
     pen.strokeStyle = colour;
     pen.lineWidth = width;

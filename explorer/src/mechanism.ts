@@ -34,23 +34,35 @@ export class Mechanism {
   private placed_: Direction | null = null;
 
   constructor(readonly clock: Clock) {
-    const canvas = h("canvas", { role: "img", tabindex: 0, id: "mechanism", "aria-label": "The rubbing system" });
+    const canvas = h("canvas", { "role": "img", "tabindex": 0, "id": "mechanism", "aria-label": "The rubbing system" });
     this.surface_ = surface(canvas, (s) => this.paint_(s));
     this.play_ = button("❚❚", () => clock.toggle(), { id: "play", class: "icon", title: "Play or pause (space)" });
-    this.scrub_ = h("input", { type: "range", min: 0, max: 10_000, step: 1, id: "scrub", "aria-label": "Time" });
+    this.scrub_ = h("input", {
+      "type": "range",
+      "min": 0,
+      "max": 10_000,
+      "step": 1,
+      "id": "scrub",
+      "aria-label": "Time",
+    });
     this.scrub_.addEventListener("input", () => {
       clock.seek(clock.from + ((clock.to - clock.from) * this.scrub_.valueAsNumber) / 10_000);
     });
     const options = slowness.map((slow) => [String(slow), slow === 1 ? "real time" : `1/${slow} speed`] as const);
-    this.speed_ = select("Speed", options, (value) => {
-      clock.slow = Number(value);
-      this.ownSpeed_ = false;
-    }, { id: "speed", title: "How much slower than in truth" });
+    this.speed_ = select(
+      "Speed",
+      options,
+      (value) => {
+        clock.slow = Number(value);
+        this.ownSpeed_ = false;
+      },
+      { id: "speed", title: "How much slower than in truth" },
+    );
     canvas.addEventListener("keydown", (event) => this.key_(event));
     canvas.addEventListener("click", () => clock.toggle());
     this.element = h(
       "section",
-      { class: "panel mechanism", "aria-label": "Mechanism" },
+      { "class": "panel mechanism", "aria-label": "Mechanism" },
       h("div", { class: "heading" }, h("h2", {}, "Rubbing system"), h("span", { class: "spacer" }), this.speed_),
       h("div", { class: "stage" }, canvas),
       h("div", { class: "transport" }, this.play_, this.scrub_),
@@ -72,7 +84,8 @@ export class Mechanism {
       const frequency = phaseOf(simulation, direction)?.verdict.frequency ?? 400;
       const wanted = frequency / wantedRate;
       clock.slow = slowness.reduce((best, slow) =>
-        (Math.abs(Math.log(slow / wanted)) < Math.abs(Math.log(best / wanted)) ? slow : best));
+        Math.abs(Math.log(slow / wanted)) < Math.abs(Math.log(best / wanted)) ? slow : best,
+      );
       this.speed_.value = String(clock.slow);
     }
     const velocity = valueAt(motion, "surface_velocity", clock.time);
@@ -168,8 +181,11 @@ export class Mechanism {
     for (const [direction, name] of axes) {
       const up = direction.y > 0.05 ? -1 : 1; // a spring pulls alike on either side: keep it above the plate
       const d = { x: direction.x * up, y: direction.y * up };
-      const reach = Math.min((width / 2 - 26) / Math.max(Math.abs(d.x), 1e-6), (home.y - 20) / Math.max(-d.y, 1e-6),
-        0.47 * height);
+      const reach = Math.min(
+        (width / 2 - 26) / Math.max(Math.abs(d.x), 1e-6),
+        (home.y - 20) / Math.max(-d.y, 1e-6),
+        0.47 * height,
+      );
       const anchor = { x: home.x + d.x * reach, y: home.y + d.y * reach };
       pen.strokeStyle = colours.ink;
       springDashpot(pen, { x: body.x + d.x * 14, y: body.y + d.y * 14 }, anchor);
@@ -204,9 +220,10 @@ export class Mechanism {
     pen.restore();
     pen.fillStyle = palette().muted;
     const at = alpha > Math.PI / 2 ? alpha - Math.PI / 4 : Math.min(0.38 * alpha, 0.42);
-    const place = alpha < 1
-      ? { x: home.x + (isNarrow ? radius - 4 : radius + 12), y: home.y + 11 }
-      : { x: home.x + 64 * Math.cos(at) - 5, y: home.y - 64 * Math.sin(at) };
+    const place =
+      alpha < 1
+        ? { x: home.x + (isNarrow ? radius - 4 : radius + 12), y: home.y + 11 }
+        : { x: home.x + 64 * Math.cos(at) - 5, y: home.y - 64 * Math.sin(at) };
     sign(pen, ["α", ""], place, 15);
   }
 
@@ -280,16 +297,24 @@ export class Mechanism {
     const [N, T] = [this.at_("normal_force") * this.scales_.force, this.at_("friction_force") * this.scales_.force];
     if (state !== "separation") {
       arrow(pen, contact, { x: contact.x, y: contact.y - Math.min(N, 52) }, colours.traces[0], colours.panel);
-      arrow(pen, contact, { x: contact.x + Math.min(Math.max(T, -70), 70), y: contact.y }, colours.traces[1],
-        colours.panel);
+      arrow(
+        pen,
+        contact,
+        { x: contact.x + Math.min(Math.max(T, -70), 70), y: contact.y },
+        colours.traces[1],
+        colours.panel,
+      );
       pen.fillStyle = colours.traces[0];
       if (N > 28) sign(pen, ["N", ""], { x: contact.x + 7, y: contact.y - Math.min(N, 52) + 4 });
       pen.fillStyle = colours.traces[1];
       if (Math.abs(T) > 16)
         sign(pen, ["T", ""], { x: contact.x + Math.min(Math.max(T, -70), 70) + (T > 0 ? 5 : -16), y: contact.y + 12 });
     }
-    this.paintContact_(pen,
-      { x: contact.x, y: state === "separation" ? (contact.y + plateTop) / 2 : contact.y }, state);
+    this.paintContact_(
+      pen,
+      { x: contact.x, y: state === "separation" ? (contact.y + plateTop) / 2 : contact.y },
+      state,
+    );
   }
 
   /** The contact point, its state in colour and in form: stick a square, slip a disc, separation a ring. */

@@ -30,15 +30,25 @@ export class Modes implements ViewPart {
   private last_: Context | null = null;
 
   constructor(private readonly start_: Start) {
-    this.over_ = select("Over which parameter", [], (key) => {
-      this.key_ = key;
-      if (this.last_) this.show(this.last_);
-    }, { id: "modes-over" });
+    this.over_ = select(
+      "Over which parameter",
+      [],
+      (key) => {
+        this.key_ = key;
+        if (this.last_) this.show(this.last_);
+      },
+      { id: "modes-over" },
+    );
     this.element = h(
       "div",
       { class: "modes" },
-      h("div", { class: "bar" }, h("label", {}, h("span", { class: "muted" }, "over "), this.over_), this.verdict_,
-        this.asked_.note),
+      h(
+        "div",
+        { class: "bar" },
+        h("label", {}, h("span", { class: "muted" }, "over "), this.over_),
+        this.verdict_,
+        this.asked_.note,
+      ),
       h("div", { class: "two" }, this.frequency_.element, this.growth_.element),
     );
   }
@@ -49,8 +59,10 @@ export class Modes implements ViewPart {
     if (!simulation || context.step === "drag") return;
     const known = variedIn(simulation.case, this.start_.fields).filter(({ key }) => !key.startsWith("drive."));
     if (!known.some(({ key }) => key === this.key_)) this.key_ = known[0]?.key ?? this.key_;
-    setOptions(this.over_,
-      known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")]));
+    setOptions(
+      this.over_,
+      known.map(({ key, symbol }) => [key, title(key) + (symbol ? ` ${symbolText(symbol)}` : "")]),
+    );
     this.over_.value = this.key_;
     const usual = known.find(({ key }) => key === this.key_)?.usual ?? { from: 0, to: 1 };
     let { to } = usual;
@@ -79,8 +91,14 @@ export class Modes implements ViewPart {
       ...direction.boundaries.map(({ value, above }) => ({ x: value, label: above })),
     ];
     this.frequency_.show({ x, xTitle, yTitle: "frequency [Hz]", marks, curves: branches(direction, "frequency") });
-    this.growth_.show({ x, xTitle, yTitle: "growth rate [1/s]", marks, zeroLine: true,
-      curves: branches(direction, "growth") });
+    this.growth_.show({
+      x,
+      xTitle,
+      yTitle: "growth rate [1/s]",
+      marks,
+      zeroLine: true,
+      curves: branches(direction, "growth"),
+    });
     const onset = direction.boundaries
       .map(({ value, below, above }) => `${below} → ${above} at ${quantity(value, field?.unit ?? "", 4)}`)
       .join("; ");

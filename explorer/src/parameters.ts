@@ -96,7 +96,7 @@ interface Row {
 }
 
 export class Parameters {
-  readonly element = h("section", { class: "panel parameters", "aria-label": "Parameters" });
+  readonly element = h("section", { "class": "panel parameters", "aria-label": "Parameters" });
   private readonly rows_: Row[] = [];
   private readonly groups_ = new Map<string, HTMLElement>();
   private readonly presets_ = new Map<string, HTMLInputElement>();
@@ -154,7 +154,7 @@ export class Parameters {
     const group = h("fieldset", { id: "preset", class: "segments" }, h("legend", { class: "unseen" }, "Case"));
     for (const preset of this.start_.presets) {
       const { name, title } = preset;
-      const input = h("input", { type: "radio", name: "preset", value: name, "data-preset": name });
+      const input = h("input", { "type": "radio", "name": "preset", "value": name, "data-preset": name });
       input.addEventListener("change", () => this.store_.update(begun(this.start_, preset, this.store_.state)));
       this.presets_.set(name, input);
       group.append(h("label", { title }, input, h("span", {}, name)));
@@ -217,9 +217,9 @@ export class Parameters {
     const keys = [field.key, ...(dependants[field.key] ?? [])];
     const reset = (): void => this.store_.update({ design: withoutKeys(this.store_.state.design, keys) });
     return button("↺", reset, {
-      class: "reset",
+      "class": "reset",
       "data-reset": field.key,
-      title: "Back to the preset's value",
+      "title": "Back to the preset's value",
       "aria-label": `Reset ${title(field.key)}`,
     });
   }
@@ -227,10 +227,10 @@ export class Parameters {
   private quantityRow_(field: QuantityField): Row {
     const { key, unit } = field;
     const number = h("input", {
-      type: "text",
-      inputmode: "decimal",
-      autocomplete: "off",
-      spellcheck: "false",
+      "type": "text",
+      "inputmode": "decimal",
+      "autocomplete": "off",
+      "spellcheck": "false",
       "data-field": key,
       "aria-label": `${title(key)}, ${unitText(unit) || "no unit"}`,
     });
@@ -250,10 +250,13 @@ export class Parameters {
       const value = plainNumber(text);
       if (value !== null) this.set_(field, exact(value), "push");
       else
-        void api.value(key, text).then((meant) => take(text, meant), (error: unknown) => {
-          refused = true;
-          this.complain_(error);
-        });
+        void api.value(key, text).then(
+          (meant) => take(text, meant),
+          (error: unknown) => {
+            refused = true;
+            this.complain_(error);
+          },
+        );
     };
     const take = (text: string, meant: number): void => {
       if (number.value !== text) return; // typed over while it was read
@@ -270,7 +273,7 @@ export class Parameters {
 
     const element = h(
       "div",
-      { class: slider ? "row" : "row short", "data-row": key, title: field.sentence },
+      { "class": slider ? "row" : "row short", "data-row": key, "title": field.sentence },
       h("label", { class: "name" }, field.symbol ? symbol(symbolParts(field.symbol)) : null, h("span", {}, words(key))),
       reset,
       number,
@@ -290,18 +293,19 @@ export class Parameters {
 
   private choiceRow_(field: Extract<Field, { kind: "choice" }>): Row {
     const choices = field.choices.map((name) => [name, name] as const);
-    const picker = select(field.sentence, choices, (value) => this.set_(field, value, "push"),
-      { "data-key": field.key });
+    const picker = select(field.sentence, choices, (value) => this.set_(field, value, "push"), {
+      "data-key": field.key,
+    });
     const element = h(
       "div",
-      { class: "row choice", "data-row": field.key, title: field.sentence },
+      { "class": "row choice", "data-row": field.key, "title": field.sentence },
       h("label", { class: "name" }, h("span", {}, words(field.key))),
       this.resetButton_(field),
       picker,
     );
     const show = (value: number | string): void => {
-      for (const option of picker.options)
-        option.disabled = option.value === "sampled" && value !== "sampled";  // it would need a file
+      // samples would need a file
+      for (const option of picker.options) option.disabled = option.value === "sampled" && value !== "sampled";
       picker.value = String(value);
     };
     return { field, element, show };
@@ -318,8 +322,14 @@ class Slider {
     private usual_: Usual,
     change: (value: string, step: "push" | "drag") => void,
   ) {
-    this.input =
-      h("input", { type: "range", min: 0, max: steps, step: 1, "data-key": field.key, "aria-label": field.sentence });
+    this.input = h("input", {
+      "type": "range",
+      "min": 0,
+      "max": steps,
+      "step": 1,
+      "data-key": field.key,
+      "aria-label": field.sentence,
+    });
     this.input.addEventListener("input", () => change(exact(this.value_()), "drag"));
     this.input.addEventListener("change", () => change(exact(this.value_()), "push"));
   }

@@ -35,7 +35,7 @@ export class Plot {
   private content_: PlotContent | null = null;
 
   constructor(private readonly name_: string) {
-    this.element = h("div", { class: "plot", role: "img", "aria-label": name_, "data-plot": name_ }, this.host_);
+    this.element = h("div", { "class": "plot", "role": "img", "aria-label": name_, "data-plot": name_ }, this.host_);
     onTheme(() => this.remake_());
     new ResizeObserver(() => this.resize_()).observe(this.host_);
   }

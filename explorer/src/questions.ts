@@ -73,7 +73,10 @@ const friction = (tried: Simulation, kind: "static" | "kinetic"): number =>
 
 const hasDrop = (tried: Simulation): boolean => friction(tried, "static") > friction(tried, "kinetic") * (1 + 1e-9);
 
-const staysOrGoes: Choice[] = [["stays", "the noise stays"], ["goes", "the noise goes"]];
+const staysOrGoes: Choice[] = [
+  ["stays", "the noise stays"],
+  ["goes", "the noise goes"],
+];
 
 export const questions: readonly Question[] = [
   {
@@ -83,7 +86,11 @@ export const questions: readonly Question[] = [
       "you raise it, what will the joint do while the plate is going to the right?",
     design: { preset: "squeal", set: { "contact.kinetic_friction": "0.3" } },
     view: "response",
-    choices: () => [["none", "stay quiet"], ["creak", "creak, slowly"], ["squeal", "squeal"]],
+    choices: () => [
+      ["none", "stay quiet"],
+      ["creak", "creak, slowly"],
+      ["squeal", "squeal"],
+    ],
     task: {
       text: "Now drag kinetic friction μd up, slowly, until it makes a noise.",
       key: "contact.kinetic_friction",
@@ -116,7 +123,12 @@ export const questions: readonly Question[] = [
       "Coming, friction lifts it off. Now lean it the other way, from 70° to 110°. Which way will it squeal?",
     design: { preset: "squeal", set: {} },
     view: "response",
-    choices: () => [["going", "going"], ["coming", "coming"], ["both", "both ways"], ["neither", "neither way"]],
+    choices: () => [
+      ["going", "going"],
+      ["coming", "coming"],
+      ["both", "both ways"],
+      ["neither", "neither way"],
+    ],
     task: {
       text: "Now drag the incidence angle α past the upright to 110°.",
       key: "joint.incidence_angle",
@@ -162,6 +174,6 @@ export const questions: readonly Question[] = [
     answer: (tried) => (isNoisy(tried) ? "stays" : "goes"),
     says: async (tried, design) =>
       `Without the drop it ${does(tried, "going")} going, and ${does(tried, "coming")} coming. ` +
-        await sliding(design),
+      (await sliding(design)),
   },
 ];

@@ -38,15 +38,25 @@ export class Quiet implements ViewPart {
     private readonly store_: Store,
     start: Start,
   ) {
-    this.quantities_ =
-      start.fields.filter((field): field is QuantityField => field.kind === "quantity" && field.usual !== null);
+    this.quantities_ = start.fields.filter(
+      (field): field is QuantityField => field.kind === "quantity" && field.usual !== null,
+    );
     this.element = h(
       "div",
       { class: "quiet-view" },
-      h("div", { class: "wide" }, h("h3", {}, "Margins along each parameter, the one that buys most first"),
-        this.asked_.note, this.margins_),
-      h("div", { class: "side" }, this.change_,
-        h("div", { class: "card" }, h("h3", {}, "Chance of noise under tolerances"), this.tolerances_, this.chance_)),
+      h(
+        "div",
+        { class: "wide" },
+        h("h3", {}, "Margins along each parameter, the one that buys most first"),
+        this.asked_.note,
+        this.margins_,
+      ),
+      h(
+        "div",
+        { class: "side" },
+        this.change_,
+        h("div", { class: "card" }, h("h3", {}, "Chance of noise under tolerances"), this.tolerances_, this.chance_),
+      ),
     );
   }
 
@@ -70,7 +80,7 @@ export class Quiet implements ViewPart {
       this.chance_,
       chance
         ? `${percent(chance.noise)} of such designs are noisy (${percent(chance.low)} to ${percent(chance.high)} ` +
-          `with ${percent(chance.confidence, 0)} confidence, ${chance.samples} runs)`
+            `with ${percent(chance.confidence, 0)} confidence, ${chance.samples} runs)`
         : "Say how far parameters may stray, and the chance of noise is estimated.",
     );
   }
@@ -79,7 +89,7 @@ export class Quiet implements ViewPart {
     const field = this.field_(margin.key);
     const place = (value: number): number =>
       100 * Math.min(Math.max(share(value, margin.from, margin.to, margin.scale), 0), 1);
-    const bar = h("div", { class: "margin-bar", "aria-hidden": "true" });
+    const bar = h("div", { "class": "margin-bar", "aria-hidden": "true" });
     // each designs' verdict reaches half way to the next ones
     let end = 0;
     margin.scan.forEach(({ value, category }, at) => {
@@ -98,16 +108,19 @@ export class Quiet implements ViewPart {
     bar.append(needle);
     const say = (bound: AdviceMargin["below"], word: string): string =>
       bound ? `${bound.category} ${word} ${quantity(bound.value, margin.unit)}` : "";
-    const text = [say(margin.below, "below"), say(margin.above, "above")].filter(Boolean).join(", ")
-      || `${here} all along`;
+    const text =
+      [say(margin.below, "below"), say(margin.above, "above")].filter(Boolean).join(", ") || `${here} all along`;
     const try_ = (bound: AdviceMargin["below"]): HTMLElement | null =>
       bound && bound.category === "none" && here !== "none"
-        ? button(`go to ${quantity(bound.value, margin.unit, 3)}`,
-          () => this.apply_([{ key: margin.key, to: bound.value }]), { class: "quiet" })
+        ? button(
+            `go to ${quantity(bound.value, margin.unit, 3)}`,
+            () => this.apply_([{ key: margin.key, to: bound.value }]),
+            { class: "quiet" },
+          )
         : null;
     return h(
       "div",
-      { class: "margin", "data-margin": margin.key },
+      { "class": "margin", "data-margin": margin.key },
       h("span", { class: "name" }, field?.symbol ? symbol(symbolParts(field.symbol)) : null, title(margin.key)),
       h("span", { class: "end muted" }, quantity(margin.from, margin.unit, 3)),
       bar,
@@ -119,19 +132,25 @@ export class Quiet implements ViewPart {
   private paintChange_(advice: Advice, design: Design): void {
     const { change } = advice;
     const quietNow = advice.present.category === "none";
-    const lines: (HTMLElement | null)[] =
-      [h("h3", {}, quietNow ? "The design is quiet" : "The smallest change that keeps it quiet")];
+    const lines: (HTMLElement | null)[] = [
+      h("h3", {}, quietNow ? "The design is quiet" : "The smallest change that keeps it quiet"),
+    ];
     if (change) {
       const steps = change.set.map(({ key, from, to }) => {
         const unit = this.field_(key)?.unit ?? "";
         return h("li", {}, h("b", {}, title(key)), ` ${quantity(from, unit)} → ${quantity(to, unit)}`);
       });
       const verified = Object.entries(change.verified.phases)
-        .map(([phase, category]) => `${phase}: ${category}`).join(", ");
+        .map(([phase, category]) => `${phase}: ${category}`)
+        .join(", ");
       lines.push(
         h("ul", {}, ...steps),
-        h("p", { class: "muted" }, `verified by ${change.verified.runs} runs: ${verified}; ` +
-          `${plain(change.distance, 3)} of the usual ranges away`),
+        h(
+          "p",
+          { class: "muted" },
+          `verified by ${change.verified.runs} runs: ${verified}; ` +
+            `${plain(change.distance, 3)} of the usual ranges away`,
+        ),
         button("Apply", () => this.apply_(change.set), { id: "apply-change", class: "primary" }),
         h("span", { class: "muted" }, " back undoes it"),
       );
@@ -140,8 +159,13 @@ export class Quiet implements ViewPart {
     }
     const as = quietNow ? "noisy" : "quiet";
     const { nearest } = advice;
-    lines.push(h("p", { id: "nearest" },
-      `As a whole: ${nearest ? `nearest ${as} design ${plain(nearest.distance, 3)} away` : `no ${as} design found`}`));
+    lines.push(
+      h(
+        "p",
+        { id: "nearest" },
+        `As a whole: ${nearest ? `nearest ${as} design ${plain(nearest.distance, 3)} away` : `no ${as} design found`}`,
+      ),
+    );
     this.change_.dataset.preset = design.preset;
     this.change_.replaceChildren(...lines.filter((line): line is HTMLElement => line !== null));
   }
@@ -154,28 +178,42 @@ export class Quiet implements ViewPart {
   private showTolerances_(): void {
     if (this.tolerances_.contains(document.activeElement)) return;
     const resolved = this.last_?.simulation?.case;
-    const known = this.quantities_.filter(({ key }) => resolved && valueIn(resolved, key) !== undefined
-      && !followsTemperature(resolved, key));
+    const known = this.quantities_.filter(
+      ({ key }) => resolved && valueIn(resolved, key) !== undefined && !followsTemperature(resolved, key),
+    );
     const options = known.map(({ key }) => [key, title(key)] as const);
     const rows = this.wanted_.map((tolerance, at) => {
       const picker = select("Parameter", [], (key) => this.tolerate_(at, { ...tolerance, key }));
       setOptions(picker, options);
       picker.value = tolerance.key;
-      const input = h("input", { type: "text", inputmode: "decimal", value: `${plain(100 * tolerance.relative)} %`,
-        "aria-label": "Tolerance, per cent" });
+      const input = h("input", {
+        "type": "text",
+        "inputmode": "decimal",
+        "value": `${plain(100 * tolerance.relative)} %`,
+        "aria-label": "Tolerance, per cent",
+      });
       input.addEventListener("change", () => {
         const relative = (number(input.value.replace("%", "").replace(",", ".")) ?? 0) / 100;
         input.setAttribute("aria-invalid", String(!(relative > 0)));
         if (relative > 0) this.tolerate_(at, { ...tolerance, relative });
       });
-      return h("div", { class: "ends" }, picker, "±", input,
-        button("×", () => this.tolerate_(at, null), { class: "quiet", "aria-label": "Remove" }));
+      return h(
+        "div",
+        { class: "ends" },
+        picker,
+        "±",
+        input,
+        button("×", () => this.tolerate_(at, null), { "class": "quiet", "aria-label": "Remove" }),
+      );
     });
     const unused =
-      known.find(({ key }) => !this.wanted_.some((tolerance) => tolerance.key === key) && key === "contact.preload")
-      ?? known.find(({ key }) => !this.wanted_.some((tolerance) => tolerance.key === key));
-    const add = button("Add a tolerance",
-      () => unused && this.tolerate_(this.wanted_.length, { key: unused.key, relative: 0.1 }), { id: "add-tolerance" });
+      known.find(({ key }) => !this.wanted_.some((tolerance) => tolerance.key === key) && key === "contact.preload") ??
+      known.find(({ key }) => !this.wanted_.some((tolerance) => tolerance.key === key));
+    const add = button(
+      "Add a tolerance",
+      () => unused && this.tolerate_(this.wanted_.length, { key: unused.key, relative: 0.1 }),
+      { id: "add-tolerance" },
+    );
     this.tolerances_.replaceChildren(...rows, add);
   }
 

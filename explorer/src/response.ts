@@ -31,22 +31,36 @@ export class Response implements ViewPart {
     private readonly motions_: Motions,
     private readonly clock_: Clock,
   ) {
-    const canvas = h("canvas", { id: "response", tabindex: 0, role: "application",
-      "aria-roledescription": "time history", "aria-label": "Time history" });
-    const phase = h("canvas", { id: "portrait", role: "img", "aria-label": "Phase portrait of the joint" });
+    const canvas = h("canvas", {
+      "id": "response",
+      "tabindex": 0,
+      "role": "application",
+      "aria-roledescription": "time history",
+      "aria-label": "Time history",
+    });
+    const phase = h("canvas", { "id": "portrait", "role": "img", "aria-label": "Phase portrait of the joint" });
     this.lanes_ = surface(canvas, (s) => this.paint_(s));
     this.portrait_ = surface(phase, (s) => this.paintPortrait_(s));
     this.listen_(canvas);
     const boxes = laneSpecs.map(({ name, title }) => {
-      const box = h("input", { type: "checkbox", "data-lane": name, onchange: () => this.toggle_(name, box.checked) });
+      const box = h("input", {
+        "type": "checkbox",
+        "data-lane": name,
+        "onchange": () => this.toggle_(name, box.checked),
+      });
       box.checked = this.wanted_.has(name);
       return h("label", { class: "check" }, box, title);
     });
     this.element = h(
       "div",
       { class: "response" },
-      h("div", { class: "bar" }, ...boxes, button("Whole", () => this.go_(null),
-        { class: "quiet", id: "whole", title: "Show all of the motion (Home)" }), this.readout_),
+      h(
+        "div",
+        { class: "bar" },
+        ...boxes,
+        button("Whole", () => this.go_(null), { class: "quiet", id: "whole", title: "Show all of the motion (Home)" }),
+        this.readout_,
+      ),
       h("div", { class: "stage history" }, canvas),
       h("div", { class: "stage phase" }, phase),
     );
@@ -160,8 +174,9 @@ export class Response implements ViewPart {
       return;
     }
     const about = timeAt(this.lanes_, this.shown_, Math.max(event.offsetX, marginLeft));
-    this.go_(stretched(this.shown_, about, Math.exp(Math.min(Math.max(event.deltaY, -240), 240) / 400),
-      this.limits_()));
+    this.go_(
+      stretched(this.shown_, about, Math.exp(Math.min(Math.max(event.deltaY, -240), 240) / 400), this.limits_()),
+    );
   }
 
   private move_(event: PointerEvent): void {
@@ -202,15 +217,22 @@ export class Response implements ViewPart {
     const time = this.hover_ ?? this.clock_.time;
     const text = readAt(motion, time);
     setText(this.readout_, text);
-    this.lanes_.canvas.setAttribute("aria-label",
-      `Time history from ${quantity(from, "s")} to ${quantity(to, "s")}; ${text}`);
+    this.lanes_.canvas.setAttribute(
+      "aria-label",
+      `Time history from ${quantity(from, "s")} to ${quantity(to, "s")}; ${text}`,
+    );
   }
 
   private paint_(s: Surface): void {
     if (!this.trees_) return;
     const lanes = laneSpecs.filter(({ name }) => this.wanted_.has(name));
-    paintLanes(s, this.trees_,
-      { span: this.shown_, lanes, playhead: this.clock_.time, hover: this.hover_, palette: palette() });
+    paintLanes(s, this.trees_, {
+      span: this.shown_,
+      lanes,
+      playhead: this.clock_.time,
+      hover: this.hover_,
+      palette: palette(),
+    });
     if (this.hover_ === null && this.clock_.playing)
       setText(this.readout_, readAt(this.trees_.motion, this.clock_.time));
     this.element.dataset.draws = String(Number(this.element.dataset.draws ?? 0) + 1);

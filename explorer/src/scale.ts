@@ -48,8 +48,10 @@ export function zoomed(axis: Axis, first: number, second: number): Axis {
   const [low, high] = [Math.max(0, Math.min(first, second)), Math.min(1, Math.max(first, second))];
   const ends = [at(low, axis.from, axis.to, axis.scale), at(high, axis.from, axis.to, axis.scale)] as const;
   const width = Math.abs(ends[1] - ends[0]);
-  const digits =
-    Math.min(12, Math.max(4, 3 + Math.ceil(Math.log10(Math.max(Math.abs(ends[1]), Math.abs(ends[0])) / width))));
+  const digits = Math.min(
+    12,
+    Math.max(4, 3 + Math.ceil(Math.log10(Math.max(Math.abs(ends[1]), Math.abs(ends[0])) / width))),
+  );
   const from = low === 0 ? axis.from : Number(ends[0].toPrecision(digits));
   const to = high === 1 ? axis.to : Number(ends[1].toPrecision(digits));
   return to > from ? { ...axis, from, to } : axis;

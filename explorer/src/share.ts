@@ -11,8 +11,13 @@ import type { Axis, Start } from "./types.ts";
 
 export class Share {
   readonly element: HTMLElement;
-  private readonly paste_ = h("input",
-    { type: "text", id: "paste-link", autocomplete: "off", spellcheck: "false", placeholder: "http://…/#preset=…" });
+  private readonly paste_ = h("input", {
+    type: "text",
+    id: "paste-link",
+    autocomplete: "off",
+    spellcheck: "false",
+    placeholder: "http://…/#preset=…",
+  });
   private readonly note_ = h("p", { class: "note", role: "status", id: "share-note" });
 
   constructor(
@@ -25,14 +30,21 @@ export class Share {
     const sheet = h(
       "div",
       { class: "sheet" },
-      entry("Copy link", "copy-link",
-        "All of the page, with every number of the case; it opens on any machine with Stridor", () => this.link_()),
-      entry("Copy as command", "copy-command", "It simulates this design",
-        async () => this.copy_(await this.command_(), "command")),
-      entry("Copy as TOML", "copy-toml", "The design as a case file",
-        async () => this.copy_(await api.toml(store_.state.design, null), "case file")),
-      entry("Copy chart as TOML", "copy-chart-toml", "The chart as a file for stridor chart",
-        async () => this.copy_(await api.toml(store_.state.design, this.axes_()), "chart file")),
+      entry(
+        "Copy link",
+        "copy-link",
+        "All of the page, with every number of the case; it opens on any machine with Stridor",
+        () => this.link_(),
+      ),
+      entry("Copy as command", "copy-command", "It simulates this design", async () =>
+        this.copy_(await this.command_(), "command"),
+      ),
+      entry("Copy as TOML", "copy-toml", "The design as a case file", async () =>
+        this.copy_(await api.toml(store_.state.design, null), "case file"),
+      ),
+      entry("Copy chart as TOML", "copy-chart-toml", "The chart as a file for stridor chart", async () =>
+        this.copy_(await api.toml(store_.state.design, this.axes_()), "chart file"),
+      ),
       entry("Chart as PNG", "save-png", "Light, twice the screen's size", () => this.png_()),
       entry("Chart as CSV", "save-csv", "Its cells as a table", () => this.csv_()),
       entry("Report", "save-report", "One file that opens without Stridor", async () => this.report_()),
@@ -98,8 +110,10 @@ export class Share {
   private async csv_(): Promise<string> {
     const data = this.chart_.current;
     if (!data) return "There is no chart yet.";
-    download("noise-chart.csv",
-      new Blob([table(data, this.store_.state.figure, await this.header_())], { type: "text/csv" }));
+    download(
+      "noise-chart.csv",
+      new Blob([table(data, this.store_.state.figure, await this.header_())], { type: "text/csv" }),
+    );
     return "noise-chart.csv";
   }
 
@@ -147,7 +161,8 @@ export function table(data: ChartData, figure: string, header: readonly string[]
   const drawn = data.figure ? [figure] : [];
   const lines = [
     "# " + [...header, `x: ${data.x.parameter}`, `y: ${data.y.parameter}`].join(" | "),
-    [`x [${data.x.unit}]`, `y [${data.y.unit}]`, "direction", "category", "quiet_because", "source", ...drawn].join(",")
+    [`x [${data.x.unit}]`, `y [${data.y.unit}]`, "direction", "category", "quiet_because", "source", ...drawn]
+      .join(",")
       .replaceAll(" [1]", ""),
   ];
   data.directions.forEach((direction, d) => {

@@ -70,7 +70,10 @@ export function arrow(pen: Pen, from: Point, to: Point, colour: string, halo: st
   along(pen, from, to, (length) => {
     if (length < 3) return;
     const head = Math.min(9, length);
-    for (const [stroke, extra] of [[halo, 3], [colour, 0]] as const) {
+    for (const [stroke, extra] of [
+      [halo, 3],
+      [colour, 0],
+    ] as const) {
       pen.strokeStyle = pen.fillStyle = stroke;
       pen.lineWidth = 2.2 + extra;
       pen.lineJoin = "round";
@@ -100,7 +103,8 @@ export function sign(pen: Pen, parts: readonly [string, string], at: Point, size
   pen.font = `italic ${size}px "STIX Two Text", "Libertinus Serif", Georgia, "Liberation Serif", "DejaVu Serif", serif`;
   pen.fillText(parts[0], at.x, at.y);
   const width = pen.measureText(parts[0]).width;
-  pen.font = `${Math.round(size * 0.72)}px "STIX Two Text", "Libertinus Serif", Georgia, "Liberation Serif", ` +
+  pen.font =
+    `${Math.round(size * 0.72)}px "STIX Two Text", "Libertinus Serif", Georgia, "Liberation Serif", ` +
     '"DejaVu Serif", serif';
   pen.fillText(parts[1], at.x + width + 0.5, at.y + size * 0.3);
 }

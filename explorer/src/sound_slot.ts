@@ -18,8 +18,10 @@ async function hear(source: Source, signal: AbortSignal): Promise<Heard> {
   const [audio, analysis] =
     "library" in source
       ? await Promise.all([api.recording(source.library, signal), api.recordingAnalysis(source.library, signal)])
-      : await Promise.all([api.sound(source.design, source.options, signal),
-        api.analysis(source.design, source.options, signal)]);
+      : await Promise.all([
+          api.sound(source.design, source.options, signal),
+          api.analysis(source.design, source.options, signal),
+        ]);
   return { audio, analysis };
 }
 
@@ -32,11 +34,16 @@ export class SoundSlot {
   private readonly asked_ = new Asked<Source, Heard>(hear, (heard) => this.take_(heard), "Rendering …");
 
   constructor(private readonly name_: string) {
-    this.audio = h("audio", { controls: true, preload: "auto", id: `audio-${name_}`, "aria-label": `Sound ${name}` });
+    this.audio = h("audio", {
+      "controls": true,
+      "preload": "auto",
+      "id": `audio-${name_}`,
+      "aria-label": `Sound ${name}`,
+    });
     this.spectrogram_ = new Spectrogram(`Spectrogram of ${name_}`);
     this.element = h(
       "div",
-      { class: "card slot", "data-slot": name_ },
+      { "class": "card slot", "data-slot": name_ },
       this.heading_,
       this.audio,
       this.verdict_,

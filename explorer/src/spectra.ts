@@ -9,8 +9,13 @@ import type { Design } from "./state.ts";
 import type { Analysis, SoundOptions } from "./types.ts";
 import type { Context, ViewPart } from "./views.ts";
 
-export const soundDefaults: SoundOptions =
-  { direction: "whole", of: "joint", quantity: "velocity", rate: 48000, seconds: 2 };
+export const soundDefaults: SoundOptions = {
+  direction: "whole",
+  of: "joint",
+  quantity: "velocity",
+  rate: 48000,
+  seconds: 2,
+};
 
 /** Which of the motion is looked at or heard; the direction goes with the page's. */
 export class SoundPicker {
@@ -18,12 +23,20 @@ export class SoundPicker {
   options: SoundOptions = { ...soundDefaults };
 
   constructor(changed: () => void) {
-    const pick = <Key extends "of" | "quantity" | "direction">(key: Key, label: string,
-      values: SoundOptions[Key][]): HTMLSelectElement =>
-      select(label, values.map((value) => [value, value]), (value) => {
-        this.options = { ...this.options, [key]: value };
-        changed();
-      }, { "data-sound": key });
+    const pick = <Key extends "of" | "quantity" | "direction">(
+      key: Key,
+      label: string,
+      values: SoundOptions[Key][],
+    ): HTMLSelectElement =>
+      select(
+        label,
+        values.map((value) => [value, value]),
+        (value) => {
+          this.options = { ...this.options, [key]: value };
+          changed();
+        },
+        { "data-sound": key },
+      );
     this.element = h(
       "span",
       { class: "bar" },

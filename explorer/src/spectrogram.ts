@@ -18,7 +18,7 @@ export class Spectrogram {
   private content_: Analysis["spectrogram"] | null = null;
 
   constructor(private readonly name_: string) {
-    const canvas = h("canvas", { role: "img", "aria-label": name_ });
+    const canvas = h("canvas", { "role": "img", "aria-label": name_ });
     this.surface_ = surface(canvas, (s) => this.paint_(s));
     this.element = h("div", { class: "stage spectrogram" }, canvas);
     onTheme(() => this.surface_.invalidate());
@@ -26,8 +26,10 @@ export class Spectrogram {
 
   show(content: Analysis["spectrogram"], title = this.name_): void {
     this.content_ = content;
-    this.surface_.canvas.setAttribute("aria-label",
-      `${title}: spectrogram up to ${plain(content.frequency.at(-1) ?? 0)} Hz`);
+    this.surface_.canvas.setAttribute(
+      "aria-label",
+      `${title}: spectrogram up to ${plain(content.frequency.at(-1) ?? 0)} Hz`,
+    );
     const level = floatsOf(content.level);
     this.top_ = -Infinity;
     for (const value of level) if (Number.isFinite(value) && value > this.top_) this.top_ = value;

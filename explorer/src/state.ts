@@ -75,8 +75,9 @@ function isKey(text: string): boolean {
 }
 
 function designText(design: Design, separator: string): string {
-  return [encode(design.preset), ...overrides(design).map((part) => part.split("=").map(encode).join("="))]
-    .join(separator);
+  return [encode(design.preset), ...overrides(design).map((part) => part.split("=").map(encode).join("="))].join(
+    separator,
+  );
 }
 
 /** As encodeURIComponent, but what may stand in a fragment stays readable. */

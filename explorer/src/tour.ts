@@ -12,7 +12,7 @@ export class Tour {
   readonly element: HTMLElement;
   private readonly title_ = h("h2", { id: "tour-title", tabindex: -1 });
   private readonly text_ = h("p", { id: "tour-text" });
-  private readonly answers_ = h("div", { class: "answers", role: "group", "aria-label": "Your prediction" });
+  private readonly answers_ = h("div", { "class": "answers", "role": "group", "aria-label": "Your prediction" });
   private readonly result_ = h("p", { id: "tour-result", role: "status" });
   private readonly next_ = button("Next", () => this.step_(), { id: "tour-next", class: "primary" });
   private readonly show_ = button("Do it for me", () => this.do_(), { id: "tour-do" });
@@ -33,7 +33,7 @@ export class Tour {
   constructor(private readonly store_: Store) {
     this.element = h(
       "section",
-      { id: "tour", class: "tour", role: "dialog", "aria-labelledby": "tour-title", hidden: true },
+      { "id": "tour", "class": "tour", "role": "dialog", "aria-labelledby": "tour-title", "hidden": true },
       this.title_,
       this.text_,
       this.answers_,
@@ -93,9 +93,11 @@ export class Tour {
   private offer_(shown: Simulation): void {
     if (this.answers_.childElementCount > 0) return;
     this.answers_.replaceChildren(
-      ...this.question_.choices(shown).map(([value, text]) =>
-        button(text, () => this.predict_(value), { "data-answer": value, "aria-pressed": "false" }),
-      ),
+      ...this.question_
+        .choices(shown)
+        .map(([value, text]) =>
+          button(text, () => this.predict_(value), { "data-answer": value, "aria-pressed": "false" }),
+        ),
     );
   }
 

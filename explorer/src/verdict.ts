@@ -18,8 +18,8 @@ export function phaseOf(simulation: Simulation, direction: Direction): PhaseResu
 }
 
 export class VerdictBar {
-  readonly element = h("div", { id: "verdict", class: "verdict", "aria-busy": "true" });
-  private readonly live_ = h("p", { class: "unseen", "aria-live": "polite", id: "announcement" });
+  readonly element = h("div", { "id": "verdict", "class": "verdict", "aria-busy": "true" });
+  private readonly live_ = h("p", { "class": "unseen", "aria-live": "polite", "id": "announcement" });
   private last_: Simulation | null = null;
 
   constructor(private readonly choose_: (direction: Direction) => void) {}
@@ -57,26 +57,31 @@ export class VerdictBar {
       this.element.dataset[result.phase] = result.verdict.category;
       return this.chip_(result, direction, chosen);
     });
-    this.element.replaceChildren(...chips,
-      h("small", { class: "muted", id: "level-note" }, "dB re 1 nm/s: vibration, not sound pressure"));
+    this.element.replaceChildren(
+      ...chips,
+      h("small", { class: "muted", id: "level-note" }, "dB re 1 nm/s: vibration, not sound pressure"),
+    );
     this.element.setAttribute("aria-busy", "false");
     setText(this.live_, simulation.phases.map(spoken).join("; "));
   }
 
   private chip_(result: PhaseResult, direction: Direction, chosen: Direction): HTMLElement {
     const { verdict } = result;
-    const swatch = h("span", { class: "swatch", "aria-hidden": "true" });
+    const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
     paintSwatch(swatch, verdict.quiet_because === "sticks" ? "none (sticks)" : verdict.category);
     const chip = h(
       "button",
       {
-        type: "button",
-        class: "chip",
+        "type": "button",
+        "class": "chip",
         "data-phase": result.phase,
         "aria-pressed": String(direction === chosen),
-        title: [...verdict.reasons, "joint: its velocity level, dB re 1 nm/s; a vibration, not a sound pressure",
-          "(click: regard this direction)"].join("\n"),
-        onclick: () => this.choose_(direction),
+        "title": [
+          ...verdict.reasons,
+          "joint: its velocity level, dB re 1 nm/s; a vibration, not a sound pressure",
+          "(click: regard this direction)",
+        ].join("\n"),
+        "onclick": () => this.choose_(direction),
       },
       swatch,
       h("span", { class: "phase" }, result.phase),
@@ -97,8 +102,14 @@ function detail(result: PhaseResult): string {
 function rates(result: PhaseResult): HTMLElement {
   const shares = result.verdict.judged_rates;
   const text = (["slip", "stick", "separation"] as const)
-    .map((state) => `${state} ${percent(shares[state])}`).join(", ");
-  const bar = h("span", { class: "rates", role: "img", "aria-label": text, title: `of the judged time: ${text}` });
+    .map((state) => `${state} ${percent(shares[state])}`)
+    .join(", ");
+  const bar = h("span", {
+    "class": "rates",
+    "role": "img",
+    "aria-label": text,
+    "title": `of the judged time: ${text}`,
+  });
   for (const state of ["slip", "stick", "separation"] as const) {
     const part = h("span", { class: `state-${state}` });
     part.style.flexGrow = String(Math.max(shares[state], 0));

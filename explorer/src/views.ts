@@ -47,21 +47,27 @@ export class Views {
     private readonly others_: () => Promise<Parts>,
     available: (view: View) => boolean,
   ) {
-    const list = h("div", { class: "tabs", role: "tablist", "aria-label": "Views" });
+    const list = h("div", { "class": "tabs", "role": "tablist", "aria-label": "Views" });
     list.addEventListener("keydown", (event) => this.key_(event));
     const body = h("div", { class: "panes" });
     for (const view of views.filter(available)) {
-      const tab = h("button", { type: "button", role: "tab", id: `tab-${view}`, "aria-controls": `view-${view}`,
-        "data-view": view }, titles[view]);
+      const tab = h(
+        "button",
+        { "type": "button", "role": "tab", "id": `tab-${view}`, "aria-controls": `view-${view}`, "data-view": view },
+        titles[view],
+      );
       tab.addEventListener("click", () => store_.update({ view }, store_.state.view === view ? "replace" : "push"));
-      const pane = h("div", { class: "pane", role: "tabpanel", id: `view-${view}`, "aria-labelledby": `tab-${view}` },
-        parts_[view]?.element ?? null);
+      const pane = h(
+        "div",
+        { "class": "pane", "role": "tabpanel", "id": `view-${view}`, "aria-labelledby": `tab-${view}` },
+        parts_[view]?.element ?? null,
+      );
       this.tabs_.set(view, tab);
       this.panes_.set(view, pane);
       list.append(tab);
       body.append(pane);
     }
-    this.element = h("section", { class: "panel views", "aria-label": "Views of the design" }, list, body);
+    this.element = h("section", { "class": "panel views", "aria-label": "Views of the design" }, list, body);
   }
 
   get current(): ViewPart | undefined {

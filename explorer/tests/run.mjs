@@ -18,7 +18,8 @@ await build({
   format: "esm",
   logLevel: "warning",
 });
-const { status } = spawnSync(process.execPath, ["--test", ...names.map((name) => join(out, name))],
-  { stdio: "inherit" });
+const { status } = spawnSync(process.execPath, ["--test", ...names.map((name) => join(out, name))], {
+  stdio: "inherit",
+});
 await rm(out, { recursive: true, force: true });
 process.exit(status ?? 1);

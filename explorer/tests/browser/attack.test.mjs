@@ -33,14 +33,28 @@ after(async () => assert.equal(await explorer?.stop(), 0));
 
 function ask({ path = "/", method = "GET", headers = {}, body = null, cookie: session = cookie, at = port }) {
   return new Promise((resolve, reject) => {
-    const sent = request({ host: "127.0.0.1", port: at, path, method, agent: false,
-      headers: { Host: host, ...(session ? { Cookie: session } : {}), ...headers } }, (response) => {
-      const parts = [];
-      response.on("data", (part) => parts.push(part));
-      response.on("end", () => resolve({ status: response.statusCode, headers: response.headers,
-        body: Buffer.concat(parts).toString() }));
-      response.on("error", reject);
-    });
+    const sent = request(
+      {
+        host: "127.0.0.1",
+        port: at,
+        path,
+        method,
+        agent: false,
+        headers: { Host: host, ...(session ? { Cookie: session } : {}), ...headers },
+      },
+      (response) => {
+        const parts = [];
+        response.on("data", (part) => parts.push(part));
+        response.on("end", () =>
+          resolve({
+            status: response.statusCode,
+            headers: response.headers,
+            body: Buffer.concat(parts).toString(),
+          }),
+        );
+        response.on("error", reject);
+      },
+    );
     sent.on("error", reject);
     if (body !== null) sent.write(body);
     sent.end();
@@ -48,9 +62,12 @@ function ask({ path = "/", method = "GET", headers = {}, body = null, cookie: se
 }
 
 function post(path, body, headers = {}) {
-  return ask({ path, method: "POST",
+  return ask({
+    path,
+    method: "POST",
     body: typeof body === "string" || Buffer.isBuffer(body) ? body : JSON.stringify(body),
-    headers: { "Content-Type": "application/json", Origin: `http://${host}`, ...headers } });
+    headers: { "Content-Type": "application/json", "Origin": `http://${host}`, ...headers },
+  });
 }
 
 // bytes on a bare connection, as many as it takes
@@ -69,7 +86,10 @@ function pour(head, piece, most) {
     socket.on("data", (data) => (answer += data));
     socket.on("error", () => {});
     socket.on("close", () => resolve({ poured, answer }));
-    socket.on("connect", () => { socket.write(head); go(); });
+    socket.on("connect", () => {
+      socket.write(head);
+      go();
+    });
     setTimeout(() => socket.destroy(), 30000).unref();
   });
 }
@@ -107,8 +127,17 @@ test("a link opens once, and the next one is printed", async () => {
 });
 
 test("paths reach no file", async () => {
-  for (const path of ["/../../../etc/passwd", "/..%2f..%2fetc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd",
-    "/page.js/..", "/api/library/../../etc/passwd", "/api/library/1/audio/../../x", "/\\..\\..", "/page.js%00.html"]) {
+  for (const path of [
+    "/../../../etc/passwd",
+    "/..%2f..%2fetc/passwd",
+    "/%2e%2e/%2e%2e/etc/passwd",
+    "//etc/passwd",
+    "/page.js/..",
+    "/api/library/../../etc/passwd",
+    "/api/library/1/audio/../../x",
+    "/\\..\\..",
+    "/page.js%00.html",
+  ]) {
     const answer = await ask({ path });
     assert.notEqual(answer.status, 200, path);
     assert.ok(!answer.body.includes("root:"), path);
@@ -168,8 +197,11 @@ test("a hundred connections that stay, silent or refused, keep the owner neither
 test("cookies that others set for this host lock nobody out", async () => {
   const name = cookie.split("=")[0];
   const many = Array.from({ length: 179 }, (_, k) => `c${k}=${"x".repeat(4080)}`).join("; ");
-  for (const cookies of [`${name}=${"0".repeat(64)}; ${cookie}`,
-    `${name}=; ${name}=x; stridor-1=y; ${cookie}; ${name}=z`, `${many}; ${cookie}`])
+  for (const cookies of [
+    `${name}=${"0".repeat(64)}; ${cookie}`,
+    `${name}=; ${name}=x; stridor-1=y; ${cookie}; ${name}=z`,
+    `${many}; ${cookie}`,
+  ])
     assert.equal((await ask({ cookie: cookies })).status, 200, cookies.slice(0, 200));
   assert.equal((await ask({ cookie: many })).status, 401);
 });
@@ -202,17 +234,26 @@ test("runs that do not stop when their clients leave keep neither the page nor C
   const own = await startExplorer();
   const there = { port: Number(new URL(own.origin).port) };
   there.host = `127.0.0.1:${there.port}`;
-  const opened = await ask({ path: `/open${new URL(own.link()).search}`, cookie: "", headers: { Host: there.host },
-    at: there.port });
+  const opened = await ask({
+    path: `/open${new URL(own.link()).search}`,
+    cookie: "",
+    headers: { Host: there.host },
+    at: there.port,
+  });
   const session = opened.headers["set-cookie"][0].split(";")[0];
-  for (const set of [["plate.damping=1e308"], ["plate.stiffness=1e308"],
-    ["drive.frequency=1e9", "run.duration=60", "run.window=60"]])
+  for (const set of [
+    ["plate.damping=1e308"],
+    ["plate.stiffness=1e308"],
+    ["drive.frequency=1e9", "run.duration=60", "run.window=60"],
+  ])
     for (let k = 0; k < 2; ++k) {
       const body = JSON.stringify({ preset: "squeal", set });
       const socket = connect(there.port, "127.0.0.1").on("error", () => {});
-      socket.write(`POST /api/simulate HTTP/1.1\r\nHost: ${there.host}\r\n` +
-        `Origin: http://${there.host}\r\nCookie: ${session}\r\n` +
-        `Content-Type: application/json\r\nContent-Length: ${body.length}\r\n\r\n${body}`);
+      socket.write(
+        `POST /api/simulate HTTP/1.1\r\nHost: ${there.host}\r\n` +
+          `Origin: http://${there.host}\r\nCookie: ${session}\r\n` +
+          `Content-Type: application/json\r\nContent-Length: ${body.length}\r\n\r\n${body}`,
+      );
       await new Promise((resolve) => setTimeout(resolve, 200));
       socket.destroy();
     }
@@ -223,8 +264,10 @@ test("runs that do not stop when their clients leave keep neither the page nor C
   ]);
   const waited = Date.now() - began;
   const leaving = Date.now();
-  const code =
-    await Promise.race([own.stop(), new Promise((resolve) => setTimeout(() => resolve("none"), 15000).unref())]);
+  const code = await Promise.race([
+    own.stop(),
+    new Promise((resolve) => setTimeout(() => resolve("none"), 15000).unref()),
+  ]);
   if (code === "none") process.kill(own.pid, "SIGKILL");
   assert.equal(page.status, 200);
   assert.ok(waited < 8000, `${waited} ms`);
@@ -235,8 +278,10 @@ test("runs that do not stop when their clients leave keep neither the page nor C
 test("the list of processes shows no secret while the browser is opened", async () => {
   const folder = await mkdtemp(join(tmpdir(), "stridor-attack-"));
   const seen = join(folder, "seen");
-  await writeFile(join(folder, "xdg-open"),
-    `#!/bin/sh\nls /proc/self/fd > "${seen}.fds"\necho "$@" > "${seen}.part"\nmv "${seen}.part" "${seen}"\n`);
+  await writeFile(
+    join(folder, "xdg-open"),
+    `#!/bin/sh\nls /proc/self/fd > "${seen}.fds"\necho "$@" > "${seen}.part"\nmv "${seen}.part" "${seen}"\n`,
+  );
   await chmod(join(folder, "xdg-open"), 0o755);
   const env = { ...process.env, DISPLAY: ":99", PATH: `${folder}:${process.env.PATH}` };
   const own = spawn(program, ["explore"], { env, stdio: ["ignore", "pipe", "ignore"] });
@@ -254,9 +299,16 @@ test("the list of processes shows no secret while the browser is opened", async 
     assert.equal((await stat(dirname(opened))).mode & 0o777, 0o700);
     assert.ok((await readFile(opened, "utf8")).includes(`url=${link}"`));
     const fds = (await readFile(`${seen}.fds`, "utf8")).trim().split("\n").map(Number);
-    assert.ok(fds.every((fd) => fd <= 3), `the browser keeps ${fds}`); // 3: of ls itself
-    const answer = await ask({ path: `/open?token=${token}`, cookie: "", headers: { Host: new URL(link).host },
-      at: Number(new URL(link).port) });
+    assert.ok(
+      fds.every((fd) => fd <= 3),
+      `the browser keeps ${fds}`,
+    ); // 3: of ls itself
+    const answer = await ask({
+      path: `/open?token=${token}`,
+      cookie: "",
+      headers: { Host: new URL(link).host },
+      at: Number(new URL(link).port),
+    });
     assert.equal(answer.status, 303);
     await assert.rejects(stat(dirname(opened)), "the file is gone once it was used");
   } finally {
@@ -272,9 +324,14 @@ test("malformed JSON of every kind is an error in words", async () => {
     state = (state * 1103515245 + 12345) % 2147483648;
     return Math.floor((state / 2147483648) * below);
   };
-  const whole = JSON.stringify({ preset: "squeal", set: ["contact.preload=20", "run.duration=0.3", "run.window=0.3"],
-    chart: { x: { parameter: "contact.preload", from: 1, to: 80, points: 4 },
-      y: { parameter: "contact.kinetic_friction", from: 0, to: 0.8, points: 4 } } });
+  const whole = JSON.stringify({
+    preset: "squeal",
+    set: ["contact.preload=20", "run.duration=0.3", "run.window=0.3"],
+    chart: {
+      x: { parameter: "contact.preload", from: 1, to: 80, points: 4 },
+      y: { parameter: "contact.kinetic_friction", from: 0, to: 0.8, points: 4 },
+    },
+  });
   const paths = ["simulate", "motion", "chart", "stability", "toml", "sound", "analysis"];
   for (let run = 0; run < 400; ++run) {
     const bytes = Buffer.from(whole);
@@ -284,19 +341,32 @@ test("malformed JSON of every kind is an error in words", async () => {
     assert.ok([200, 400, 422].includes(answer.status), `${answer.status} ${cut}`);
     if (answer.status !== 200) assert.ok(JSON.parse(answer.body).error.what.length > 0);
   }
-  for (const body of ["", "[".repeat(900000), "{\"a\":".repeat(100000), "\u0000", "1e999",
-    "{\"preset\":\"squeal\",\"set\":[1e400]}"])
+  for (const body of [
+    "",
+    "[".repeat(900000),
+    '{"a":'.repeat(100000),
+    "\u0000",
+    "1e999",
+    '{"preset":"squeal","set":[1e400]}',
+  ])
     assert.equal((await post("/api/simulate", body)).status, 400);
   await isStillAnswering();
 });
 
 test("an abandoned chart does not go on computing", async () => {
-  const body = JSON.stringify({ preset: "squeal", set: ["run.duration=50", "run.window=50"],
-    chart: { x: { parameter: "contact.preload", from: 1, to: 80, points: 256 },
-      y: { parameter: "contact.kinetic_friction", from: 0, to: 0.8, points: 256 } } });
+  const body = JSON.stringify({
+    preset: "squeal",
+    set: ["run.duration=50", "run.window=50"],
+    chart: {
+      x: { parameter: "contact.preload", from: 1, to: 80, points: 256 },
+      y: { parameter: "contact.kinetic_friction", from: 0, to: 0.8, points: 256 },
+    },
+  });
   const socket = connect(port, "127.0.0.1");
-  socket.write(`POST /api/chart HTTP/1.1\r\nHost: ${host}\r\nOrigin: http://${host}\r\nCookie: ${cookie}\r\n` +
-    `Content-Type: application/json\r\nContent-Length: ${body.length}\r\n\r\n${body}`);
+  socket.write(
+    `POST /api/chart HTTP/1.1\r\nHost: ${host}\r\nOrigin: http://${host}\r\nCookie: ${cookie}\r\n` +
+      `Content-Type: application/json\r\nContent-Length: ${body.length}\r\n\r\n${body}`,
+  );
   await new Promise((resolve) => setTimeout(resolve, 500));
   socket.destroy();
   await new Promise((resolve) => setTimeout(resolve, 1500));

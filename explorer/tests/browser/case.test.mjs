@@ -127,7 +127,10 @@ test("a link holds the whole case: it opens where the file is not", async () => 
     await where.locator("#copy-toml").click();
     await where.waitForSelector("#share-note[data-copied]");
     const text = await where.locator("#share-note").getAttribute("data-copied");
-    return text.split("\n").filter((line) => !line.startsWith("#") && !line.startsWith("title")).join("\n");
+    return text
+      .split("\n")
+      .filter((line) => !line.startsWith("#") && !line.startsWith("title"))
+      .join("\n");
   };
   const here = await toml(page);
   const chip = await page.locator("#verdict .chip").first().innerText();
@@ -167,7 +170,10 @@ test("a link that leans on a file is refused where there is none, with a way out
 });
 
 test("nothing went wrong on the way", () => {
-  assert.deepEqual(browser.sins.filter((sin) => !/status of 400/.test(sin)), []); // a refusal is an answer
+  assert.deepEqual(
+    browser.sins.filter((sin) => !/status of 400/.test(sin)),
+    [],
+  ); // a refusal is an answer
 });
 
 test("all that is wrong with a design is told, each at its field", async () => {
@@ -192,8 +198,11 @@ test("all that is wrong with a design is told, each at its field", async () => {
 test("what follows the temperature says so, and the temperature slides over its table", async () => {
   const file = join(folder, "warm.toml");
   const text = execFileSync(program, ["init", "squeal"], { encoding: "utf8" });
-  await writeFile(file, text.replace(/^kinetic_friction = .*$/m, "") +
-    '\n[temperature]\nvalue = "23 degC"\nat = [-30, 23, 80]\nkinetic_friction = [0.5, 0.6, 0.7]\n');
+  await writeFile(
+    file,
+    text.replace(/^kinetic_friction = .*$/m, "") +
+      '\n[temperature]\nvalue = "23 degC"\nat = [-30, 23, 80]\nkinetic_friction = [0.5, 0.6, 0.7]\n',
+  );
   const warm = await startExplorer([file]);
   const other = await openPage(warm);
   try {

@@ -82,10 +82,11 @@ export async function openFirefox(program, { width = 1440, height = 900 } = {}) 
   const portFile = join(profile, "MarionetteActivePort");
   const port = await until(() => readFile(portFile, "utf8").catch(() => null), "Firefox to listen");
   const socket = await until(
-    () => new Promise((resolve) => {
-      const tried = connect(Number(port), "127.0.0.1", () => resolve(tried));
-      tried.once("error", () => resolve(null));
-    }),
+    () =>
+      new Promise((resolve) => {
+        const tried = connect(Number(port), "127.0.0.1", () => resolve(tried));
+        tried.once("error", () => resolve(null));
+      }),
     "Firefox to answer",
   );
   const wire = new Marionette(socket);

@@ -36,7 +36,9 @@ test("the page works in Firefox", { skip, timeout: 400_000 }, async () => {
          const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
          const colours = new Set();
          for (let k = 0; k < data.length; k += 4 * 101) colours.add(data.slice(k, k + 4).join());
-         return colours.size > 3 ? colours.size : null;`, canvas);
+         return colours.size > 3 ? colours.size : null;`,
+        canvas,
+      );
       assert.ok(colours > 3, canvas);
     }
 

@@ -59,8 +59,12 @@ test("opens with the paper's squeal and leaves no token in the address", async (
 });
 
 test("every preset has its category", async () => {
-  const categories = { squeak: ["squeak", null], creak: ["creak", "creak"], quiet: ["none", "none"],
-    squeal: ["squeal", "none"] };
+  const categories = {
+    squeak: ["squeak", null],
+    creak: ["creak", "creak"],
+    quiet: ["none", "none"],
+    squeal: ["squeal", "none"],
+  };
   for (const [preset, [going, coming]] of Object.entries(categories)) {
     await choose(preset);
     assert.equal(await verdict("going"), going, preset);
@@ -165,8 +169,9 @@ test("keep quiet names a change that makes it quiet with one click", async () =>
   await page.waitForSelector("#apply-change", { timeout: 60000 });
   assert.match(await page.locator("#nearest").innerText(), /nearest quiet design 0\.\d+ away/);
   await page.locator("#apply-change").click();
-  await page.waitForFunction(() => document.querySelector("#verdict").dataset.going === "none", null,
-    { timeout: 30000 });
+  await page.waitForFunction(() => document.querySelector("#verdict").dataset.going === "none", null, {
+    timeout: 30000,
+  });
   await settled();
   assert.equal(await verdict("coming"), "none");
 });
@@ -191,7 +196,10 @@ test("what is shown can be taken along: as a link, a command, files and a pictur
   const checked = execFileSync(program, ["simulate", "-", "--json"], { input: toml, encoding: "utf8" });
   assert.equal(JSON.parse(checked).case.contact.preload, 35);
   assert.match(await copied("copy-chart-toml"), /\[chart\]/);
-  for (const [id, begin] of [["save-png", "\x89PNG"], ["save-csv", ""]]) {
+  for (const [id, begin] of [
+    ["save-png", "\x89PNG"],
+    ["save-csv", ""],
+  ]) {
     const download = page.waitForEvent("download");
     await page.locator(`#${id}`).click();
     const bytes = await readFile(await (await download).path(), "latin1");
@@ -227,7 +235,10 @@ test("the report opens from a file, without Stridor and without a script", async
   await other.goto(`file://${file}`);
   assert.ok((await other.locator("svg").count()) >= 2);
   assert.match(await other.locator("body").innerText(), /squeal/);
-  assert.deepEqual(requests.filter((url) => !url.startsWith("file://") && !url.startsWith("data:")), []);
+  assert.deepEqual(
+    requests.filter((url) => !url.startsWith("file://") && !url.startsWith("data:")),
+    [],
+  );
   await other.close();
 });
 
@@ -247,5 +258,8 @@ test("a file that leads to the link opens the page", async () => {
 });
 
 test("nothing went wrong on the way, and nothing left the page's own origin", () => {
-  assert.deepEqual(browser.sins.filter((sin) => !/status of 400/.test(sin)), []); // "nonsense" was refused
+  assert.deepEqual(
+    browser.sins.filter((sin) => !/status of 400/.test(sin)),
+    [],
+  ); // "nonsense" was refused
 });

@@ -9,8 +9,9 @@ const { page } = browser;
 // --- the first chart on screen
 const begin = performance.now();
 await browser.goto();
-await page.waitForFunction(() => Number(document.querySelector("#chart")?.dataset.redraws) > 0, null,
-  { polling: "raf" });
+await page.waitForFunction(() => Number(document.querySelector("#chart")?.dataset.redraws) > 0, null, {
+  polling: "raf",
+});
 const firstLook = performance.now() - begin;
 await page.waitForSelector('#chart[data-done="true"]');
 const firstChart = performance.now() - begin;
@@ -36,8 +37,10 @@ async function follow(label, fragment) {
   const seconds = (performance.now() - from) / 1000;
   const [redrawsAfter, chartsAfter] = await counts();
   await page.mouse.up();
-  console.log(`${label}  ${((redrawsAfter - redraws) / seconds).toFixed(1)} redraws per second, ` +
-    `${((chartsAfter - charts) / seconds).toFixed(1)} of them refined to the end`);
+  console.log(
+    `${label}  ${((redrawsAfter - redraws) / seconds).toFixed(1)} redraws per second, ` +
+      `${((chartsAfter - charts) / seconds).toFixed(1)} of them refined to the end`,
+  );
 }
 await follow("slider, sinusoidal ", "");
 await follow("slider, constant   ", "#preset=squeal&drive.kind=constant&drive.velocity=0.1");
@@ -69,8 +72,10 @@ await page.mouse.up();
 const gaps = await page.evaluate(() => window.frames_.slice(1).map((time, k) => time - window.frames_[k]));
 gaps.sort((a, b) => a - b);
 const mean = gaps.reduce((sum, gap) => sum + gap, 0) / gaps.length;
-console.log(`panning ${samples} samples  ${(1000 / mean).toFixed(0)} frames per second, ` +
-  `the slowest of twenty ${(1000 / gaps[Math.floor(gaps.length * 0.95)]).toFixed(0)}`);
+console.log(
+  `panning ${samples} samples  ${(1000 / mean).toFixed(0)} frames per second, ` +
+    `the slowest of twenty ${(1000 / gaps[Math.floor(gaps.length * 0.95)]).toFixed(0)}`,
+);
 
 await browser.close();
 await explorer.stop();

@@ -165,10 +165,12 @@ test("every control and picture has a name that a screen reader can say", async 
     const seen = nodes.filter(({ ignored, role }) => !ignored && named.has(role?.value));
     assert.ok(seen.length >= least, `${state}: only ${seen.length} found`);
     const without = seen.filter(({ role, name }) => !name?.value?.trim() && role.value !== "group");
-    return Promise.all(without.map(async ({ role, backendDOMNodeId }) => {
-      const { node } = await cdp.send("DOM.describeNode", { backendNodeId: backendDOMNodeId });
-      return `${state}: ${role.value} <${node.nodeName.toLowerCase()} ${(node.attributes ?? []).join(" ")}>`;
-    }));
+    return Promise.all(
+      without.map(async ({ role, backendDOMNodeId }) => {
+        const { node } = await cdp.send("DOM.describeNode", { backendNodeId: backendDOMNodeId });
+        return `${state}: ${role.value} <${node.nodeName.toLowerCase()} ${(node.attributes ?? []).join(" ")}>`;
+      }),
+    );
   };
   const found = [];
   for (const view of ["response", "spectra", "modes", "energy", "listen", "quiet", "library"]) {
@@ -196,7 +198,10 @@ test("no two controls of one kind have the same name", async () => {
   const names = nodes
     .filter(({ ignored, role }) => !ignored && ["slider", "textbox", "combobox"].includes(role?.value))
     .map(({ role, name }) => `${role.value}: ${name.value}`);
-  assert.deepEqual(names.filter((name, k) => names.indexOf(name) !== k), []);
+  assert.deepEqual(
+    names.filter((name, k) => names.indexOf(name) !== k),
+    [],
+  );
 });
 
 test("nothing went wrong on the way", () => {

@@ -19,7 +19,8 @@ for (const palette of [light, dark]) {
   });
 
   test(`${palette.name}: categories differ in lightness, so in grey as well`, () => {
-    const shades = ["none", "squeak", "squeal", "creak"].map((name) => lightness(fillOf(palette, name).ground))
+    const shades = ["none", "squeak", "squeal", "creak"]
+      .map((name) => lightness(fillOf(palette, name).ground))
       .sort((a, b) => a - b);
     for (let k = 1; k < shades.length; ++k) assert.ok(shades[k] - shades[k - 1] >= 12, shades.join(" "));
   });

@@ -1,23 +1,50 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  exact, inRow, level, number, percent, plain, quantity, symbolParts, symbolText, title,
+  exact,
+  inRow,
+  level,
+  number,
+  percent,
+  plain,
+  quantity,
+  symbolParts,
+  symbolText,
+  title,
 } from "../../src/format.ts";
 import { random } from "./random.mjs";
 
 test("quantities are written as people write them", () => {
   const cases = [
-    [20, "N", "20 N"], [1e7, "N/m", "10 MN/m"], [0.004, "m", "4 mm"], [70, "deg", "70°"],
-    [0.6, "1", "0.6"], [0.1, "kg", "100 g"],
-    [0, "N", "0 N"], [-0.1, "m/s", "-100 mm/s"], [999.96, "N", "1 kN"],
-    [1e-6, "s", "1 µs"], [5.6e-16, "J", "5.6e-16 J"], [428.532, "Hz", "428.5 Hz"],
-    [-10, "degC", "-10 °C"], [null, "N", "–"], [undefined, "N", "–"], [NaN, "N", "–"], [166.2, "dB", "166.2 dB"],
+    [20, "N", "20 N"],
+    [1e7, "N/m", "10 MN/m"],
+    [0.004, "m", "4 mm"],
+    [70, "deg", "70°"],
+    [0.6, "1", "0.6"],
+    [0.1, "kg", "100 g"],
+    [0, "N", "0 N"],
+    [-0.1, "m/s", "-100 mm/s"],
+    [999.96, "N", "1 kN"],
+    [1e-6, "s", "1 µs"],
+    [5.6e-16, "J", "5.6e-16 J"],
+    [428.532, "Hz", "428.5 Hz"],
+    [-10, "degC", "-10 °C"],
+    [null, "N", "–"],
+    [undefined, "N", "–"],
+    [NaN, "N", "–"],
+    [166.2, "dB", "166.2 dB"],
   ];
   for (const [value, unit, text] of cases) assert.equal(quantity(value, unit), text);
 });
 
 test("a number without a unit is read at once, all else is the program's to read", () => {
-  for (const [text, value] of [["20", 20], ["1e-3", 0.001], [" .5 ", 0.5], ["-1.", -1], ["+2E3", 2000]])
+  for (const [text, value] of [
+    ["20", 20],
+    ["1e-3", 0.001],
+    [" .5 ", 0.5],
+    ["-1.", -1],
+    ["+2E3", 2000],
+  ])
     assert.equal(number(text), value, text);
   for (const text of ["", " ", "abc", "4 mm", "70°", "12,5", "10 %", "0x10", "1e", "--1", "1 2", "Infinity", "NaN"])
     assert.equal(number(text), null, text);

@@ -8,8 +8,8 @@ export function packed(header, columns, from, states) {
   const text = new TextEncoder().encode(JSON.stringify(header));
   const aligned = (offset) => Math.ceil(offset / 8) * 8;
   const begin = aligned(4 + text.length);
-  const size = columns.reduce((offset, column) => aligned(offset + 4 * column.length), begin) + 8 * from.length
-    + states.length;
+  const size =
+    columns.reduce((offset, column) => aligned(offset + 4 * column.length), begin) + 8 * from.length + states.length;
   const buffer = new ArrayBuffer(size);
   const bytes = new Uint8Array(buffer);
   bytes.fill(32, 4, begin);
@@ -30,7 +30,10 @@ const header = (samples, intervals) => ({
   samples,
   start: 0.5,
   interval: 0.25,
-  columns: [{ name: "x1", unit: "m", sentence: "" }, { name: "gap", unit: "m", sentence: "" }],
+  columns: [
+    { name: "x1", unit: "m", sentence: "" },
+    { name: "gap", unit: "m", sentence: "" },
+  ],
   intervals,
   states: ["stick", "slip", "separation"],
 });
@@ -41,19 +44,40 @@ test("a motion is read as it was packed, odd lengths too", () => {
     const gap = x.map((value) => -value);
     const motion = motionOf(packed(header(samples, 3), [x, gap], [0.5, 0.75, 1, 1.5], [1, 2, 0]));
     assert.deepEqual([...motion.columns.get("x1").values], x);
-    assert.deepEqual([...motion.columns.get("gap").values].map((value) => value + 0), gap.map((value) => value + 0));
+    assert.deepEqual(
+      [...motion.columns.get("gap").values].map((value) => value + 0),
+      gap.map((value) => value + 0),
+    );
     assert.deepEqual([...motion.from], [0.5, 0.75, 1, 1.5]);
     assert.deepEqual(motion.state, ["slip", "separation", "stick"]);
   }
 });
 
 test("a motion that is cut short is an error, not a picture", () => {
-  const whole = packed(header(5, 1), [[1, 2, 3, 4, 5], [1, 2, 3, 4, 5]], [0.5, 1.5], [1]);
+  const whole = packed(
+    header(5, 1),
+    [
+      [1, 2, 3, 4, 5],
+      [1, 2, 3, 4, 5],
+    ],
+    [0.5, 1.5],
+    [1],
+  );
   assert.throws(() => motionOf(whole.slice(0, whole.byteLength - 12)));
 });
 
 test("state and value are those of the time asked for", () => {
-  const motion = motionOf(packed(header(4, 2), [[0, 1, 4, 9], [0, 0, 0, 0]], [0.5, 1, 1.25], [0, 1]));
+  const motion = motionOf(
+    packed(
+      header(4, 2),
+      [
+        [0, 1, 4, 9],
+        [0, 0, 0, 0],
+      ],
+      [0.5, 1, 1.25],
+      [0, 1],
+    ),
+  );
   assert.equal(stateAt(motion, 0), "stick");
   assert.equal(stateAt(motion, 0.99), "stick");
   assert.equal(stateAt(motion, 1), "slip");
@@ -70,7 +94,7 @@ test("lines come out whole however they were cut", () => {
   for (let round = 0; round < 200; ++round) {
     const lines = new Lines();
     const found = [];
-    for (let at = 0; at < text.length; ) {
+    for (let at = 0; at < text.length;) {
       const size = 1 + Math.floor(next() * 7);
       found.push(...lines.add(text.slice(at, at + size)));
       at += size;
@@ -88,6 +112,9 @@ test("base64 gives back bytes and floats", () => {
 
 test("the place in an ascending list is found", () => {
   const values = [1, 2, 2, 5];
-  assert.deepEqual([0, 1, 2, 3, 5, 9].map((value) => lastAtMost(values, value)), [-1, 0, 2, 2, 3, 3]);
+  assert.deepEqual(
+    [0, 1, 2, 3, 5, 9].map((value) => lastAtMost(values, value)),
+    [-1, 0, 2, 2, 3, 3],
+  );
   assert.equal(lastAtMost([], 1), -1);
 });

@@ -29,7 +29,11 @@ test("a peak of one sample in a million is in the picture at any zoom", () => {
   const samples = new Float32Array(1_000_000);
   samples[654_321] = 5;
   const tree = pyramid(samples);
-  for (const [from, to] of [[0, 1e6], [654_000.5, 655_000.25], [600_000, 700_000.7]]) {
+  for (const [from, to] of [
+    [0, 1e6],
+    [654_000.5, 655_000.25],
+    [600_000, 700_000.7],
+  ]) {
     const parts = columns(tree, from, to, 800);
     assert.equal(Math.max(...parts), 5);
   }

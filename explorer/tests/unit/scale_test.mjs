@@ -67,8 +67,10 @@ test("the middle of a cell is its value, and a click on it finds it", () => {
     const part = place(value, axis);
     assert.ok(Math.abs(part - (k + 0.5) / 64) < 1e-12);
     assert.ok(Math.abs(shareAt(part, 64) - k / 63) < 1e-12);
-    assert.deepEqual(cellAt(box, data, box.left + part * box.width, box.top + (1 - part) * box.height),
-      { ix: k, iy: k });
+    assert.deepEqual(cellAt(box, data, box.left + part * box.width, box.top + (1 - part) * box.height), {
+      ix: k,
+      iy: k,
+    });
   });
   assert.equal(cellAt(box, data, 10, 100), null);
 });
@@ -95,6 +97,15 @@ test("an axis widened to zero is linear, one to a limit ends there", () => {
 
 test("labels that would lie on each other stand in rows", () => {
   const rowOf = rows();
-  const labels = [[0, 30], [20, 30], [31, 10], [45, 10], [46, 5]];
-  assert.deepEqual(labels.map(([left, width]) => rowOf(left, width)), [0, 1, 0, 0, 2]);
+  const labels = [
+    [0, 30],
+    [20, 30],
+    [31, 10],
+    [45, 10],
+    [46, 5],
+  ];
+  assert.deepEqual(
+    labels.map(([left, width]) => rowOf(left, width)),
+    [0, 1, 0, 0, 2],
+  );
 });

@@ -23,14 +23,20 @@ test("a state comes back from its fragment, whatever it holds", () => {
   const number = () => pick([0.1 + 0.2, 1e-7, 123456.789, 1e7, -0.1, next() * 1000, next() * 1e-9]);
   for (let round = 0; round < 2000; ++round) {
     const set = Object.fromEntries(
-      ["contact.preload", "joint.incidence_angle", "drive.kind"].filter(() => next() < 0.5)
+      ["contact.preload", "joint.incidence_angle", "drive.kind"]
+        .filter(() => next() < 0.5)
         .map((key) => [key, key === "drive.kind" ? "constant" : String(number())]),
     );
     const from = Math.abs(number());
     const state = {
       design: { preset: pick(["squeal", "creak", "file"]), set },
-      x: { parameter: "contact.preload", from, to: from * 3 + 1e-3, points: pick([2, 16, 64]),
-        scale: pick(["linear", "log"]) },
+      x: {
+        parameter: "contact.preload",
+        from,
+        to: from * 3 + 1e-3,
+        points: pick([2, 16, 64]),
+        scale: pick(["linear", "log"]),
+      },
       y: axis("joint.incidence_angle", -number() - 1e9, 1e9),
       figure: pick(["category", "frequency", "judged_slip"]),
       direction: pick(["going", "coming"]),
@@ -44,9 +50,19 @@ test("a state comes back from its fragment, whatever it holds", () => {
 });
 
 test("an empty or spoilt fragment gives the defaults", () => {
-  for (const text of ["", "#", "#x=1:2:3", "#x=contact.preload:9:1:64:log", "#x=contact.preload:0:1:64:log",
-    "#y=contact.preload:1:2:64:linear", "#view=nothing&theme=pink", "#span=3:1", "#other=library:x", "#preset",
-    "#%E0%A4%A&=&&=="])
+  for (const text of [
+    "",
+    "#",
+    "#x=1:2:3",
+    "#x=contact.preload:9:1:64:log",
+    "#x=contact.preload:0:1:64:log",
+    "#y=contact.preload:1:2:64:linear",
+    "#view=nothing&theme=pink",
+    "#span=3:1",
+    "#other=library:x",
+    "#preset",
+    "#%E0%A4%A&=&&==",
+  ])
     assert.deepEqual(fromFragment(text, defaults), defaults, text);
 });
 
@@ -68,8 +84,10 @@ test("axes of absurd size or of equal parameters are refused", () => {
 
 test("the fragment stays readable", () => {
   const state = { ...defaults, design: { preset: "squeal", set: { "contact.preload": "12.5" } } };
-  assert.equal(toFragment(state),
-    "preset=squeal&contact.preload=12.5&x=contact.preload:2:4000:64:log&y=contact.kinetic_friction:0:0.8:64:linear");
+  assert.equal(
+    toFragment(state),
+    "preset=squeal&contact.preload=12.5&x=contact.preload:2:4000:64:log&y=contact.kinetic_friction:0:0.8:64:linear",
+  );
 });
 
 test("a key that is no key of a field never reaches the design", () => {
@@ -84,12 +102,18 @@ test("the chart does not depend on the two values that its axes replace", () => 
 });
 
 test("a design as a command is what a shell takes", () => {
-  const design =
-    withValues({ preset: "squeal", set: {} }, { "contact.preload": "1e-7", "contact.impact": "normal-only" });
-  assert.equal(command(design),
-    "stridor init squeal | stridor simulate - --set contact.preload=1e-7 --set contact.impact=normal-only");
-  assert.equal(command(withValues({ preset: "file", set: {} }, { title: "a 'b'" })),
-    "stridor simulate CASE.toml --set 'title=a '\\''b'\\'''");
+  const design = withValues(
+    { preset: "squeal", set: {} },
+    { "contact.preload": "1e-7", "contact.impact": "normal-only" },
+  );
+  assert.equal(
+    command(design),
+    "stridor init squeal | stridor simulate - --set contact.preload=1e-7 --set contact.impact=normal-only",
+  );
+  assert.equal(
+    command(withValues({ preset: "file", set: {} }, { title: "a 'b'" })),
+    "stridor simulate CASE.toml --set 'title=a '\\''b'\\'''",
+  );
 });
 
 test("changing a design leaves the old one as it was", () => {
@@ -100,13 +124,32 @@ test("changing a design leaves the old one as it was", () => {
 });
 
 test("a command is one for a shell, whatever a link says", () => {
-  const words = (text) => spawnSync("bash", ["-c", `stridor() { printf '%s\\n' "$@" >&2; }; ${text}`],
-    { encoding: "utf8" }).stderr.split("\n").slice(0, -1);
-  const hostile = ["x & touch /tmp/x", "$(id)", "`id`", "a'b", "a\"b", "a b", "-x", "~", "*", "\\", "&& id", "|id",
-    "=ls", "#x", "!x"];
+  const words = (text) =>
+    spawnSync("bash", ["-c", `stridor() { printf '%s\\n' "$@" >&2; }; ${text}`], { encoding: "utf8" })
+      .stderr.split("\n")
+      .slice(0, -1);
+  const hostile = [
+    "x & touch /tmp/x",
+    "$(id)",
+    "`id`",
+    "a'b",
+    'a"b',
+    "a b",
+    "-x",
+    "~",
+    "*",
+    "\\",
+    "&& id",
+    "|id",
+    "=ls",
+    "#x",
+    "!x",
+  ];
   for (const text of hostile) {
-    const design = fromFragment(`#preset=${encodeURIComponent(text)}&drive.kind=${encodeURIComponent(text)}`,
-      defaults).design;
+    const design = fromFragment(
+      `#preset=${encodeURIComponent(text)}&drive.kind=${encodeURIComponent(text)}`,
+      defaults,
+    ).design;
     const wanted = ["init", text, "simulate", "-", "--set", `drive.kind=${text}`].sort();
     assert.deepEqual(words(command(design)).sort(), wanted, text);
   }
