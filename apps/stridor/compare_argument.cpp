@@ -1,6 +1,7 @@
 #include "compare_argument.hpp"
 
 #include "cell_choice.hpp"
+#include "commands.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/io/toml_case.hpp"
 #include "stridor/io/toml_study.hpp"

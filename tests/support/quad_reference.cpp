@@ -57,22 +57,24 @@ struct Expansion {
 Constants prepare(const parameters::Case& c, const QuadOptions& options) {
     Constants k{};
     const auto [s, q] = sine_cosine(Quad(c.joint.incidence_angle) * quad_pi() / 180);
-    const auto rotate = [&, sine = s, cosine = q](Quad axial, Quad flexural, Quad& xx, Quad& yy, Quad& xy) {
+    const auto rotate = [&, sine = s, cosine = q](double along, double across, Quad& xx, Quad& yy, Quad& xy) {
+        const Quad axial(along);
+        const Quad flexural(across);
         xx = axial * cosine * cosine + flexural * sine * sine;
         yy = axial * sine * sine + flexural * cosine * cosine;
         xy = (axial - flexural) * sine * cosine;
     };
     rotate(c.joint.axial_stiffness, c.joint.flexural_stiffness, k.kxx, k.kyy, k.kxy);
     rotate(c.joint.axial_damping, c.joint.flexural_damping, k.cxx, k.cyy, k.cxy);
-    k.m1 = c.joint.mass;
-    k.m2 = c.plate.mass;
-    k.k2y = c.plate.stiffness;
-    k.c2y = c.plate.damping;
-    k.preload = c.contact.preload;
-    k.mu_s = c.contact.static_friction;
-    k.mu_d = c.contact.kinetic_friction;
+    k.m1 = Quad(c.joint.mass);
+    k.m2 = Quad(c.plate.mass);
+    k.k2y = Quad(c.plate.stiffness);
+    k.c2y = Quad(c.plate.damping);
+    k.preload = Quad(c.contact.preload);
+    k.mu_s = Quad(c.contact.static_friction);
+    k.mu_d = Quad(c.contact.kinetic_friction);
     const bool is_constant = c.drive.kind == parameters::DriveKind::constant;
-    k.omega = is_constant ? Quad(0) : 2 * quad_pi() * c.drive.frequency;
+    k.omega = is_constant ? Quad(0) : 2 * quad_pi() * Quad(c.drive.frequency);
 
     // above every frequency and decay rate of every contact state
     const double lightest = std::min(c.joint.mass, c.plate.mass);
@@ -81,7 +83,7 @@ Constants prepare(const parameters::Case& c, const QuadOptions& options) {
     const double friction = 1.0 + c.contact.kinetic_friction;
     const double rate = std::sqrt(2.0 * friction * all_springs / lightest) + friction * all_dashpots / lightest +
                         static_cast<double>(k.omega);
-    k.step = options.step_share / rate;
+    k.step = Quad(options.step_share / rate);
     return k;
 }
 
@@ -89,7 +91,7 @@ class Run {
 public:
     Run(const parameters::Case& c, const QuadOptions& options) : k_(prepare(c, options)), options_(options) {
         const bool is_constant = c.drive.kind == parameters::DriveKind::constant;
-        s_.V = is_constant ? Quad(c.drive.velocity) : c.drive.amplitude * k_.omega;
+        s_.V = is_constant ? Quad(c.drive.velocity) : Quad(c.drive.amplitude) * k_.omega;
         if (c.run.initial == parameters::Initial::stuck) s_.vx = s_.V;
     }
 
@@ -141,7 +143,7 @@ Expansion Run::expand(Quad h) const {
         e.T[k] = jx + k_.m1 * surface_acceleration;
         if (k == series_order) break;
 
-        const Quad next = h / static_cast<double>(k + 1);
+        const Quad next = h / static_cast<Quad>(k + 1);
         e.x1[k + 1] = next * e.vx[k];
         e.y1[k + 1] = next * e.vy1[k];
         e.y2[k + 1] = next * e.vy2[k];

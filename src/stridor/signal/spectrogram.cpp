@@ -7,7 +7,6 @@ namespace stridor::signal {
 Spectrograph::Spectrograph(double spacing, double hop, std::size_t lines)
     : spacing_(spacing),
       hop_(hop),
-      lines_(lines),
       pool_((lines + most_rows - 1) / most_rows),
       rows_(lines / pool_),
       current_(rows_) {}

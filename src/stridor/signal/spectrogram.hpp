@@ -38,7 +38,6 @@ private:
 
     double spacing_;
     double hop_;
-    std::size_t lines_;
     std::size_t pool_;  // lines per row
     std::size_t rows_;
     std::size_t stride_ = 1;  // frames per column

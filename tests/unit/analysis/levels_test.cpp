@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace stridor::analysis {
 namespace {
@@ -48,7 +49,7 @@ TEST(Levels, AtRestAreMinusInfinity) {
     tally.vibration.resize(3);
     tally.vibration_time = 1.0;
     EXPECT_EQ(levels(tally).plate.rms, 0.0);
-    EXPECT_EQ(levels(tally).plate.decibels, -INFINITY);
+    EXPECT_EQ(levels(tally).plate.decibels, -std::numeric_limits<double>::infinity());
 }
 
 TEST(Levels, OfNoJudgedTimeAreUnknown) {

@@ -31,10 +31,11 @@ static_assert(std::numeric_limits<long double>::digits >= 64, "the oracle needs 
 RC_GTEST_PROP(SineCosine, OfTurnsIsExactToTwoTimesTenToTheMinusSixteen, ()) {
     const double turns = 3.0 * *signed_fraction();
     const SineCosine pair = sine_cosine_of_turns(turns);
-    const long double angle = two_pi * (static_cast<long double>(turns) - std::nearbyint(turns));
+    const long double angle =
+        two_pi * (static_cast<long double>(turns) - static_cast<long double>(std::nearbyint(turns)));
     // |x| <= pi/4 is rounded twice and the series once: 2 * 2^-53 * pi/4 + 2^-54 = 2.3e-16 at worst; 1.93e-16 is met
-    RC_ASSERT(std::abs(pair.sine - std::sin(angle)) < 2e-16L);
-    RC_ASSERT(std::abs(pair.cosine - std::cos(angle)) < 2e-16L);
+    RC_ASSERT(std::abs(static_cast<long double>(pair.sine) - std::sin(angle)) < 2e-16L);
+    RC_ASSERT(std::abs(static_cast<long double>(pair.cosine) - std::cos(angle)) < 2e-16L);
 }
 
 RC_GTEST_PROP(SineCosine, OfDegreesIsExactToThreeTimesTenToTheMinusSixteen, ()) {
@@ -42,8 +43,8 @@ RC_GTEST_PROP(SineCosine, OfDegreesIsExactToThreeTimesTenToTheMinusSixteen, ()) 
     const SineCosine pair = sine_cosine_of_degrees(degrees);
     const long double angle = two_pi * static_cast<long double>(degrees) / 360;
     // one rounding more than in turns, that of rest / 90: 3 * 2^-53 * pi/4 + 2^-54 = 3.2e-16 at worst
-    RC_ASSERT(std::abs(pair.sine - std::sin(angle)) < 3.2e-16L);
-    RC_ASSERT(std::abs(pair.cosine - std::cos(angle)) < 3.2e-16L);
+    RC_ASSERT(std::abs(static_cast<long double>(pair.sine) - std::sin(angle)) < 3.2e-16L);
+    RC_ASSERT(std::abs(static_cast<long double>(pair.cosine) - std::cos(angle)) < 3.2e-16L);
 }
 
 TEST(SineCosine, QuarterTurnsAreExact) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace stridor::integration {
 namespace {
 
@@ -21,7 +23,7 @@ TEST(EnergyBalance, OfNothingHasNoResidual) {
     idle.residual = 1e-9;
     EXPECT_EQ(weighed({Reason::completed, 1.0}, idle, 1e-9).reason, Reason::unbalanced);
     EXPECT_EQ(weighed({Reason::cancelled, 1.0}, idle, 1e-9).reason, Reason::cancelled);
-    idle.residual = INFINITY;
+    idle.residual = std::numeric_limits<double>::infinity();
     EXPECT_EQ(weighed({Reason::settled, 1.0}, idle, 1e-9).reason, Reason::diverged);
 }
 

@@ -81,7 +81,7 @@ TEST_F(Repairing, SavesWhatIsWholeAndBringsBackTheRest) {
     std::size_t kept = 0;
     std::size_t trials = 0;
     for (std::size_t page = 0; page < pages; page += page == 0 ? 1 : support::effort(2, 9))
-        for (const std::size_t place : {3, 15, 120, 2000, 4090}) {
+        for (const std::size_t place : {3U, 15U, 120U, 2000U, 4090U}) {
             ++trials;
             damage(page * storage::page_size + place, 1);
             const Repair repair = repaired(true);
