@@ -5,6 +5,7 @@
 #include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/run.hpp"
 #include "support/process.hpp"
+#include "support/wait.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -12,14 +13,15 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <csignal>
+#include <functional>
 #include <memory>
 #include <set>
+#include <span>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
-#include <thread>
 #include <utility>
 
 namespace stridor::sweep {
@@ -29,9 +31,29 @@ using support::Finished;
 using support::Launch;
 using support::Process;
 
-void pause(int milliseconds) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-}
+// a store in which so many batches may be written until a stop is requested
+class ImpatientKeeper final : public CellKeeper {
+public:
+    ImpatientKeeper(Store& store, int batches) : store_(store), left_(batches) {}
+
+    std::stop_token token() const { return source_.get_token(); }
+
+    std::string name() const override { return store_.name(); }
+    std::vector<bool> stored() override { return store_.stored(); }
+    Counts counts() override { return store_.counts(); }
+    void write(std::span<const IndexedCell> cells) override {
+        store_.write(cells);
+        if (--left_ <= 0) source_.request_stop();
+    }
+    void visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) override {
+        store_.visit(first, last, use);
+    }
+
+private:
+    Store& store_;
+    int left_;
+    std::stop_source source_;
+};
 
 // by refinement: a complete chart and a refined one
 class Sweep : public testing::TestWithParam<int> {
@@ -97,30 +119,26 @@ TEST_P(Sweep, HasTheSameBitsHoweverOftenItWasStopped) {
     Store store(folder_ / "disturbed", study_);
     Ending ending = Ending::stopped;
     int stops = 0;
-    // each attempt gets more time, so that the last one ends on any machine
-    for (int wait = 5; ending == Ending::stopped; wait += 5) {
-        std::stop_source source;
+    for (int batches = 1; ending == Ending::stopped; ++batches) {
+        ImpatientKeeper keeper(store, batches);
         RunOptions options;
         options.threads = 1 + stops % 3;
-        options.stop = source.get_token();
-        const std::jthread impatient([&, wait] {
-            pause(wait);
-            source.request_stop();
-        });
-        ending = run(study_, store, options).ending;
+        options.stop = keeper.token();
+        options.cells_per_commit = 4;
+        ending = run(study_, keeper, options).ending;
         if (ending == Ending::stopped) ++stops;
     }
-    EXPECT_GE(stops, 1);
+    EXPECT_GE(stops, 3);
     EXPECT_TRUE(same_cells(all_cells(load(study_, store)), cells));
 }
 
 TEST_P(Sweep, HasTheSameBitsHoweverOftenItWasKilled) {
     const std::vector<Cell> cells = undisturbed(2);
     int kills = 0;
-    // irregular moments: while the process starts, the store is made, cells are written
-    for (const int wait : {1, 3, 5, 8, 11, 15, 20, 26, 33, 41}) {
+    // while the process starts, while the store is opened, after a few batches of cells
+    for (const std::size_t marks : {0, 1, 2, 2, 3, 4, 6, 2, 5, 3}) {
         Process process(child(1 + kills % 2));
-        pause(wait);
+        EXPECT_TRUE(support::wait_until([&] { return process.err().size() >= marks || !process.is_running(); }));
         process.send(SIGKILL);
         if (process.wait().signal == SIGKILL) ++kills;
         expect_part_of(cells, folder_ / "disturbed");

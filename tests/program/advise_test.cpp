@@ -1,12 +1,11 @@
 #include "support/json_of.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/wait.hpp"
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <csignal>
-#include <thread>
 
 using nlohmann::json;
 using stridor::support::Finished;
@@ -15,6 +14,7 @@ using stridor::support::Launch;
 using stridor::support::Process;
 using stridor::support::run;
 using stridor::support::ScratchFolder;
+using stridor::support::wait_until;
 using stridor::support::write_text;
 
 namespace {
@@ -144,7 +144,7 @@ TEST_F(Advise, EndsWithCode4WhenInterrupted) {
     launch.arguments = {"advise", "squeal.toml", "--set", "run.engine=beta_2", "--set", "run.step=5e-8"};
     launch.folder = folder_.path();
     Process process(launch);
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    ASSERT_TRUE(wait_until([&] { return process.handles(SIGINT); }));
     process.send(SIGINT);
     const Finished finished = process.wait();
     EXPECT_EQ(finished.exit_code, 4) << finished.err;

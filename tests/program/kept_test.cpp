@@ -2,19 +2,20 @@
 
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/wait.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <thread>
 
 using stridor::support::Finished;
 using stridor::support::Launch;
 using stridor::support::Process;
 using stridor::support::run;
 using stridor::support::ScratchFolder;
+using stridor::support::wait_until;
 using stridor::support::write_text;
 
 namespace {
@@ -36,9 +37,7 @@ protected:
     void kill(const std::vector<std::string>& arguments, const std::string& cache) const {
         for (const int wait : {300, 600, 900}) {
             Process process(launch(arguments, cache));
-            const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(wait);
-            while (process.is_running() && std::chrono::steady_clock::now() < end)
-                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            process.ends_within(std::chrono::milliseconds(wait));
             process.send(SIGKILL);
             process.wait();
         }
@@ -100,9 +99,9 @@ TEST_F(KeptResults, AnInterruptSaysThatTheSameCommandGoesOn) {
     // far more than is heard until the signal comes
     Process process(launch({"evaluate", "pair.toml", "--threads", "1", "--perturb-every", "1"}, "cache"));
     const std::filesystem::path cache = folder_.path() / "cache" / "stridor";
-    while (process.is_running() && (!std::filesystem::exists(cache) || std::filesystem::is_empty(cache)))
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ASSERT_TRUE(wait_until([&] {
+        return std::filesystem::exists(cache) && !std::filesystem::is_empty(cache) && process.handles(SIGINT);
+    }));
     process.send(SIGINT);
     const Finished stopped = process.wait();
     ASSERT_EQ(stopped.exit_code, 4) << stopped.err;

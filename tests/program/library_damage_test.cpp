@@ -8,7 +8,6 @@
 #include <chrono>
 #include <csignal>
 #include <span>
-#include <thread>
 
 using stridor::noise_library::Entry;
 using stridor::noise_library::Library;
@@ -39,7 +38,7 @@ protected:
 
     Finished killed(const std::vector<std::string>& arguments) {
         Process process(Launch{arguments, folder_.path(), {}, std::nullopt, {}});
-        std::this_thread::sleep_for(life_ * random_.between(0.0, 1.2));
+        process.ends_within(life_ * random_.between(0.0, 1.2));
         process.send(SIGKILL);
         Finished finished = process.wait();
         const bool is_killed = finished.signal == SIGKILL;

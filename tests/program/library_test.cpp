@@ -1,5 +1,6 @@
 #include "program/library_program.hpp"
 #include "support/json_of.hpp"
+#include "support/wait.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@ using stridor::support::LibraryProgram;
 using stridor::support::Process;
 using stridor::support::read_text;
 using stridor::support::run;
+using stridor::support::wait_until;
 using stridor::support::wav;
 using stridor::support::with_file;
 using stridor::support::write_text;
@@ -150,8 +152,7 @@ TEST_F(LibraryProgram, StopsBetweenFilesAndGoesOnFromThere) {
         write_text(folder_ / ("runs/" + std::to_string(100 + k) + ".wav"), wav(static_cast<std::uint64_t>(k), 50000));
     const std::vector<std::string> add = with_file({"library", "add", "runs", "--json"});
     Process process(Launch{add, folder_.path(), {}, std::nullopt, {}});
-    while (!std::filesystem::exists(folder_ / "library.audio") && process.is_running())
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_TRUE(wait_until([&] { return std::filesystem::exists(folder_ / "library.audio"); }));
     process.send(SIGINT);
     const Finished stopped = process.wait();
     EXPECT_EQ(stopped.exit_code, 4) << stopped.err;

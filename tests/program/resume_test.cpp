@@ -1,12 +1,12 @@
 #include "support/effort.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/wait.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <csignal>
-#include <thread>
 
 using stridor::support::effort;
 using stridor::support::Finished;
@@ -15,6 +15,7 @@ using stridor::support::Process;
 using stridor::support::read_text;
 using stridor::support::run;
 using stridor::support::ScratchFolder;
+using stridor::support::wait_until;
 using stridor::support::write_text;
 
 namespace {
@@ -41,10 +42,6 @@ protected:
     ScratchFolder folder_;
 };
 
-void pause(int milliseconds) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-}
-
 }  // namespace
 
 TEST_F(Resume, AKilledSweepEndsWithTheSameBytesAsAnUninterruptedOne) {
@@ -55,7 +52,7 @@ TEST_F(Resume, AKilledSweepEndsWithTheSameBytesAsAnUninterruptedOne) {
     int kills = 0;
     for (const int wait : {3, 11, 23, 37, 61, 83, 127, 151, 197, 251}) {
         Process process(Launch{sweep("killed", kills % 2 == 0 ? "1" : "2"), folder_.path(), {}, std::nullopt, {}});
-        pause(wait);
+        process.ends_within(std::chrono::milliseconds(wait));
         process.send(SIGKILL);
         process.wait();
         ++kills;
@@ -82,7 +79,7 @@ TEST_F(Resume, AKilledRefinedSweepFromSeveralStartsEndsWithTheSameBytes) {
     EXPECT_NE(csv("whole").find(",inferred,"), std::string::npos);
     for (const int wait : {40, 90, 160, 250, 350}) {
         Process process(Launch{refined("killed", wait % 20 == 0 ? "1" : "2"), folder_.path(), {}, std::nullopt, {}});
-        pause(wait);
+        process.ends_within(std::chrono::milliseconds(wait));
         process.send(SIGKILL);
         process.wait();
     }
@@ -104,11 +101,9 @@ TEST_F(Resume, AnInterruptStopsWithinASecondSaysHowToGoOnAndResumes) {
         std::vector<std::string> slow = sweep("stopped", "2");
         slow.insert(slow.end(), {"--set", "run.duration=4", "--set", "chart.x.points=4", "--set", "chart.y.points=4"});
         Process process(Launch{slow, folder_.path(), {}, std::nullopt, {}});
-        pause(400);
-        const auto asked = std::chrono::steady_clock::now();
+        ASSERT_TRUE(wait_until([&] { return process.handles(signal); }));
         process.send(signal);
-        while (process.is_running() && std::chrono::steady_clock::now() - asked < std::chrono::seconds(20))
-            pause(5);
+        EXPECT_TRUE(process.ends_within(std::chrono::seconds(20)));
         const Finished finished = process.wait();
         EXPECT_EQ(finished.exit_code, 4) << finished.err;
         EXPECT_NE(finished.err.find("same command again"), std::string::npos) << finished.err;

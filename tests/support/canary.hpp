@@ -1,6 +1,7 @@
 #pragma once
 
 #include "support/scratch_folder.hpp"
+#include "support/wait.hpp"
 
 #include <fcntl.h>
 #include <sys/inotify.h>
@@ -56,7 +57,7 @@ private:
                 pipe_opened_ = true;
                 ::close(writer);
             }
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            wait_for_stop(stop, std::chrono::milliseconds(1));
         }
     }
 

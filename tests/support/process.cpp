@@ -1,5 +1,7 @@
 #include "support/process.hpp"
 
+#include "support/wait.hpp"
+
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -66,6 +68,23 @@ void Process::send(int signal) const {
 bool Process::is_running() {
     if (!is_done_) is_done_ = waitpid(id_, &status_, WNOHANG) == id_;
     return !is_done_;
+}
+
+bool Process::ends_within(std::chrono::duration<double> limit) {
+    return wait_until([&] { return !is_running(); }, std::chrono::duration_cast<std::chrono::milliseconds>(limit));
+}
+
+bool Process::handles(int signal) const {
+    std::ifstream status("/proc/" + std::to_string(id_) + "/status");
+    const std::string name = "SigCgt:";
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with(name))
+            return (std::stoull(line.substr(name.size()), nullptr, 16) >> (signal - 1) & 1U) != 0;
+    return false;
+}
+
+std::string Process::err() const {
+    return read_text(output_ / "err");
 }
 
 Finished Process::wait() {

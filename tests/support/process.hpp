@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -40,6 +41,12 @@ public:
 
     void send(int signal) const;
     bool is_running();
+    /// Waits for its end, at most so long: a kill later than that falls into its work.
+    bool ends_within(std::chrono::duration<double> limit);
+    /// Has it come to where it handles the signal itself?
+    bool handles(int signal) const;
+    /// What it has written so far to stderr.
+    std::string err() const;
     Finished wait();
 
 private:

@@ -9,6 +9,7 @@ import { connect } from "node:net";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
+import { until } from "../until.mjs";
 import { program, startExplorer } from "./session.mjs";
 
 // what an attack may leave behind [MB]; sanitizers keep what is freed for a while
@@ -99,6 +100,12 @@ async function residentMegabytes() {
   return Number(/VmHWM:\s+(\d+)/.exec(status)[1]) / 1024;
 }
 
+// the processor time that a process has taken [1/100 s]
+async function ticks(pid) {
+  const fields = (await readFile(`/proc/${pid}/stat`, "utf8")).split(") ")[1].split(" ");
+  return Number(fields[11]) + Number(fields[12]);
+}
+
 async function isStillAnswering() {
   assert.equal((await ask({})).status, 200);
 }
@@ -122,8 +129,7 @@ test("a link opens once, and the next one is printed", async () => {
   const path = `/open${new URL(link).search}`;
   assert.equal((await ask({ path, cookie: "" })).status, 303);
   assert.equal((await ask({ path, cookie: "" })).status, 403);
-  await new Promise((resolve) => setTimeout(resolve, 200));
-  assert.notEqual(explorer.link(), link);
+  await until(() => explorer.link() !== link, "the next link");
 });
 
 test("paths reach no file", async () => {
@@ -171,10 +177,10 @@ test("a chunk of negative size is no chunk", async () => {
 
 test("two hundred connections that say nothing do not keep others out for ever", async () => {
   const sockets = Array.from({ length: 200 }, () => connect(port, "127.0.0.1").on("error", () => {}));
-  await new Promise((resolve) => setTimeout(resolve, 300));
+  await Promise.all(sockets.map((socket) => new Promise((resolve) => socket.once("connect", resolve))));
   sockets.forEach((socket) => socket.destroy());
-  await new Promise((resolve) => setTimeout(resolve, 200));
-  await isStillAnswering();
+  // the server notices one by one that they have left
+  await until(async () => (await ask({}).catch(() => ({}))).status === 200, "an answer");
 });
 
 test("a hundred connections that stay, silent or refused, keep the owner neither out nor waiting", async () => {
@@ -248,13 +254,16 @@ test("runs that do not stop when their clients leave keep neither the page nor C
   ])
     for (let k = 0; k < 2; ++k) {
       const body = JSON.stringify({ preset: "squeal", set });
+      const idle = await ticks(own.pid);
       const socket = connect(there.port, "127.0.0.1").on("error", () => {});
       socket.write(
         `POST /api/simulate HTTP/1.1\r\nHost: ${there.host}\r\n` +
           `Origin: http://${there.host}\r\nCookie: ${session}\r\n` +
           `Content-Type: application/json\r\nContent-Length: ${body.length}\r\n\r\n${body}`,
       );
-      await new Promise((resolve) => setTimeout(resolve, 200));
+      let isAnswered = false;
+      socket.once("data", () => (isAnswered = true));
+      await until(async () => isAnswered || (await ticks(own.pid)) > idle + 10, "the run to begin");
       socket.destroy();
     }
   const began = Date.now();
@@ -287,12 +296,7 @@ test("the list of processes shows no secret while the browser is opened", async 
   const own = spawn(program, ["explore"], { env, stdio: ["ignore", "pipe", "ignore"] });
   try {
     const link = String(await new Promise((resolve) => own.stdout.once("data", resolve))).trim();
-    let opened = null;
-    for (let k = 0; k < 200 && opened === null; ++k) {
-      opened = await readFile(seen, "utf8").catch(() => null);
-      await new Promise((resolve) => setTimeout(resolve, 20));
-    }
-    opened = opened.trim();
+    const opened = (await until(() => readFile(seen, "utf8").catch(() => null), "the browser")).trim();
     const token = new URL(link).searchParams.get("token");
     assert.ok(!opened.includes(token) && !opened.includes("http"), opened);
     assert.equal((await stat(opened)).mode & 0o777, 0o600);
@@ -362,21 +366,22 @@ test("an abandoned chart does not go on computing", async () => {
       y: { parameter: "contact.kinetic_friction", from: 0, to: 0.8, points: 256 },
     },
   });
+  const idle = await ticks(explorer.pid);
   const socket = connect(port, "127.0.0.1");
   socket.write(
     `POST /api/chart HTTP/1.1\r\nHost: ${host}\r\nOrigin: http://${host}\r\nCookie: ${cookie}\r\n` +
       `Content-Type: application/json\r\nContent-Length: ${body.length}\r\n\r\n${body}`,
   );
-  await new Promise((resolve) => setTimeout(resolve, 500));
+  await until(async () => (await ticks(explorer.pid)) > idle + 20, "the chart to begin");
   socket.destroy();
-  await new Promise((resolve) => setTimeout(resolve, 1500));
-  const ticks = async () => {
-    const fields = (await readFile(`/proc/${explorer.pid}/stat`, "utf8")).split(") ")[1].split(" ");
-    return Number(fields[11]) + Number(fields[12]);
+  // 131072 cells take minutes
+  let last = null;
+  const rests = async () => {
+    const before = last;
+    last = await ticks(explorer.pid);
+    return before !== null && last - before < 5;
   };
-  const before = await ticks();
-  await new Promise((resolve) => setTimeout(resolve, 1000));
-  assert.ok((await ticks()) - before < 30, "it still computes");
+  await until(rests, "the chart to stop", { limit: 10_000, every: 250 });
 });
 
 test("other addresses are refused unless asked for twice", () => {

@@ -6,6 +6,7 @@ import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { connect } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { until } from "../until.mjs";
 
 const patience = 120_000; // [ms] for a Firefox that starts on a busy machine
 
@@ -21,16 +22,6 @@ const preferences = {
   "network.connectivity-service.enabled": false,
   "media.autoplay.default": 0,
 };
-
-async function until(find, what) {
-  const end = Date.now() + patience;
-  for (;;) {
-    const found = await find();
-    if (found !== null && found !== undefined && found !== false) return found;
-    if (Date.now() > end) throw new Error(`waited in vain for ${what}`);
-    await new Promise((resolve) => setTimeout(resolve, 100));
-  }
-}
 
 /** The commands of one Firefox. */
 class Marionette {

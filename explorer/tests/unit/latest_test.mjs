@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Latest } from "../../src/latest.ts";
+import { until } from "../until.mjs";
 
 const settle = () => new Promise((done) => setImmediate(done));
 
@@ -48,7 +49,8 @@ test("what has shown something has its time, then gives way", async () => {
   latest.ask(2);
   await settle();
   assert.deepEqual(log, ["start 1"]);
-  await new Promise((done) => setTimeout(done, 80));
+  await until(() => log.length > 1, "the first to give way");
+  await settle();
   assert.deepEqual(log, ["start 1", "abort 1", "start 2"]);
 });
 

@@ -13,24 +13,29 @@ public:
     Handler handler() {
         return [state = state_](const Request& request, const std::stop_token&) {
             if (request.path == "/alive") return plain(200, "GET /alive");
-            ++state->begun;
-            while (!state->is_over)
-                std::this_thread::sleep_for(1ms);
-            --state->begun;
+            change(state->begun, 1);
+            state->is_over.wait(false);
+            change(state->begun, -1);
             return plain(200, "late");
         };
     }
     void wait_for(int begun) const {
-        while (state_->begun < begun)
-            std::this_thread::sleep_for(1ms);
+        for (int now = state_->begun; now < begun; now = state_->begun)
+            state_->begun.wait(now);
     }
     ~Deaf() {
         state_->is_over = true;
-        while (state_->begun > 0)
-            std::this_thread::sleep_for(1ms);
+        state_->is_over.notify_all();
+        for (int now = state_->begun; now > 0; now = state_->begun)
+            state_->begun.wait(now);
     }
 
 private:
+    static void change(std::atomic<int>& number, int by) {
+        number += by;
+        number.notify_all();
+    }
+
     struct State {
         std::atomic<int> begun = 0;
         std::atomic<bool> is_over = false;

@@ -7,6 +7,7 @@
 #include "stridor/storage/page_checksum.hpp"
 #include "support/bit_flips.hpp"
 #include "support/error_text.hpp"
+#include "support/wait.hpp"
 #include "unit/noise_library/library_folder.hpp"
 
 #include <sys/wait.h>
@@ -254,8 +255,16 @@ TEST_F(DamagedLibrary, IsBroughtUpToDateByExactlyOneOfManyAndSurvivesTheDeathOfO
             }
             processes.push_back(id);
         }
-        // the first is killed at some moment of its work
-        usleep(static_cast<useconds_t>(400 * round));
+        // the first is killed at the beginning, or once so much of the new library is there
+        const fs::path made = file_.string() + ".new";
+        const auto is_far = [&] {
+            std::error_code none;
+            const std::uintmax_t size = fs::file_size(made, none);
+            siginfo_t ended{};
+            waitid(P_PID, static_cast<id_t>(processes[0]), &ended, WEXITED | WNOHANG | WNOWAIT);
+            return (!none && size >= 16384U * static_cast<unsigned>(round - 1)) || ended.si_pid != 0;
+        };
+        EXPECT_TRUE(support::wait_until([&] { return round == 0 || is_far(); }));
         kill(processes[0], SIGKILL);
         for (std::size_t k = 0; k < processes.size(); ++k) {
             int status = 0;
