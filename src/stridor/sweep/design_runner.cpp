@@ -4,6 +4,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/sweep/evaluate.hpp"
+#include "stridor/sweep/fork_join.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -74,7 +75,9 @@ struct DesignRunner::Threads {
         std::mutex mutex;
         std::exception_ptr failure;
         using Range = tbb::blocked_range<std::size_t>;
+        const ForkJoin all;
         const auto judge_range = [&](const Range& range) {
+            const ForkJoin::Task task;
             for (std::size_t k = range.begin(); k < range.end() && !stop.stop_requested(); ++k) {
                 try {
                     const std::optional<Attempt> run = attempt(cases[k], {}, stop, workspaces.local());
@@ -87,6 +90,7 @@ struct DesignRunner::Threads {
             }
         };
         arena.execute([&] { tbb::parallel_for(Range(first, last, 1), judge_range, tbb::simple_partitioner()); });
+        all.join();
         if (failure) std::rethrow_exception(failure);
         if (stop.stop_requested())
             throw Error(ErrorKind::interrupted,

@@ -7,6 +7,7 @@
 #include "stridor/parameters/check.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/evaluate.hpp"
+#include "stridor/sweep/fork_join.hpp"
 #include "stridor/sweep/store.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
@@ -157,11 +158,14 @@ public:
         tbb::task_arena arena(threads);
         tbb::enumerable_thread_specific<integration::Workspace> workspaces;
         using Range = tbb::blocked_range<std::size_t>;
+        const ForkJoin all;
         const auto compute_range = [&](const Range& range) {
+            const ForkJoin::Task task;
             for (std::size_t k = range.begin(); k < range.end() && !options_.stop.stop_requested(); ++k)
                 compute(k, workspaces.local());
         };
         arena.execute([&] { tbb::parallel_for(Range(0, cells_.size(), 1), compute_range, tbb::simple_partitioner()); });
+        all.join();
         if (options_.stop.stop_requested())
             throw Error(ErrorKind::interrupted, {"stopped while drawing the diagram", "what is computed is kept",
                                                  "Run the same command again."});

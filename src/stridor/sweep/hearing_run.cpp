@@ -2,6 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/sweep/fork_join.hpp"
 #include "stridor/sweep/heard_text.hpp"
 #include "stridor/sweep/run_sound.hpp"
 #include "stridor/sweep/store.hpp"
@@ -109,12 +110,15 @@ private:
         tbb::task_arena arena(count);
         tbb::enumerable_thread_specific<integration::Workspace> workspaces;
         using Range = tbb::blocked_range<std::size_t>;
+        const ForkJoin all;
         const auto compute_range = [&](const Range& range) {
+            const ForkJoin::Task task;
             for (std::size_t run = range.begin(); run < range.end() && !halt_.stop_requested(); ++run)
                 compute(run, workspaces.local());
         };
         const std::size_t runs = sounds_.size() / directions_per_run(study_);
         arena.execute([&] { tbb::parallel_for(Range(0, runs, 1), compute_range, tbb::simple_partitioner()); });
+        all.join();
     }
 
     // the cells of the run whose first cell has this index

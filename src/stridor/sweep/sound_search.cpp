@@ -1,5 +1,6 @@
 #include "stridor/sweep/sound_search.hpp"
 
+#include "stridor/sweep/fork_join.hpp"
 #include "stridor/sweep/heard_text.hpp"
 #include "stridor/sweep/hearing_run.hpp"
 
@@ -155,12 +156,15 @@ private:
         tbb::task_arena arena(threads);
         tbb::enumerable_thread_specific<integration::Workspace> workspaces;
         using Range = tbb::blocked_range<std::size_t>;
+        const ForkJoin all;
         const auto listen_to = [&](const Range& range) {
+            const ForkJoin::Task task;
             for (std::size_t k = range.begin(); k < range.end() && !options_.stop.stop_requested(); ++k) {
                 sounds[k] = sound_of(asked[k], workspaces.local());
             }
         };
         arena.execute([&] { tbb::parallel_for(Range(0, asked.size(), 1), listen_to, tbb::simple_partitioner()); });
+        all.join();
         for (std::optional<CellSound>& sound : sounds)
             if (sound) take(std::move(*sound));
         sort();

@@ -1,6 +1,7 @@
 #include "stridor/sweep/workers.hpp"
 
 #include "stridor/sweep/evaluate.hpp"
+#include "stridor/sweep/fork_join.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -35,7 +36,9 @@ void Workers::compute_all(int threads) {
         tbb::task_group_context context;
         using Range = tbb::blocked_range<std::size_t>;
         tbb::enumerable_thread_specific<integration::Workspace> workspaces;
+        const ForkJoin all;
         const auto compute_range = [&](const Range& range) {
+            const ForkJoin::Task task;
             for (std::size_t k = range.begin(); k < range.end() && !halt_.stop_requested(); ++k)
                 compute(runs_[k], workspaces.local());
             if (halt_.stop_requested()) context.cancel_group_execution();
@@ -43,6 +46,7 @@ void Workers::compute_all(int threads) {
         // a run takes milliseconds to minutes: each is a task of its own
         arena.execute(
             [&] { tbb::parallel_for(Range(0, runs_.size(), 1), compute_range, tbb::simple_partitioner(), context); });
+        all.join();
     } catch (...) {
         keep_failure(std::current_exception());
     }
