@@ -215,7 +215,7 @@ public:
         initial_energy_ = half_step_energy(structure_, state_, settings.step);
     }
 
-    Outcome run(std::stop_token stop);
+    Outcome run(const std::stop_token& stop);
     EnergyBalance energy() const;
     record::Outlook outlook(const Outcome& outcome) const;
 
@@ -319,7 +319,7 @@ void Stepping<dofs>::sample() {
 }
 
 template <int dofs>
-Outcome Stepping<dofs>::run(std::stop_token stop) {
+Outcome Stepping<dofs>::run(const std::stop_token& stop) {
     const double h = coefficients_.h;
     const std::vector<record::Span>& spans = recorder_.schedule().spans;
     const record::TraceRequest& trace = recorder_.request().trace;

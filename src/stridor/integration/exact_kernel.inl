@@ -87,13 +87,14 @@ STRIDOR_INLINE Vector smaller(const Vector& a, const Vector& b) {
 // itself, all lanes are alike
 template <int step>
 STRIDOR_INLINE Part exchanged(const Part& p) {
-    if constexpr (width == 2)
-        return __builtin_shufflevector(p, p, 0 ^ step, 1 ^ step);
-    else if constexpr (width == 4)
-        return __builtin_shufflevector(p, p, 0 ^ step, 1 ^ step, 2 ^ step, 3 ^ step);
-    else
-        return __builtin_shufflevector(p, p, 0 ^ step, 1 ^ step, 2 ^ step, 3 ^ step, 4 ^ step, 5 ^ step, 6 ^ step,
-                                       7 ^ step);
+#if STRIDOR_WIDTH == 2
+    return __builtin_shufflevector(p, p, 0 ^ step, 1 ^ step);
+#elif STRIDOR_WIDTH == 4
+    return __builtin_shufflevector(p, p, 0 ^ step, 1 ^ step, 2 ^ step, 3 ^ step);
+#else
+    return __builtin_shufflevector(p, p, 0 ^ step, 1 ^ step, 2 ^ step, 3 ^ step, 4 ^ step, 5 ^ step, 6 ^ step,
+                                   7 ^ step);
+#endif
 }
 
 template <typename Combine>
