@@ -136,7 +136,7 @@ TEST_P(Sweep, HasTheSameBitsHoweverOftenItWasKilled) {
     const std::vector<Cell> cells = undisturbed(2);
     int kills = 0;
     // while the process starts, while the store is opened, after a few batches of cells
-    for (const std::size_t marks : {0, 1, 2, 2, 3, 4, 6, 2, 5, 3}) {
+    for (const std::size_t marks : {0U, 1U, 2U, 2U, 3U, 4U, 6U, 2U, 5U, 3U}) {
         Process process(child(1 + kills % 2));
         EXPECT_TRUE(support::wait_until([&] { return process.err().size() >= marks || !process.is_running(); }));
         process.send(SIGKILL);

@@ -58,8 +58,8 @@ Constants prepare(const parameters::Case& c, const QuadOptions& options) {
     Constants k{};
     const auto [s, q] = sine_cosine(Quad(c.joint.incidence_angle) * quad_pi() / 180);
     const auto rotate = [&, sine = s, cosine = q](double along, double across, Quad& xx, Quad& yy, Quad& xy) {
-        const Quad axial(along);
-        const Quad flexural(across);
+        const Quad axial = static_cast<Quad>(along);
+        const Quad flexural = static_cast<Quad>(across);
         xx = axial * cosine * cosine + flexural * sine * sine;
         yy = axial * sine * sine + flexural * cosine * cosine;
         xy = (axial - flexural) * sine * cosine;
