@@ -5,7 +5,7 @@
 #                  [LIBRARIES targets ...] [PUBLIC_LIBRARIES targets ...] [APART sources ...])
 #   stridor_program(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [APART sources ...])
 #   stridor_test(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [APART sources ...] [LABEL label]
-#                [TIMEOUT seconds] [COST seconds] [PROGRAM])
+#                [TIMEOUT seconds] [COST seconds] [PROGRAM] [THREADS])
 #   stridor_example(NAME SOURCE main.cpp [DEPENDS modules ...] [ARGUMENTS ...])
 #   stridor_benchmark(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [OWN_MAIN])
 
@@ -155,9 +155,11 @@ endfunction()
 # Under sanitizers it is one test, `NAME`: a thousand starts of a sanitized process cost more than most of what they
 # test, and cases that share a simulation make it once. The longest (COST, what it takes under sanitizers) start first.
 # Sources may include "support/..." from tests/, find the checkout at STRIDOR_SOURCE_DIR (a string literal), and, with
-# PROGRAM, start the built program (support/process.hpp).
+# PROGRAM, start the built program (support/process.hpp). Tests of what runs on several threads (THREADS) are built
+# by the target thread_tests, and have the label `threads` as well under sanitizers: the thread sanitizer runs these
+# alone.
 function(stridor_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 ARG "PROGRAM" "LABEL;TIMEOUT;COST" "SOURCES;DEPENDS;LIBRARIES;APART")
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "PROGRAM;THREADS" "LABEL;TIMEOUT;COST" "SOURCES;DEPENDS;LIBRARIES;APART")
     stridor_check_arguments(stridor_test ${name})
     if(NOT ARG_LABEL)
         set(ARG_LABEL fast)
@@ -180,13 +182,19 @@ function(stridor_test name)
     target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main rapidcheck)
     # the headers every test includes are parsed once for all
     target_precompile_headers(${target} REUSE_FROM stridor_test_headers)
+    if(ARG_THREADS)
+        add_dependencies(thread_tests ${target})
+    endif()
     if(ARG_PROGRAM)
         add_dependencies(${target} stridor)
         target_link_libraries(${target} PRIVATE stridor_test_program)
     endif()
     if(STRIDOR_SANITIZED)
+        if(ARG_THREADS)
+            list(APPEND ARG_LABEL threads)
+        endif()
         add_test(NAME ${name} COMMAND ${target} --gtest_brief=1)
-        set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 1200 COST ${ARG_COST})
+        set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT 1200 COST ${ARG_COST})
         if(ARG_PROGRAM)
             # looking at frames that returned costs the program a fifth of its time;
             # tests of modules do (CMakePresets.json)
