@@ -25,7 +25,7 @@ integration::Motion exactly(const support::BeltRun& run) {
     c.drive = support::constant_drive(1.0);  // one phase, whatever really drives the belt
     c.run.duration = c.run.window = run.duration;
     return integration::integrate_exact(model::mass_on_belt(run.belt), run.drive, run.start, {},
-                                           record::Recorder(record::schedule(c), run.request, 2));
+                                        record::Recorder(record::schedule(c), run.request, 2));
 }
 
 TEST(ExactBelt, SticksAndSlipsForTheTimesOfTheClosedForm) {

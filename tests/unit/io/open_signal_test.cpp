@@ -58,9 +58,9 @@ TEST(OpenSignal, ReadsWhatSoxWroteInEveryLosslessFormat) {
 
 TEST(OpenSignal, SaysHowMeasurementsOfOtherProgramsGetIn) {
     const auto refusal_of = [](const std::string& bytes) { return error_of([&] { open_signal(input_of(bytes)); }); };
-    for (const auto& [beginning, name] : {std::pair{std::string("TDSm\x0e\0\0\0", 8), "TDMS"},
-                                          std::pair{std::string("MDF     4.10    "), "MDF"},
-                                          std::pair{std::string("\x89HDF\r\n\x1a\n\0", 9), "HDF5"}}) {
+    for (const auto& [beginning, name] :
+         {std::pair{std::string("TDSm\x0e\0\0\0", 8), "TDMS"}, std::pair{std::string("MDF     4.10    "), "MDF"},
+          std::pair{std::string("\x89HDF\r\n\x1a\n\0", 9), "HDF5"}}) {
         const auto error = refusal_of(beginning);
         ASSERT_TRUE(error);
         EXPECT_NE(error->problem().what.find(name), std::string::npos) << error->what();
