@@ -396,7 +396,7 @@ Motion integrate_beta_2(const model::Structure& structure, const parameters::Dri
         return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     return model::with_size(model::dofs_of(structure), [&](auto size) -> Motion {
         Stepping<size()> runner(structure, contact, drive, start, settings, recorder);
-        const Outcome outcome = runner.run(std::move(stop));
+        const Outcome outcome = runner.run(stop);
         const EnergyBalance balance = runner.energy();
         const double most = settings.beta_2 > 0.5 ? everything : most_unexplained;
         return {weighed(outcome, balance, most), balance, recorder.finish(outcome.time, runner.outlook(outcome))};
