@@ -97,7 +97,7 @@ TEST(SimulationJson, StatesTheUnitOfEveryQuantity) {
 TEST(SimulationJson, SurvivesATitleThatIsNotText) {
     parameters::Case c;
     c.title = "\xff\xfe";
-    EXPECT_NO_THROW(static_cast<void>(Json::parse(case_json(c))));
+    EXPECT_TRUE(Json::accept(case_json(c)));
 }
 
 TEST(StabilityJson, HoldsDirectionsModesAndBoundaries) {
