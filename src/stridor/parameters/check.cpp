@@ -1,6 +1,7 @@
 #include "stridor/parameters/check.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/field.hpp"
 #include "stridor/parameters/resolution.hpp"
 
 #include <algorithm>
@@ -17,20 +18,28 @@ constexpr double most_cut = 1.0 - 1e-9;
 // of beta_2 in a stretch that is judged
 constexpr double least_steps = 10.0;
 
-// of one way to slip; `way` ends keys and symbols: "" or "_coming"
-void check_friction(double kinetic, double stat, const std::string& way, std::vector<Finding>& found) {
-    if (kinetic <= stat) return;
-    const std::string letter = way.empty() ? "" : "c";
-    found.push_back({"contact.kinetic_friction" + way,
-                     {"mu_d" + letter + " = " + shortest(kinetic) + " exceeds mu_s" + letter + " = " + shortest(stat),
+// friction of one way to slip, as a case calls it
+struct FrictionKeys {
+    std::string_view kinetic, kinetic_symbol;
+    std::string_view limit, limit_symbol;
+};
+
+void check_friction(const Case& c, const FrictionKeys& keys, std::vector<Finding>& found) {
+    const double kinetic = get_quantity(c, *find_field(keys.kinetic));
+    const double limit = get_quantity(c, *find_field(keys.limit));
+    if (kinetic <= limit) return;
+    found.push_back({std::string(keys.kinetic),
+                     {std::string(keys.kinetic_symbol) + " = " + shortest(kinetic) + " exceeds " +
+                          std::string(keys.limit_symbol) + " = " + shortest(limit),
                       "kinetic friction may not be larger than static", "Swap them?"},
-                     {"contact.static_friction" + way}});
+                     {keys.limit}});
 }
 
 void check_contact(const Case& c, std::vector<Finding>& found) {
-    check_friction(c.contact.kinetic_friction, c.contact.static_friction, "", found);
+    check_friction(c, {"contact.kinetic_friction", "mu_d", "contact.static_friction", "mu_s"}, found);
     if (c.contact.friction == FrictionKind::directional)
-        check_friction(c.contact.kinetic_friction_coming, c.contact.static_friction_coming, "_coming", found);
+        check_friction(c, {"contact.kinetic_friction_coming", "mu_dc", "contact.static_friction_coming", "mu_sc"},
+                       found);
 }
 
 // V is linear between samples: it is zero from one to the next if it is so at both
