@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -95,7 +96,11 @@ TEST(ConfinedProcess, GetsSoMuchMemoryAndNoMore) {
             std::free(memory);
         }
     };
-    EXPECT_EQ(answers_of({.memory = std::uint64_t{1} << 26U}, work, ending), (std::vector<int>{1, 0}));
+    const std::vector<int> answers = answers_of({.memory = std::uint64_t{1} << 26U}, work, ending);
+    ASSERT_FALSE(answers.empty());
+    EXPECT_EQ(answers.front(), 1);
+    // the second time there is none: malloc says so, or the address sanitizer ends the process
+    EXPECT_EQ(std::count(answers.begin(), answers.end(), 1), 1);
 }
 
 TEST(ConfinedProcess, ReachesNothingButItsFile) {
