@@ -3,6 +3,7 @@
 #include "io_support.hpp"
 #include "signal_support.hpp"
 #include "stridor/io/atomic_file.hpp"
+#include "support/needs.hpp"
 #include "support/runs.hpp"
 
 #include <gtest/gtest.h>
@@ -30,8 +31,7 @@ bool lacks_matio() {
     return false;
 }
 
-#define NEEDS_MATIO() \
-    if (lacks_matio()) GTEST_SKIP() << "libmatio is not there: apt-get install libmatio-dev"
+#define NEEDS_MATIO() STRIDOR_NEEDS(!lacks_matio(), "libmatio", "libmatio-dev")
 
 std::map<std::string, std::vector<double>> samples_of(const SignalInput& input) {
     const auto file = open_signal(input);
