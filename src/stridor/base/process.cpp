@@ -17,9 +17,6 @@
 #include <string_view>
 #include <utility>
 
-// the environment as POSIX declares it
-extern char** environ;  // NOLINT(readability-identifier-naming)
-
 namespace stridor::base {
 
 namespace {
