@@ -26,9 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 using classification::category_names;
 
-constexpr std::size_t many = 20;              // recordings whose number alone is worth a progress line
-constexpr std::uintmax_t large = 60'000'000;  // [bytes] some minutes of sound
-
 // 0 for what is not there
 std::uintmax_t size_of(const std::string& file) {
     std::error_code error;
@@ -83,7 +80,7 @@ public:
         ++number_;
     }
     void show(double share) {
-        if (total_ == 0 || (count_ < many && total_ < large)) return;
+        if (total_ == 0 || !takes_long(count_, total_)) return;
         const double done = static_cast<double>(done_) + share * static_cast<double>(size_);
         display_.show(done / static_cast<double>(total_), fmt::format("{} of {}: {}", number_, count_, file_));
     }
@@ -118,9 +115,7 @@ io::HeardRecording hear_recording(const io::Expectation& expectation, const para
 classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds,
                                             const signal::Progress& progress) {
     const std::vector<signal::SoundAnalysis> channels = signal::analyse(source, progress);
-    const auto loudest = std::max_element(channels.begin(), channels.end(),
-                                          [](const auto& a, const auto& b) { return a.mean_square < b.mean_square; });
-    return classification::classify_recording(loudest->stretches, thresholds);
+    return classification::classify_recording(channels[signal::loudest(channels)].stretches, thresholds);
 }
 
 std::vector<io::HeardRecording> heard_recordings(std::span<const io::Expectation> expectations,

@@ -28,9 +28,6 @@ using noise_library::Access;
 using noise_library::Entry;
 using noise_library::Library;
 
-constexpr std::size_t many = 20;              // recordings whose number alone is worth a progress line
-constexpr std::uintmax_t large = 60'000'000;  // [bytes] some minutes of sound
-
 /// How far a row of recordings is: the whole ones, and the share of the one that is heard.
 class RowDisplay {
 public:
@@ -39,7 +36,7 @@ public:
     void begin(const std::filesystem::path& file) {
         std::error_code error;
         const std::uintmax_t size = std::filesystem::file_size(file, error);
-        is_shown_ = total_ >= many || (!error && size >= large);
+        is_shown_ = takes_long(total_, error ? 0 : size);
         file_ = file.filename().string();
     }
     void show(double share) {

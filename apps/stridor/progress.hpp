@@ -3,6 +3,8 @@
 #include "stridor/sweep/run.hpp"
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -28,6 +30,13 @@ private:
     bool is_started_ = false;
     bool has_line_ = false;
 };
+
+/// Is a row of so many recordings, or of so many bytes, worth a progress line?
+constexpr bool takes_long(std::size_t recordings, std::uintmax_t bytes) {
+    constexpr std::size_t many = 20;
+    constexpr std::uintmax_t some_minutes_of_sound = 60'000'000;
+    return recordings >= many || bytes >= some_minutes_of_sound;
+}
 
 /// Does a display say how long it will still take?
 enum class TimeLeft { hidden, shown };
