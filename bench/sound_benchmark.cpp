@@ -1,11 +1,11 @@
 // Hearing: a minute of stereo analysed, in one thread and in as many as there are processors; sixty of it are an hour.
 
+#include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/signal/fourier.hpp"
 #include "stridor/signal/perturb.hpp"
-#include "stridor/signal/sound_analysis.hpp"
-#include "stridor/signal/sound_quality.hpp"
-#include "stridor/sweep/run_sound.hpp"
+#include "stridor/sound/analysis.hpp"
+#include "stridor/sound/quality.hpp"
 
 #include <benchmark/benchmark.h>
 #include <tbb/parallel_for.h>
@@ -23,7 +23,7 @@ constexpr std::size_t minute = 60 * std::size_t{48000};  // [1] frames
 
 // Table 1's squeal again and again: many short stretches
 std::vector<double> squeal() {
-    const Signal once = sweep::sound_of_case(parameters::Case{}, {});
+    const Signal once = hearing::sound_of_case(parameters::Case{}, {});
     std::vector<double> samples;
     while (samples.size() < minute)
         samples.insert(samples.end(), once.samples.begin(), once.samples.end());

@@ -7,7 +7,7 @@
 // Closed form: D = (mu_s - mu_d) F / k, lambda = w0 D / V, stick share lambda / (lambda + pi - atan lambda).
 
 #include "stridor/analysis/rates.hpp"
-#include "stridor/integration/exact.hpp"
+#include "stridor/integration/exact/exact.hpp"
 #include "stridor/model/structure.hpp"
 #include "stridor/record/recorder.hpp"
 

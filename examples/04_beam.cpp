@@ -5,7 +5,7 @@
 // to rounding, whatever the number of modes.
 
 #include "stridor/analysis/rates.hpp"
-#include "stridor/integration/beta_2.hpp"
+#include "stridor/integration/beta_2/beta_2.hpp"
 #include "stridor/model/cantilever.hpp"
 #include "stridor/record/recorder.hpp"
 

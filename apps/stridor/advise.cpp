@@ -2,13 +2,13 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "stridor/advice/advice.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/io/json_advice.hpp"
-#include "stridor/io/range_text.hpp"
-#include "stridor/sweep/advice.hpp"
+#include "stridor/io/advice/json_advice.hpp"
+#include "stridor/io/chart/range_text.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -26,8 +26,8 @@ struct AdviseCommand {
     CaseOptions input;
     std::vector<std::string> over;        // "key", "key=from:to"
     std::vector<std::string> tolerances;  // "key=10%", "key=2 N normal"
-    std::size_t samples = sweep::ChanceOptions{}.samples;
-    std::uint64_t seed = sweep::ChanceOptions{}.seed;
+    std::size_t samples = advice::ChanceOptions{}.samples;
+    std::uint64_t seed = advice::ChanceOptions{}.seed;
     int threads = 0;
     bool json = false;
 };
@@ -38,15 +38,15 @@ Error unreadable(const std::string& option, const std::string& text, const std::
 }
 
 std::string_view unit_named(const parameters::Case& c, const std::string& name) {
-    return parameters::unit_of(sweep::quantity_named(c, name));
+    return parameters::unit_of(advice::quantity_named(c, name));
 }
 
-sweep::AskedRange range_from(const parameters::Case& c, const std::string& text) {
+advice::AskedRange range_from(const parameters::Case& c, const std::string& text) {
     const std::optional<io::RangeText> said = io::split_range(text);
     if (!said) return {std::string(base::trimmed(text))};
     if (said->parts.size() != 2)
         throw unreadable("--over", text, "KEY or KEY=FROM:TO", "For example contact.kinetic_friction=0:0.8.");
-    sweep::AskedRange range{std::string(said->key)};
+    advice::AskedRange range{std::string(said->key)};
     const io::RangeEnds ends = io::read_range_ends(said->parts[0], said->parts[1], unit_named(c, range.name));
     range.from = ends.from;
     range.to = ends.to;
@@ -54,16 +54,16 @@ sweep::AskedRange range_from(const parameters::Case& c, const std::string& text)
 }
 
 // "10%", "10 % normal", "2 N"
-sweep::AskedTolerance tolerance_from(const parameters::Case& c, const std::string& text) {
+advice::AskedTolerance tolerance_from(const parameters::Case& c, const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos)
         throw unreadable("--tolerance", text, "KEY=AMOUNT, in percent or with a unit", "For example preload=10%.");
-    sweep::AskedTolerance tolerance{std::string(base::trimmed(text.substr(0, equals)))};
+    advice::AskedTolerance tolerance{std::string(base::trimmed(text.substr(0, equals)))};
     std::string amount(base::trimmed(text.substr(equals + 1)));
-    for (std::size_t k = 0; k < sweep::spread_names.size(); ++k) {
-        const std::string_view name = sweep::spread_names[k];
+    for (std::size_t k = 0; k < advice::spread_names.size(); ++k) {
+        const std::string_view name = advice::spread_names[k];
         if (!amount.ends_with(name)) continue;
-        tolerance.spread = static_cast<sweep::Spread>(k);
+        tolerance.spread = static_cast<advice::Spread>(k);
         amount = std::string(base::trimmed(amount.substr(0, amount.size() - name.size())));
     }
     if (amount.empty())
@@ -86,14 +86,14 @@ auto named(const char* option, const std::string& text, Read read) {
 }
 
 // "2 of 4: nearest design, 1820 runs"
-std::string stage_text(const sweep::AdviceProgress& progress) {
+std::string stage_text(const advice::AdviceProgress& progress) {
     const auto number = static_cast<std::size_t>(progress.stage);
-    return fmt::format("{} of {}: {}, {} runs", number + 1, sweep::advice_stage_names.size(),
-                       sweep::advice_stage_names[number], progress.runs);
+    return fmt::format("{} of {}: {}, {} runs", number + 1, advice::advice_stage_names.size(),
+                       advice::advice_stage_names[number], progress.runs);
 }
 
-sweep::Advice advice_on(const parameters::Case& c, const AdviseCommand& command) {
-    sweep::AdviceOptions options;
+advice::Advice advice_on(const parameters::Case& c, const AdviseCommand& command) {
+    advice::AdviceOptions options;
     for (const std::string& text : command.over)
         options.over.push_back(named("--over", text, [&] { return range_from(c, text); }));
     for (const std::string& text : command.tolerances)
@@ -103,21 +103,21 @@ sweep::Advice advice_on(const parameters::Case& c, const AdviseCommand& command)
     const Interrupt interrupt;
     options.stop = interrupt.token();
     ShareDisplay display("advice:", TimeLeft::shown);
-    options.progress = [&](const sweep::AdviceProgress& progress) {
+    options.progress = [&](const advice::AdviceProgress& progress) {
         display.show(progress.share, stage_text(progress));
     };
-    return sweep::advise(c, options);
+    return advice::advise(c, options);
 }
 
 void advise(const AdviseCommand& command) {
     const parameters::Case c = load_case(command.input);
-    const sweep::Advice advice = advice_on(c, command);
+    const advice::Advice advice = advice_on(c, command);
     print(command.json ? io::advice_json(advice) + "\n" : advice_text(advice));
     if (command.json || !has_terminal() || !advice.recommended) return;
     std::string next = "next: stridor simulate " + base::shell_word(command.input.file);
     for (const std::string& text : command.input.overrides)
         next += " --set " + base::shell_word(text);
-    say(styled(next + " " + sweep::settings_of(advice.space, advice.changes[*advice.recommended]), Style::dim, 2));
+    say(styled(next + " " + advice::settings_of(advice.space, advice.changes[*advice.recommended]), Style::dim, 2));
 }
 
 }  // namespace
@@ -140,7 +140,7 @@ void add_advise(CLI::App& program) {
         ->type_name("KEY=AMOUNT")
         ->allow_extra_args(false);
     advise_command->add_option("--samples", command->samples, "designs sampled within the tolerances")
-        ->check(CLI::Range(std::size_t{1}, sweep::most_samples))
+        ->check(CLI::Range(std::size_t{1}, advice::most_samples))
         ->capture_default_str();
     advise_command->add_option("--seed", command->seed, "of the random shifts of the samples")->capture_default_str();
     advise_command->add_option("--threads", command->threads, "number of threads (default: one per processor)")

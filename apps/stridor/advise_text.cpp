@@ -14,12 +14,12 @@ namespace stridor::app {
 
 namespace {
 
-using sweep::Advice;
-using sweep::DesignChange;
-using sweep::DesignSpace;
-using sweep::DesignVerdict;
-using sweep::ParameterMargin;
-using sweep::VerdictChange;
+using advice::Advice;
+using advice::DesignChange;
+using advice::DesignSpace;
+using advice::DesignVerdict;
+using advice::ParameterMargin;
+using advice::VerdictChange;
 
 std::string with_unit(const DesignSpace& space, std::size_t parameter, const std::string& number) {
     const std::string_view unit = parameters::unit_of(space.parameters[parameter].key);
@@ -42,11 +42,11 @@ std::string verdict_words(const DesignSpace& space, const DesignVerdict& verdict
     }
     const std::string first(sweep::word(verdict.phases.front()));
     if (!are_equal) return text;
-    if (sweep::is_quiet(verdict)) return sweep::slips_quietly(verdict) ? first : first + " (sticks)";
+    if (advice::is_quiet(verdict)) return advice::slips_quietly(verdict) ? first : first + " (sticks)";
     return space.phases.size() == 2 ? "both " + first : first;
 }
 
-std::string change_words(const DesignSpace& space, const ParameterMargin& margin, const sweep::ScanSide& side) {
+std::string change_words(const DesignSpace& space, const ParameterMargin& margin, const advice::ScanSide& side) {
     if (side.change)
         return measured(space, margin.parameter, side.change->value) + " " + verdict_words(space, side.change->beyond);
     return "-";
@@ -54,7 +54,7 @@ std::string change_words(const DesignSpace& space, const ParameterMargin& margin
 
 std::string quiet_words(const DesignSpace& space, const ParameterMargin& margin) {
     std::string text;
-    for (const sweep::ScanSide* side : {&margin.below, &margin.above})
+    for (const advice::ScanSide* side : {&margin.below, &margin.above})
         if (side->quiet) text += (text.empty() ? "" : ", ") + measured(space, margin.parameter, side->quiet->value);
     return text.empty() ? "-" : text;
 }
@@ -82,8 +82,8 @@ std::string columns(const std::vector<std::vector<std::string>>& rows) {
 std::string ends(const Advice& advice) {
     std::string text;
     for (const ParameterMargin& margin : advice.margins)
-        for (const sweep::ScanSide* side : {&margin.below, &margin.above})
-            if (side->end == sweep::ScanEnd::invalid)
+        for (const advice::ScanSide* side : {&margin.below, &margin.above})
+            if (side->end == advice::ScanEnd::invalid)
                 text += fmt::format("{} ends at {}: {}\n", advice.space.parameters[margin.parameter].key,
                                     measured(advice.space, margin.parameter, side->last), side->reason);
     return text;
@@ -91,7 +91,7 @@ std::string ends(const Advice& advice) {
 
 std::string margins_table(const Advice& advice) {
     const DesignSpace& space = advice.space;
-    const bool was_quiet = sweep::is_quiet(advice.present);
+    const bool was_quiet = advice::is_quiet(advice.present);
     std::vector<std::vector<std::string>> rows{{"parameter", "now", "changes below", "changes above"}};
     if (!was_quiet) rows.front().push_back("quiet at");
     for (const ParameterMargin& margin : advice.margins) {
@@ -104,7 +104,7 @@ std::string margins_table(const Advice& advice) {
 
 std::string setting_words(const DesignSpace& space, const DesignChange& change) {
     std::string text;
-    for (const sweep::ParameterChange& each : change.set) {
+    for (const advice::ParameterChange& each : change.set) {
         text += fmt::format("{}{} {:.4g} -> {}", text.empty() ? "" : ", ", space.parameters[each.parameter].key,
                             each.from, with_unit(space, each.parameter, fmt::format("{:.6g}", each.to)));
     }
@@ -119,16 +119,16 @@ std::string changes_list(const Advice& advice) {
     for (std::size_t k = 0; k < advice.changes.size(); ++k)
         rows.push_back({k == advice.recommended ? "*" : "", fmt::format("{:.3f}", advice.changes[k].distance),
                         setting_words(space, advice.changes[k]) +
-                            (sweep::slips_quietly(advice.changes[k].verdict) ? "" : " (it then sticks throughout)")});
+                            (advice::slips_quietly(advice.changes[k].verdict) ? "" : " (it then sticks throughout)")});
     const DesignChange& best = advice.changes[*advice.recommended];
     return columns(rows) +
            fmt::format(
                "\n* advised: {}\n  verified by {} runs: quiet from every start, and with 1 % more and less of each\n",
-               sweep::settings_of(space, best), best.runs);
+               advice::settings_of(space, best), best.runs);
 }
 
 // the parameters that a design as a whole is nearest through, the largest parts first
-std::string parts(const DesignSpace& space, const sweep::NearestDesign& nearest) {
+std::string parts(const DesignSpace& space, const advice::NearestDesign& nearest) {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t k = 0; k < space.parameters.size(); ++k)
         order.emplace_back(-std::abs(nearest.shares[k] - space.origin[k]), k);
@@ -139,43 +139,43 @@ std::string parts(const DesignSpace& space, const sweep::NearestDesign& nearest)
         if (order[k].first == 0.0) break;
         text += fmt::format(
             "{}{} {}", text.empty() ? "" : ", ", space.parameters[parameter].key,
-            measured(space, parameter, sweep::value_at(space.parameters[parameter], nearest.shares[parameter])));
+            measured(space, parameter, advice::value_at(space.parameters[parameter], nearest.shares[parameter])));
     }
     return text;
 }
 
 std::string nearest_line(const Advice& advice) {
-    const char* wanted = sweep::is_quiet(advice.present) ? "noisy" : "quiet";
+    const char* wanted = advice::is_quiet(advice.present) ? "noisy" : "quiet";
     if (!advice.nearest) return fmt::format("as a whole: no {} design was found within these ranges\n", wanted);
     return fmt::format("as a whole: {} at a distance of {:.3f}, mostly through {}\n", wanted, advice.nearest->distance,
                        parts(advice.space, *advice.nearest));
 }
 
 std::string ranking_line(const Advice& advice) {
-    if (!sweep::is_quiet(advice.present) || advice.ranking.empty()) return "";
+    if (!advice::is_quiet(advice.present) || advice.ranking.empty()) return "";
     std::string text = "nearest to another verdict: ";
     for (std::size_t k = 0; k < std::min<std::size_t>(3, advice.ranking.size()); ++k) {
         const std::size_t parameter = advice.ranking[k];
-        const VerdictChange& change = *sweep::nearest_change(advice.space, advice.margins[parameter]);
+        const VerdictChange& change = *advice::nearest_change(advice.space, advice.margins[parameter]);
         text += fmt::format("{}{} ({:.3f})", k > 0 ? ", " : "", advice.space.parameters[parameter].key,
                             std::abs(change.share - advice.space.origin[parameter]));
     }
     return text + "\n";
 }
 
-std::string percent(const sweep::Estimate& estimate) {
+std::string percent(const advice::Estimate& estimate) {
     return fmt::format("{:.2f} % ({:.2f} to {:.2f} %)", 100.0 * estimate.share, 100.0 * estimate.low,
                        100.0 * estimate.high);
 }
 
-std::string chance_lines(const sweep::Chance& chance) {
+std::string chance_lines(const advice::Chance& chance) {
     std::string text = "\nchance of noise within";
     for (std::size_t k = 0; k < chance.tolerances.size(); ++k) {
-        const sweep::Tolerance& each = chance.tolerances[k];
+        const advice::Tolerance& each = chance.tolerances[k];
         const std::string_view unit = parameters::unit_of(each.key);
         text += fmt::format("{}{} +- {:.4g}{}{}", k > 0 ? ", " : " ", each.key, each.tolerance,
                             unit == "1" ? "" : " " + std::string(unit),
-                            each.spread == sweep::Spread::normal ? " (normal)" : "");
+                            each.spread == advice::Spread::normal ? " (normal)" : "");
     }
     text += fmt::format(":\n  {}, 95 % confidence, {} samples\n", percent(chance.noise), chance.samples);
     for (std::size_t k = 0; k < sweep::verdict_words.size(); ++k)
@@ -192,7 +192,7 @@ std::string advice_text(const Advice& advice) {
     text += "now: " + verdict_words(space, advice.present) +
             (advice.present.message.empty() ? "" : " (" + advice.present.message + ")") + "\n\n";
     text += margins_table(advice) + "\n" + ranking_line(advice) + nearest_line(advice);
-    if (!sweep::is_quiet(advice.present)) text += "\n" + changes_list(advice);
+    if (!advice::is_quiet(advice.present)) text += "\n" + changes_list(advice);
     if (advice.chance) text += chance_lines(*advice.chance);
     text +=
         "\ndistances are shares of the ranges that were looked at; a verdict is the model's. Islands narrower than "

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "stridor/sweep/advice.hpp"
+#include "stridor/advice/advice.hpp"
 
 #include <string>
 
 namespace stridor::app {
 
 /// What `stridor advise` prints for people.
-std::string advice_text(const sweep::Advice& advice);
+std::string advice_text(const advice::Advice& advice);
 
 }  // namespace stridor::app

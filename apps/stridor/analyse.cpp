@@ -1,7 +1,7 @@
 #include "commands.hpp"
 #include "figures.hpp"
 #include "sound_options.hpp"
-#include "stridor/chart/sound.hpp"
+#include "stridor/figures/sound.hpp"
 #include "stridor/signal/bands.hpp"
 #include "terminal.hpp"
 
@@ -15,7 +15,7 @@ namespace stridor::app {
 
 namespace {
 
-using signal::SoundAnalysis;
+using sound::SoundAnalysis;
 
 struct AnalyseOptions {
     SoundOptions input;
@@ -75,7 +75,7 @@ std::string filtered_bands_text(const SoundAnalysis& analysis) {
     std::string text;
     std::size_t count = 0;
     for (std::size_t k = 0; k < signal::third_octave_count; ++k) {
-        if (!signal::holds_third_octave(analysis.rate, k)) break;
+        if (!sound::holds_third_octave(analysis.rate, k)) break;
         text += fmt::format("{:>8g} Hz{:>8.1f} dB", signal::third_octave_names[k],
                             signal::level_of(analysis.quality->third_octaves[k], reference));
         if (++count % 4 == 0) text += "\n";
@@ -89,12 +89,12 @@ std::string quality_text(const SoundAnalysis& analysis) {
         return analysis.unit == signal::full_scale
                    ? "no loudness, no sharpness: the recording is not calibrated (--full-scale \"2 Pa\")\n"
                    : "";
-    const signal::SoundQuality& q = *analysis.quality;
+    const sound::SoundQuality& q = *analysis.quality;
     return fmt::format(
         "loudness in a {} field (ISO 532-1): N5 {:.3g} sone, N10 {:.3g} sone, greatest {:.3g} sone; "
         "of the mean spectrum {:.3g} sone ({:.1f} phon)\nsharpness (DIN 45692): {:.3g} acum\n",
-        signal::sound_field_names[static_cast<std::size_t>(q.field)], q.loudness_5, q.loudness_10, q.greatest_loudness,
-        q.loudness, signal::loudness_level(q.loudness), q.sharpness);
+        sound::sound_field_names[static_cast<std::size_t>(q.field)], q.loudness_5, q.loudness_10, q.greatest_loudness,
+        q.loudness, sound::loudness_level(q.loudness), q.sharpness);
 }
 
 std::string named_bands_text(const SoundAnalysis& analysis) {
@@ -128,11 +128,11 @@ std::string report_text(const io::SoundReport& report, const AnalyseOptions& opt
 }
 
 void analyse(const AnalyseOptions& options) {
-    const auto field = options.field == "diffuse" ? signal::SoundField::diffuse : signal::SoundField::free;
+    const auto field = options.field == "diffuse" ? sound::SoundField::diffuse : sound::SoundField::free;
     const io::SoundReport report = listen_to(options.input, field);
     if (!options.figure.empty()) {
-        chart::Scene scene = chart::sound(report.channels[report.loudest], report.verdicts[report.loudest]);
-        scene.title = chart::Text(channel_title(report, report.loudest));
+        drawing::Scene scene = figures::sound(report.channels[report.loudest], report.verdicts[report.loudest]);
+        scene.title = drawing::Text(channel_title(report, report.loudest));
         draw(scene, options.figure);
     }
     print(options.json ? io::analyse_json(report) + "\n" : report_text(report, options));

@@ -1,5 +1,5 @@
 #include "commands.hpp"
-#include "stridor/io/toml_case.hpp"
+#include "stridor/io/case/toml_case.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>

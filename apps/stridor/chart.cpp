@@ -3,13 +3,13 @@
 #include "commands.hpp"
 #include "figures.hpp"
 #include "progress.hpp"
-#include "stridor/io/atomic_file.hpp"
-#include "stridor/io/csv.hpp"
-#include "stridor/io/json_chart.hpp"
-#include "stridor/io/netcdf.hpp"
-#include "stridor/io/toml_document.hpp"
-#include "stridor/io/toml_study.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_document.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/chart_csv.hpp"
+#include "stridor/io/chart/chart_netcdf.hpp"
+#include "stridor/io/chart/json_chart.hpp"
+#include "stridor/io/chart/toml_study.hpp"
+#include "stridor/storage/atomic_file.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -85,18 +85,18 @@ void chart(const ChartOptions& options) {
     make_folder(out);
     const sweep::SweepResult result = compute(study, out / "chart.sqlite", options.threads);
     // the resolved chart, overrides included, stands beside its results: what a reproduce command runs
-    io::write_file((out / "chart.toml").string(), io::study_toml(study));
+    storage::write_file((out / "chart.toml").string(), io::study_toml(study));
     report_failures(result, (out / "chart.toml").string());
     refuse_if_nothing_is_valid(result);
-    io::PiecewiseFile table((out / "chart.csv").string());
+    storage::PiecewiseFile table((out / "chart.csv").string());
     io::chart_csv(result, "chart.toml", [&](std::string_view piece) { table.write(piece); });
     table.commit();
-    io::write_file((out / "boundaries.csv").string(), io::boundaries_csv(study, sweep::boundaries(result)));
+    storage::write_file((out / "boundaries.csv").string(), io::boundaries_csv(study, sweep::boundaries(result)));
     io::write_chart_netcdf((out / "chart.nc").string(), result);
     const bool is_diagram = sweep::has_one_axis(study);
     if (is_diagram) {
         const std::vector<sweep::DiagramCell> cells = compute_diagram(result, out / "diagram.sqlite", options.threads);
-        io::write_file((out / "diagram.csv").string(), io::diagram_csv(study, cells));
+        storage::write_file((out / "diagram.csv").string(), io::diagram_csv(study, cells));
         draw_diagram(result, cells, out);
     } else {
         draw_charts(result, out);

@@ -1,6 +1,6 @@
 #include "commands.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/io/json.hpp"
+#include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/field.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/io/toml_document.hpp"
+#include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/case.hpp"
 
 #include <string>

@@ -4,8 +4,8 @@
 #include "commands.hpp"
 #include "compare_input.hpp"
 #include "figures.hpp"
-#include "stridor/chart/side_by_side.hpp"
-#include "stridor/io/json_compare.hpp"
+#include "stridor/figures/side_by_side.hpp"
+#include "stridor/io/sound/json_compare.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -174,7 +174,7 @@ void add_figure_compare(CLI::App& figure) {
     command->footer(std::string(sound_forms) +
                     "\nExample:\n  stridor figure compare vehicle.wav rig.uff squeal.toml --label vehicle --label rig "
                     "--label model -o figure-4.png");
-    command->callback([options] { draw(chart::side_by_side(load_sounds(options->input)), options->output); });
+    command->callback([options] { draw(figures::side_by_side(load_sounds(options->input)), options->output); });
 }
 
 }  // namespace stridor::app

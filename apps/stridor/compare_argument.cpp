@@ -3,9 +3,9 @@
 #include "cell_choice.hpp"
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_study.hpp"
-#include "stridor/sweep/run_sound.hpp"
+#include "stridor/hearing/run_sound.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/chart/toml_study.hpp"
 #include "terminal.hpp"
 
 #include <fmt/format.h>
@@ -28,9 +28,9 @@ namespace {
 
 // --- what an argument means
 
-Asked asked_file(const std::string& name, const std::string& path, const io::OpenOptions& open) {
-    Recorded recorded{io::open_input(path), open, 0.0};
-    const std::unique_ptr<io::SignalFile> file = io::open_signal(recorded.input, open);
+Asked asked_file(const std::string& name, const std::string& path, const recordings::OpenOptions& open) {
+    Recorded recorded{recordings::open_input(path), open, 0.0};
+    const std::unique_ptr<recordings::SignalFile> file = recordings::open_signal(recorded.input, open);
     recorded.rate = file->layout().rate;
     for (const std::string& note : file->facts().notes)
         say("stridor: note: " + name + ": " + note);
@@ -46,8 +46,8 @@ Asked asked_entry(const std::string& text, const std::string& number, const Libr
                "For example library:3; `stridor library list` shows them.");
     noise_library::Library library = open_library(option, noise_library::Access::read);
     const noise_library::Entry entry = library.get(std::span(&id, 1)).front();
-    io::OpenOptions open;
-    if (const std::optional<io::FullScale> full_scale = io::calibration_in(entry.calibration))
+    recordings::OpenOptions open;
+    if (const std::optional<recordings::FullScale> full_scale = recordings::calibration_in(entry.calibration))
         open.full_scales = {*full_scale};
     Asked asked = asked_file(text, library.sound_file(entry).string(), open);
     asked.label = !entry.denomination.empty() ? entry.denomination : entry.file.empty() ? text : entry.file;
@@ -68,16 +68,16 @@ Asked asked_cell(const std::string& text, const std::string& path, const std::st
     const CellChoice choice = parse_cell(cell);
     const sweep::CellPlace place = nearest_cell(study, choice);
     SimulatedSound simulated{text, sweep::case_at(study, place), {}};
-    if (choice.direction) simulated.stretches = sweep::heard_stretches(simulated.c, *choice.direction);
+    if (choice.direction) simulated.stretches = hearing::heard_stretches(simulated.c, *choice.direction);
     if (choice.direction && simulated.stretches.empty())
         refuse("nothing of \"" + text + "\" can be heard", "the drive never moves that way in the window", "");
     return {text, cell_name(study, place), "simulation", std::move(simulated)};
 }
 
-io::OpenOptions with_channel(const std::string& text, const std::string& name) {
+recordings::OpenOptions with_channel(const std::string& text, const std::string& name) {
     if (name.empty())
         refuse("\"" + text + "\" names no channel", "it ends before its name", "For example rig.uff:channel=2.");
-    io::OpenOptions open;
+    recordings::OpenOptions open;
     open.channel_name = name;
     return open;
 }

@@ -2,7 +2,7 @@
 
 #include "compare_input.hpp"
 #include "library.hpp"
-#include "stridor/io/open_signal.hpp"
+#include "stridor/recordings/open_signal.hpp"
 
 #include <string>
 #include <variant>
@@ -11,8 +11,8 @@ namespace stridor::app {
 
 /// A sound of a file, known but not read.
 struct Recorded {
-    io::SignalInput input;
-    io::OpenOptions open;
+    recordings::SignalInput input;
+    recordings::OpenOptions open;
     double rate = 0.0;  // [Hz]
 };
 

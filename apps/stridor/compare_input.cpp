@@ -7,9 +7,9 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/classification/sound_rules.hpp"
+#include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/signal/resample.hpp"
-#include "stridor/sweep/run_sound.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -59,19 +59,19 @@ bool is_resampled(const Asked& asked, double rate) {
 
 std::unique_ptr<signal::Source> opened(const Recorded& recorded, double rate,
                                        std::optional<std::size_t> channel = std::nullopt) {
-    io::OpenOptions open = recorded.open;
+    recordings::OpenOptions open = recorded.open;
     if (channel && open.channel_name.empty()) open.channel = channel;
-    std::unique_ptr<signal::Source> source = io::open_signal(recorded.input, open);
+    std::unique_ptr<signal::Source> source = recordings::open_signal(recorded.input, open);
     if (recorded.rate == rate) return source;
     return signal::resampled(std::move(source), rate);
 }
 
 // --- what is found in it
 
-const signal::SoundFeatures* loudest_stretch(const ComparedSound& sound) {
+const sound::SoundFeatures* loudest_stretch(const ComparedSound& sound) {
     if (const classification::SoundSegment* segment = sound.heard.loudest()) return &segment->verdict.features;
-    const signal::SoundFeatures* best = nullptr;
-    for (const signal::SoundStretch& stretch : sound.analysis.stretches)
+    const sound::SoundFeatures* best = nullptr;
+    for (const sound::SoundStretch& stretch : sound.analysis.stretches)
         if (best == nullptr || stretch.features.mean_square > best->mean_square) best = &stretch.features;
     return best;
 }
@@ -94,7 +94,7 @@ std::vector<double> frames_from(signal::Source& source, double from, double dura
 
 // around the largest sample of the loudest stretch
 void set_detail(ComparedSound& sound, signal::Source& source, double detail) {
-    const signal::SoundFeatures* stretch = loudest_stretch(sound);
+    const sound::SoundFeatures* stretch = loudest_stretch(sound);
     const double duration = sound.analysis.duration;
     const double from = stretch == nullptr ? 0.0 : stretch->from;
     const double length = std::min(std::max(detail, stretch == nullptr ? duration : stretch->duration), 1.0);
@@ -123,8 +123,8 @@ void set_spectrogram(ComparedSound& sound, signal::Source& source) {
     if (channel.front().samples.size() >= size) sound.analysis.spectrogram = signal::spectrogram(channel.front(), size);
 }
 
-std::size_t loudest_channel(const std::vector<signal::SoundAnalysis>& channels) {
-    const auto square = [](const signal::SoundAnalysis& analysis) {
+std::size_t loudest_channel(const std::vector<sound::SoundAnalysis>& channels) {
+    const auto square = [](const sound::SoundAnalysis& analysis) {
         const double reference = signal::reference_of(analysis.unit);
         return analysis.mean_square / (reference * reference);
     };
@@ -133,7 +133,7 @@ std::size_t loudest_channel(const std::vector<signal::SoundAnalysis>& channels) 
     return static_cast<std::size_t>(loudest - channels.begin());
 }
 
-void judge(ComparedSound& sound, signal::SoundAnalysis analysis) {
+void judge(ComparedSound& sound, sound::SoundAnalysis analysis) {
     const parameters::SoundThresholds thresholds;
     sound.analysis = std::move(analysis);
     sound.heard = classification::classify_recording(sound.analysis.stretches, thresholds);
@@ -142,7 +142,7 @@ void judge(ComparedSound& sound, signal::SoundAnalysis analysis) {
 
 ComparedSound read_recording(const Recorded& recorded, double rate, double detail) {
     ComparedSound sound;
-    std::vector<signal::SoundAnalysis> channels = signal::analyse(*opened(recorded, rate));
+    std::vector<sound::SoundAnalysis> channels = sound::analyse(*opened(recorded, rate));
     const std::size_t loudest = loudest_channel(channels);
     if (channels.size() > 1) sound.what = fmt::format("channel {}, the loudest of {}", loudest + 1, channels.size());
     judge(sound, std::move(channels[loudest]));
@@ -155,12 +155,12 @@ ComparedSound read_recording(const Recorded& recorded, double rate, double detai
 }
 
 // the states within a stretch of the sound, in the sound's own time
-record::ContactHistory heard_history(const record::ContactHistory& run, std::vector<signal::Stretch> stretches,
+record::ContactHistory heard_history(const record::ContactHistory& run, std::vector<sound::Stretch> stretches,
                                      double from, double to) {
     if (stretches.empty() && !run.empty()) stretches = {{0.0, run.back().to}};
     record::ContactHistory heard;
     double begun = 0.0;  // [s] of sound before the stretch
-    for (const signal::Stretch& stretch : stretches) {
+    for (const sound::Stretch& stretch : stretches) {
         const double shift = begun - stretch.from;
         const double first = std::max(stretch.from, from - shift);
         const double last = std::min(stretch.to, to - shift);
@@ -214,7 +214,7 @@ void add_motion_options(CLI::App& command, MotionOptions& options) {
         ->capture_default_str();
 }
 
-signal::Pickup pickup_of(const MotionOptions& options) {
+sound::Pickup pickup_of(const MotionOptions& options) {
     const signal::MotionQuantity quantity =
         options.quantity == "velocity" ? signal::MotionQuantity::velocity : signal::MotionQuantity::acceleration;
     return {options.of == "joint" ? 0U : 2U, quantity};
@@ -265,7 +265,7 @@ ComparedSound load_recording(const std::string& text, const LibraryOption& libra
 }
 
 ComparedSound simulate_sound(const SimulatedSound& simulated, const MotionOptions& motion, double detail) {
-    signal::AuralisationSettings settings;
+    sound::AuralisationSettings settings;
     settings.pickup = pickup_of(motion);
     settings.rate = std::min(simulated.rate, most_motion_rate);
     settings.stretches = simulated.stretches;
@@ -273,8 +273,8 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const MotionOption
     const Interrupt interrupt;
     const Rendering rendering = render(simulated.c, settings, record::KeepHistory::yes, interrupt.token(), {});
     ComparedSound sound;
-    judge(sound, std::move(signal::analyse(*rendering.sound).front()));
-    if (sound.analysis.peak < sweep::least_motion) {
+    judge(sound, std::move(sound::analyse(*rendering.sound).front()));
+    if (sound.analysis.peak < hearing::least_motion) {
         sound.profile = {};
         sound.heard = {classification::Category::none, {}, {}, {"nothing moves but by rounding"}};
     }

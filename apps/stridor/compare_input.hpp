@@ -2,8 +2,8 @@
 
 #include "library.hpp"
 #include "stridor/classification/compared_sound.hpp"
-#include "stridor/io/open_signal.hpp"
-#include "stridor/signal/auralisation.hpp"
+#include "stridor/recordings/open_signal.hpp"
+#include "stridor/sound/auralisation.hpp"
 
 #include <cstddef>
 #include <string>
@@ -25,7 +25,7 @@ struct MotionOptions {
 /// Adds `--of` and `--quantity`.
 void add_motion_options(CLI::App& command, MotionOptions& options);
 
-signal::Pickup pickup_of(const MotionOptions& options);
+sound::Pickup pickup_of(const MotionOptions& options);
 
 /// "joint velocity along x"
 std::string motion_words(const MotionOptions& options);
@@ -61,8 +61,8 @@ classification::ComparedSound load_recording(const std::string& text, const Libr
 struct SimulatedSound {
     std::string name;
     parameters::Case c;
-    std::vector<signal::Stretch> stretches;  // heard; empty: the whole run
-    double rate = 48000.0;                   // [Hz]
+    std::vector<sound::Stretch> stretches;  // heard; empty: the whole run
+    double rate = 48000.0;                  // [Hz]
 };
 classification::ComparedSound simulate_sound(const SimulatedSound& simulated, const MotionOptions& motion,
                                              double detail);

@@ -2,11 +2,11 @@
 #include "input_options.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/io/open_signal.hpp"
-#include "stridor/io/signal_csv_writer.hpp"
-#include "stridor/io/signal_report.hpp"
-#include "stridor/io/uff58.hpp"
-#include "stridor/io/wav.hpp"
+#include "stridor/io/sound/signal_report.hpp"
+#include "stridor/recordings/audio/wav.hpp"
+#include "stridor/recordings/open_signal.hpp"
+#include "stridor/recordings/table/signal_csv_writer.hpp"
+#include "stridor/recordings/uff58/uff58.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -55,25 +55,26 @@ double round_full_scale(double peak) {
 }
 
 // a sound keeps its own scale; other measurements get one they fit in, 1 of the unit where single floats hold any
-std::vector<io::FullScale> wav_full_scales(const io::SignalSummary& summary, io::WavSamples samples) {
-    std::vector<io::FullScale> scales;
+std::vector<recordings::FullScale> wav_full_scales(const io::SignalSummary& summary, recordings::WavSamples samples) {
+    std::vector<recordings::FullScale> scales;
     for (std::size_t k = 0; k < summary.peaks.size(); ++k) {
-        io::FullScale scale = summary.facts.full_scales[k];
-        const bool is_whole = samples != io::WavSamples::float_32;
+        recordings::FullScale scale = summary.facts.full_scales[k];
+        const bool is_whole = samples != recordings::WavSamples::float_32;
         if (is_whole && summary.peaks[k] > scale.value) scale.value = round_full_scale(summary.peaks[k]);
         scales.push_back(scale);
     }
     return scales;
 }
 
-io::WavSamples wav_samples(const ConvertOptions& options, const io::SignalSummary& summary) {
-    if (options.bits == "16") return io::WavSamples::pcm_16;
-    if (options.bits == "24") return io::WavSamples::pcm_24;
-    if (options.bits == "float") return io::WavSamples::float_32;
+recordings::WavSamples wav_samples(const ConvertOptions& options, const io::SignalSummary& summary) {
+    if (options.bits == "16") return recordings::WavSamples::pcm_16;
+    if (options.bits == "24") return recordings::WavSamples::pcm_24;
+    if (options.bits == "float") return recordings::WavSamples::float_32;
     // what was whole numbers of sound goes back to such
     const std::string& format = summary.facts.format;
-    if (format.find("16 bit PCM") != std::string::npos) return io::WavSamples::pcm_16;
-    return format.find("24 bit PCM") != std::string::npos ? io::WavSamples::pcm_24 : io::WavSamples::float_32;
+    if (format.find("16 bit PCM") != std::string::npos) return recordings::WavSamples::pcm_16;
+    return format.find("24 bit PCM") != std::string::npos ? recordings::WavSamples::pcm_24
+                                                          : recordings::WavSamples::float_32;
 }
 
 io::SignalOutput write(const ConvertOptions& options, const io::SignalSummary& summary, signal::Source& source) {
@@ -81,32 +82,33 @@ io::SignalOutput write(const ConvertOptions& options, const io::SignalSummary& s
     const bool is_stdout = options.output == "-";
     const std::string path = is_stdout ? "/dev/stdout" : options.output;
     if (output.format == "wav") {
-        const io::WavSamples samples = wav_samples(options, summary);
+        const recordings::WavSamples samples = wav_samples(options, summary);
         if (is_stdout)
             throw Error(ErrorKind::input, {"a WAV file cannot be written to standard output",
                                            "its header needs the length of the recording", "Name a file."});
-        output.clipped = io::write_wav(path, source, {samples, wav_full_scales(summary, samples), ""}).clipped;
+        output.clipped = recordings::write_wav(path, source, {samples, wav_full_scales(summary, samples), ""}).clipped;
     } else if (output.format == "csv") {
-        io::write_signal_csv(path, source);
+        recordings::write_signal_csv(path, source);
     } else {
-        io::write_uff58(path, source, output.format == "uff58" ? io::Uff58Form::ascii : io::Uff58Form::binary);
+        recordings::write_uff58(
+            path, source, output.format == "uff58" ? recordings::Uff58Form::ascii : recordings::Uff58Form::binary);
     }
     return output;
 }
 
 // why a channel has its unit
-std::string origin(io::Calibration calibration, const io::FullScale& scale) {
+std::string origin(recordings::Calibration calibration, const recordings::FullScale& scale) {
     const std::string value = fmt::format(" (1 in the file is {:.6g} {}, says ", scale.value, scale.unit);
     switch (calibration) {
-        case io::Calibration::option:
+        case recordings::Calibration::option:
             return value + "--full-scale)";
-        case io::Calibration::sidecar:
+        case recordings::Calibration::sidecar:
             return value + "the sidecar)";
-        case io::Calibration::description:
+        case recordings::Calibration::description:
             return value + "its description)";
-        case io::Calibration::file:
+        case recordings::Calibration::file:
             return "";
-        case io::Calibration::none:
+        case recordings::Calibration::none:
             return " (not calibrated)";
     }
     return "";
@@ -128,15 +130,15 @@ std::string report(const io::SignalSummary& summary) {
 }
 
 void convert(const ConvertOptions& options) {
-    const io::OpenOptions open = open_options(options.recording);
+    const recordings::OpenOptions open = open_options(options.recording);
     if (!options.output.empty()) format_of(options);  // before hours are read
-    const io::SignalInput input = io::open_input(options.input);
-    const io::SignalSummary summary = io::summary_of(*io::open_signal(input, open));
+    const recordings::SignalInput input = recordings::open_input(options.input);
+    const io::SignalSummary summary = io::summary_of(*recordings::open_signal(input, open));
     for (const std::string& note : summary.facts.notes)
         say("stridor: note: " + note);
     std::optional<io::SignalOutput> output;
     if (!options.output.empty()) {
-        output = write(options, summary, *io::open_signal(input, open));
+        output = write(options, summary, *recordings::open_signal(input, open));
         if (output->clipped > 0) say(fmt::format("stridor: note: {} samples were cut to full scale", output->clipped));
     }
     const std::string text = options.json ? io::convert_json(summary, output) + "\n" : report(summary);

@@ -5,12 +5,12 @@
 #include "kept.hpp"
 #include "progress.hpp"
 #include "sound.hpp"
-#include "stridor/io/atomic_file.hpp"
-#include "stridor/io/hearing_report.hpp"
-#include "stridor/io/toml_document.hpp"
-#include "stridor/io/toml_study.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_document.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/toml_study.hpp"
+#include "stridor/io/sound/hearing_report.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/paper_charts.hpp"
 #include "stridor/sweep/soft_parts.hpp"
 #include "terminal.hpp"
@@ -33,7 +33,7 @@ struct EvaluateOptions {
     std::vector<std::string> assignments;
     std::string of = "joint";
     std::string planes = "all";
-    std::size_t perturb_every = sweep::HearingOptions{}.perturb_every;
+    std::size_t perturb_every = hearing::HearingOptions{}.perturb_every;
     std::string recordings;
     std::string csv;
     int threads = 0;
@@ -51,8 +51,8 @@ bool is_threshold(const std::string& assignment) {
     return std::any_of(thresholds.begin(), thresholds.end(), [&](const auto& known) { return known.name == name; });
 }
 
-sweep::HearingOptions hearing_options(const EvaluateOptions& options) {
-    sweep::HearingOptions hearing;
+hearing::HearingOptions hearing_options(const EvaluateOptions& options) {
+    hearing::HearingOptions hearing;
     hearing.perturb_every = options.perturb_every;
     hearing.threads = options.threads;
     if (options.of == "plate") hearing.settings.sound.pickup.dof = 2;
@@ -64,8 +64,8 @@ sweep::HearingOptions hearing_options(const EvaluateOptions& options) {
 // --- what is heard
 
 // the whole motion as `stridor listen` makes it audible
-classification::RecordingVerdict verdict_on_whole(const parameters::Case& c, const sweep::HearingOptions& options) {
-    signal::AuralisationSettings settings;
+classification::RecordingVerdict verdict_on_whole(const parameters::Case& c, const hearing::HearingOptions& options) {
+    sound::AuralisationSettings settings;
     settings.pickup = options.settings.sound.pickup;
     settings.rate = options.settings.sound.rate;
     settings.stretches = {{0.0, c.run.duration}};
@@ -73,7 +73,7 @@ classification::RecordingVerdict verdict_on_whole(const parameters::Case& c, con
     return verdict_on(*sound, options.settings.thresholds);
 }
 
-std::vector<io::HeardCase> hear_table_1(const sweep::HearingOptions& options) {
+std::vector<io::HeardCase> hear_table_1(const hearing::HearingOptions& options) {
     constexpr std::array directions{Direction::going, Direction::coming};
     std::vector<io::HeardCase> cases;
     integration::Workspace workspace;
@@ -81,7 +81,7 @@ std::vector<io::HeardCase> hear_table_1(const sweep::HearingOptions& options) {
         const parameters::Case c = parameters::paper_case(static_cast<parameters::PaperCase>(k));
         io::HeardCase& heard = cases.emplace_back();
         heard.name = parameters::paper_case_names[k];
-        heard.phases = sweep::hear(c, directions, options.settings, options.stop, workspace);
+        heard.phases = hearing::hear(c, directions, options.settings, options.stop, workspace);
         if (heard.phases.empty()) interrupted("Table 1");
         const classification::RecordingVerdict whole = verdict_on_whole(c, options);
         heard.whole = whole.category;
@@ -122,15 +122,15 @@ std::vector<io::HeardChart> charts_of(const EvaluateOptions& options) {
 }
 
 // each chart is kept until all of them are heard
-void hear_charts(std::vector<io::HeardChart>& charts, sweep::HearingOptions options) {
+void hear_charts(std::vector<io::HeardChart>& charts, hearing::HearingOptions options) {
     std::vector<std::unique_ptr<Kept>> all_kept;
     for (io::HeardChart& chart : charts) {
-        all_kept.push_back(std::make_unique<Kept>("evaluate", sweep::heard_text(chart.study, options)));
+        all_kept.push_back(std::make_unique<Kept>("evaluate", hearing::heard_text(chart.study, options)));
         options.kept = all_kept.back()->results();
         say(fmt::format("{} sounds: {}", sweep::cell_count(chart.study), chart.study.base.title));
         ProgressDisplay display;
         options.progress = [&](const sweep::Progress& progress) { display.show(progress); };
-        chart.sounds = sweep::hear(chart.study, options);
+        chart.sounds = hearing::hear(chart.study, options);
         display.finish();
         if (chart.sounds.empty()) interrupted(chart.study.base.title);
     }
@@ -155,7 +155,7 @@ void evaluate(const EvaluateOptions& options) {
         if (!expectations.empty())
             report.recordings = heard_recordings(expectations, report.options.settings.thresholds, report.options.stop);
     }
-    if (!options.csv.empty()) io::write_file(options.csv, io::hearing_csv(report));
+    if (!options.csv.empty()) storage::write_file(options.csv, io::hearing_csv(report));
     print(options.json ? io::hearing_json(report) + "\n" : evaluation_text(report));
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using classification::Category;
 using classification::Confusion;
-using sweep::Half;
+using hearing::Half;
 
 constexpr std::array decided_categories{Category::none, Category::squeal, Category::squeak, Category::creak};
 
@@ -60,7 +60,7 @@ std::string cases_text(const std::vector<io::HeardCase>& cases) {
         };
         row(heard.name, "whole", "", heard.whole, heard.reason);
         for (std::size_t direction = 0; direction < heard.phases.size(); ++direction) {
-            const sweep::HeardSound& sound = heard.phases[direction];
+            const hearing::HeardSound& sound = heard.phases[direction];
             row("", parameters::direction_names[direction], classification::name(sound.cell.category), sound.heard,
                 sound.reason);
         }
@@ -85,7 +85,7 @@ std::string differences_text(const Confusion& table) {
 }
 
 std::string chart_text(const io::HeardChart& chart) {
-    const Confusion table = sweep::confusion(chart.sounds);
+    const Confusion table = hearing::confusion(chart.sounds);
     std::string text = fmt::format("\n{}: {} sounds, agreement {}\n", chart.study.base.title, chart.sounds.size(),
                                    agreement_text(table));
     const std::string differences = differences_text(table);
@@ -125,7 +125,7 @@ std::string charts_text(const io::HearingReport& report) {
     std::size_t failed = 0;
     for (const io::HeardChart& chart : report.charts) {
         text += chart_text(chart);
-        for (const sweep::HeardSound& sound : chart.sounds)
+        for (const hearing::HeardSound& sound : chart.sounds)
             failed += sound.cell.status == sweep::Status::done ? 0 : 1;
     }
     text += sets_text(report);
@@ -164,8 +164,8 @@ std::string perturbed_text(const io::HearingReport& report) {
     for (const Category category : decided_categories)
         text += fmt::format("{:>10}", classification::name(category));
     text += fmt::format("{:>11}\n", "undecided") + perturbation_row("unchanged", before);
-    for (std::size_t k = 0; k < sweep::perturbations().size(); ++k)
-        text += perturbation_row(sweep::perturbations()[k].name, io::perturbed_confusion(report, k));
+    for (std::size_t k = 0; k < hearing::perturbations().size(); ++k)
+        text += perturbation_row(hearing::perturbations()[k].name, io::perturbed_confusion(report, k));
     return text;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/io/hearing_report.hpp"
+#include "stridor/io/sound/hearing_report.hpp"
 
 #include <string>
 

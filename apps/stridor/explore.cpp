@@ -7,9 +7,9 @@
 #include "stridor/explorer/link.hpp"
 #include "stridor/explorer/redirect.hpp"
 #include "stridor/explorer/server.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_document.hpp"
-#include "stridor/io/toml_study.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_document.hpp"
+#include "stridor/io/chart/toml_study.hpp"
 #include "stridor/noise_library/library.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "terminal.hpp"
@@ -73,7 +73,7 @@ explorer::World world_of(const ExploreOptions& options) {
     explorer::Preset preset{"file", source.text, source.name, options.overrides};
     const io::SamplesReader keep = [&](const std::string& path) {
         preset.samples_file = path;
-        return preset.samples = io::read_sampled_file(path);
+        return preset.samples = recordings::read_sampled_file(path);
     };
     const io::TomlDocument document = io::parse_toml(source);
     const parameters::Case c = io::read_case(document, keep);  // likewise

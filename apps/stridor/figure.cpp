@@ -4,11 +4,11 @@
 #include "compare.hpp"
 #include "figures.hpp"
 #include "interrupt.hpp"
-#include "stridor/chart/contact_states.hpp"
-#include "stridor/chart/friction_law.hpp"
-#include "stridor/chart/noise_chart.hpp"
-#include "stridor/chart/rate_map.hpp"
-#include "stridor/chart/time_history.hpp"
+#include "stridor/figures/contact_states.hpp"
+#include "stridor/figures/friction_law.hpp"
+#include "stridor/figures/noise_chart.hpp"
+#include "stridor/figures/rate_map.hpp"
+#include "stridor/figures/time_history.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/paper_charts.hpp"
@@ -43,11 +43,12 @@ record::Record recorded(const Case& c, const record::TraceRequest& trace, const 
 
 using NamedCase = std::pair<std::string, Case>;
 
-chart::Scene states_scene(const std::vector<NamedCase>& cases, const chart::Range& time, const std::stop_token& stop) {
-    std::vector<chart::StatesOfCase> states;
+drawing::Scene states_scene(const std::vector<NamedCase>& cases, const drawing::Range& time,
+                            const std::stop_token& stop) {
+    std::vector<figures::StatesOfCase> states;
     for (const auto& [name, c] : cases)
         states.push_back({name, c, recorded(c, {}, stop).history});
-    return chart::contact_states(states, time);
+    return figures::contact_states(states, time);
 }
 
 struct PaperOptions {
@@ -70,7 +71,7 @@ void draw_paper(const PaperOptions& options) {
     {
         const Interrupt interrupt;
         const Case squeal = parameters::paper_case(PaperCase::squeal);
-        draw_both(chart::friction_law(squeal.contact), out / "figure-3");
+        draw_both(figures::friction_law(squeal.contact), out / "figure-3");
         announce(out / "figure-3", "friction law");
         draw_both(time_history_scene(
                       squeal, recorded(squeal, {0.0, squeal.run.duration, trace_interval}, interrupt.token()), {}),
@@ -82,17 +83,17 @@ void draw_paper(const PaperOptions& options) {
                 which == PaperCase::quiet ? "no noise" : parameters::paper_case_names[static_cast<std::size_t>(which)],
                 parameters::paper_case(which));
         // long enough for ten slips of the creak, short enough to see single stays of the squeal
-        draw_both(states_scene(cases, chart::telling_stretch(squeal, 40e-3), interrupt.token()), out / "figure-7");
+        draw_both(states_scene(cases, figures::telling_stretch(squeal, 40e-3), interrupt.token()), out / "figure-7");
         announce(out / "figure-7", "contact states of the four cases of Table 1");
     }
     std::vector<sweep::SweepResult> maps;
     for (const double angle : {70.0, 150.0})
         maps.push_back(
             compute(sweep::figure_6(angle), out / fmt::format("figure-6-{:g}.sqlite", angle), options.threads));
-    draw_both(chart::rate_map(maps), out / "figure-6");
+    draw_both(figures::rate_map(maps), out / "figure-6");
     announce(out / "figure-6", "contact-state rates over velocity and preload, 70 and 150 deg");
     const sweep::SweepResult pair = compute(sweep::figure_8(), out / "figure-8.sqlite", options.threads);
-    draw_both(chart::noise_chart(pair), out / "figure-8");
+    draw_both(figures::noise_chart(pair), out / "figure-8");
     announce(out / "figure-8", "noise charts over preload and kinetic friction");
 }
 
@@ -110,7 +111,7 @@ CLI::App* add_one(CLI::App& figure, const char* name, const char* description,
 }
 
 void draw_law(const OneFigureOptions& options) {
-    draw(chart::friction_law(load_case(options.input).contact), options.output);
+    draw(figures::friction_law(load_case(options.input).contact), options.output);
 }
 
 void draw_states(const OneFigureOptions& options) {

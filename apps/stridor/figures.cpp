@@ -2,13 +2,13 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
-#include "stridor/chart/design_mark.hpp"
-#include "stridor/chart/diagram.hpp"
-#include "stridor/chart/noise_chart.hpp"
-#include "stridor/chart/picture.hpp"
-#include "stridor/chart/stability.hpp"
-#include "stridor/chart/time_history.hpp"
-#include "stridor/io/atomic_file.hpp"
+#include "stridor/drawing/picture.hpp"
+#include "stridor/figures/design_mark.hpp"
+#include "stridor/figures/diagram.hpp"
+#include "stridor/figures/noise_chart.hpp"
+#include "stridor/figures/stability.hpp"
+#include "stridor/figures/time_history.hpp"
+#include "stridor/storage/atomic_file.hpp"
 
 #include <optional>
 
@@ -19,15 +19,15 @@ namespace {
 // long enough for a few dozen changes of state of a squeal
 constexpr double zoom_length = 20e-3;  // [s]
 
-std::optional<chart::Range> zoom_range(const parameters::Case& c, const record::ContactHistory& history,
-                                       const std::string& zoom) {
-    if (zoom.empty()) return chart::busiest_stretch(c, history, zoom_length);
+std::optional<drawing::Range> zoom_range(const parameters::Case& c, const record::ContactHistory& history,
+                                         const std::string& zoom) {
+    if (zoom.empty()) return figures::busiest_stretch(c, history, zoom_length);
     const std::size_t colon = zoom.find(':');
     if (colon == std::string::npos)
         throw Error(ErrorKind::input,
                     {"--zoom \"" + zoom + "\" cannot be read", "expected FROM:TO", "For example \"230 ms:250 ms\"."});
-    const chart::Range range{base::parse_quantity(zoom.substr(0, colon), "s"),
-                             base::parse_quantity(zoom.substr(colon + 1), "s")};
+    const drawing::Range range{base::parse_quantity(zoom.substr(0, colon), "s"),
+                               base::parse_quantity(zoom.substr(colon + 1), "s")};
     if (!(range.from < range.to))
         throw Error(ErrorKind::input,
                     {"--zoom \"" + zoom + "\" is empty", "its end must come after its beginning", ""});
@@ -36,32 +36,32 @@ std::optional<chart::Range> zoom_range(const parameters::Case& c, const record::
 
 }  // namespace
 
-void draw(const chart::Scene& scene, const std::filesystem::path& path) {
-    io::write_file(path.string(), chart::render(scene, chart::format_of(path)));
+void draw(const drawing::Scene& scene, const std::filesystem::path& path) {
+    storage::write_file(path.string(), drawing::render(scene, drawing::format_of(path)));
 }
 
-void draw_both(const chart::Scene& scene, const std::filesystem::path& stem) {
+void draw_both(const drawing::Scene& scene, const std::filesystem::path& stem) {
     for (const char* extension : {".png", ".svg"})
         draw(scene, std::filesystem::path(stem) += extension);
 }
 
-chart::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom) {
-    chart::TimeHistoryOptions options;
+drawing::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom) {
+    figures::TimeHistoryOptions options;
     options.zoom = zoom_range(c, record.history, zoom);
-    return chart::time_history(c, record, options);
+    return figures::time_history(c, record, options);
 }
 
 void draw_stability(const analysis::StabilityScan& scan, const std::string& path) {
-    std::vector<chart::StabilityCurve> curves;
+    std::vector<figures::StabilityCurve> curves;
     for (const analysis::DirectionScan& direction : scan.directions)
         curves.push_back({direction.direction, direction.path});
-    draw(chart::stability(scan.key, curves), path);
+    draw(figures::stability(scan.key, curves), path);
 }
 
 void draw_diagram(const sweep::SweepResult& result, const std::vector<sweep::DiagramCell>& cells,
                   const std::filesystem::path& folder) {
-    chart::Scene scene = chart::diagram(result, cells);
-    chart::mark_design(scene, result.study);
+    drawing::Scene scene = figures::diagram(result, cells);
+    figures::mark_design(scene, result.study);
     draw_both(scene, folder / "chart");
 }
 
@@ -69,8 +69,8 @@ void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& 
     // the first quantity is the chart; further ones stand beside it under their own names
     bool is_first = true;
     for (const std::string& quantity : result.study.quantities) {
-        chart::Scene scene = chart::quantity_chart(result, quantity);
-        chart::mark_design(scene, result.study);
+        drawing::Scene scene = figures::quantity_chart(result, quantity);
+        figures::mark_design(scene, result.study);
         draw_both(scene, folder / (is_first ? "chart" : "chart-" + quantity));
         is_first = false;
     }

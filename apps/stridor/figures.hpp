@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stridor/chart/scene.hpp"
-#include "stridor/io/json.hpp"
+#include "stridor/drawing/scene.hpp"
+#include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"
 #include "stridor/sweep/cell.hpp"
@@ -15,13 +15,13 @@
 namespace stridor::app {
 
 /// Draws a scene into a PNG, SVG or PDF file, by its extension; whoever looks sees the old file or the whole new one.
-void draw(const chart::Scene& scene, const std::filesystem::path& path);
+void draw(const drawing::Scene& scene, const std::filesystem::path& path);
 
 /// Draws a scene as STEM.png and STEM.svg.
-void draw_both(const chart::Scene& scene, const std::filesystem::path& stem);
+void draw_both(const drawing::Scene& scene, const std::filesystem::path& stem);
 
 /// Figure 5: motion over time with the contact states, and a zoom ("from:to" with units; empty: chosen).
-chart::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom);
+drawing::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom);
 
 /// Frequencies and growth rates of the sliding modes along a parameter.
 void draw_stability(const analysis::StabilityScan& scan, const std::string& path);

@@ -5,8 +5,8 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/sound_rules.hpp"
-#include "stridor/io/open_signal.hpp"
-#include "stridor/io/sidecar.hpp"
+#include "stridor/recordings/open_signal.hpp"
+#include "stridor/recordings/sidecar.hpp"
 
 #include <fmt/format.h>
 
@@ -49,7 +49,7 @@ std::string heard_text(std::span<const io::Expectation> expectations, const para
     for (const io::Expectation& each : expectations) {
         std::error_code error;
         text += fmt::format("{}: {}; sidecar: {}\n", fs::absolute(each.file, error).string(), state_of(each.file),
-                            state_of(io::sidecar_path(each.file)));
+                            state_of(recordings::sidecar_path(each.file)));
     }
     return text;
 }
@@ -98,7 +98,7 @@ private:
 
 io::HeardRecording hear_recording(const io::Expectation& expectation, const parameters::SoundThresholds& thresholds,
                                   const std::stop_token& stop, RowDisplay& display) {
-    const std::unique_ptr<io::SignalFile> file = io::open_signal(expectation.file);
+    const std::unique_ptr<recordings::SignalFile> file = recordings::open_signal(expectation.file);
     const double frames = static_cast<double>(file->layout().frames.value_or(0));
     const classification::RecordingVerdict verdict = verdict_on(*file, thresholds, [&](std::uint64_t done) {
         if (stop.stop_requested())
@@ -113,9 +113,9 @@ io::HeardRecording hear_recording(const io::Expectation& expectation, const para
 }  // namespace
 
 classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds,
-                                            const signal::Progress& progress) {
-    const std::vector<signal::SoundAnalysis> channels = signal::analyse(source, progress);
-    return classification::classify_recording(channels[signal::loudest(channels)].stretches, thresholds);
+                                            const sound::Progress& progress) {
+    const std::vector<sound::SoundAnalysis> channels = sound::analyse(source, progress);
+    return classification::classify_recording(channels[sound::loudest(channels)].stretches, thresholds);
 }
 
 std::vector<io::HeardRecording> heard_recordings(std::span<const io::Expectation> expectations,

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "stridor/classification/sound_verdict.hpp"
-#include "stridor/io/expectations.hpp"
-#include "stridor/io/hearing_report.hpp"
+#include "stridor/io/sound/expectations.hpp"
+#include "stridor/io/sound/hearing_report.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
-#include "stridor/signal/sound_analysis.hpp"
 #include "stridor/signal/source.hpp"
+#include "stridor/sound/analysis.hpp"
 
 #include <span>
 #include <stop_token>
@@ -15,7 +15,7 @@ namespace stridor::app {
 
 /// The verdict by ear on the loudest channel, as `stridor classify` has it; reads the source to its end.
 classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds,
-                                            const signal::Progress& progress = {});
+                                            const sound::Progress& progress = {});
 
 /// Recordings by ear, each kept until all of them are heard; stderr says how far it is and how long it will take.
 /// Throws `Error`: interrupted when it is stopped, and what reading a recording throws.

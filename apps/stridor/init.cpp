@@ -1,10 +1,10 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/atomic_file.hpp"
-#include "stridor/io/case_schema.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/case_schema.hpp"
+#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/paper_charts.hpp"
 #include "stridor/sweep/soft_parts.hpp"
 #include "terminal.hpp"
@@ -53,7 +53,7 @@ std::vector<std::string> kinds() {
 void spare_others(const std::string& file) {
     std::error_code ignored;
     if (file.empty() || file == "-" || !std::filesystem::is_regular_file(file, ignored)) return;
-    const std::string there = io::read_file(file);
+    const std::string there = storage::read_file(file);
     const std::vector<std::string> all = kinds();
     const bool is_ours = std::any_of(all.begin(), all.end(), [&](const auto& kind) { return text_of(kind) == there; });
     if (!there.empty() && !is_ours)

@@ -15,10 +15,10 @@ void add_full_scale_option(CLI::App& command, std::vector<std::string>& full_sca
         ->allow_extra_args(false);
 }
 
-std::vector<io::FullScale> parsed_full_scales(const std::vector<std::string>& texts) {
-    std::vector<io::FullScale> full_scales;
+std::vector<recordings::FullScale> parsed_full_scales(const std::vector<std::string>& texts) {
+    std::vector<recordings::FullScale> full_scales;
     for (const std::string& text : texts)
-        full_scales.push_back(io::parse_full_scale(text));
+        full_scales.push_back(recordings::parse_full_scale(text));
     return full_scales;
 }
 
@@ -32,8 +32,8 @@ void add_input_options(CLI::App& command, InputOptions& options) {
         ->type_name("HZ");
 }
 
-io::OpenOptions open_options(const InputOptions& options) {
-    io::OpenOptions open;
+recordings::OpenOptions open_options(const InputOptions& options) {
+    recordings::OpenOptions open;
     open.full_scales = parsed_full_scales(options.full_scales);
     if (!options.rate.empty()) open.rate = base::parse_quantity(options.rate, "Hz");
     if (open.rate && !(*open.rate > 0.0))

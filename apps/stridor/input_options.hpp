@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/io/open_signal.hpp"
+#include "stridor/recordings/open_signal.hpp"
 
 #include <cstddef>
 #include <string>
@@ -24,12 +24,12 @@ struct InputOptions {
 void add_full_scale_option(CLI::App& command, std::vector<std::string>& full_scales);
 
 /// Throws `Error` (input) for what is no full scale.
-std::vector<io::FullScale> parsed_full_scales(const std::vector<std::string>& texts);
+std::vector<recordings::FullScale> parsed_full_scales(const std::vector<std::string>& texts);
 
 /// Adds --full-scale, --channel, --dataset and --rate.
 void add_input_options(CLI::App& command, InputOptions& options);
 
 /// Throws `Error` (input) for what is no full scale or no rate.
-io::OpenOptions open_options(const InputOptions& options);
+recordings::OpenOptions open_options(const InputOptions& options);
 
 }  // namespace stridor::app

@@ -2,8 +2,8 @@
 
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/csv_library.hpp"
-#include "stridor/io/json_library.hpp"
+#include "stridor/io/library/csv_library.hpp"
+#include "stridor/io/library/json_library.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "terminal.hpp"
 

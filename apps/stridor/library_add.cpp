@@ -4,10 +4,10 @@
 #include "library_hearing.hpp"
 #include "progress.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/json_library.hpp"
-#include "stridor/io/json_verdict.hpp"
-#include "stridor/io/recording_files.hpp"
+#include "stridor/io/library/json_library.hpp"
+#include "stridor/io/sound/json_verdict.hpp"
 #include "stridor/noise_library/recording.hpp"
+#include "stridor/recordings/recording_files.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -97,7 +97,7 @@ public:
         : options_(options),
           stop_(std::move(stop)),
           library_(open_library(options.library, Access::fill)),
-          files_(io::recording_files(options.files, library_.audio_folder())),
+          files_(recordings::recording_files(options.files, library_.audio_folder())),
           row_("added", files_.files.size()) {
         apply(options.entry, recording_.given);
         recording_.twins = options.again ? noise_library::Twins::accept : noise_library::Twins::refuse_same_audio;
@@ -187,7 +187,7 @@ private:
     const AddOptions& options_;
     std::stop_token stop_;
     Library library_;
-    io::RecordingFiles files_;
+    recordings::RecordingFiles files_;
     RowDisplay row_;
     noise_library::Recording recording_{};
     noise_library::Probe hear_{};
@@ -239,7 +239,7 @@ Entry heard_again(Library& library, std::int64_t id, const HearingOptions& optio
     if (const std::optional<io::KeptVerdict> kept = io::kept_verdict(entry.verdict);
         hearing.channel.empty() && kept && kept->channel > 0)
         hearing.channel = std::to_string(kept->channel);
-    judge(io::open_input(library.sound_file(entry).string()), hearing, entry, heard);
+    judge(recordings::open_input(library.sound_file(entry).string()), hearing, entry, heard);
     const auto put = [&](Entry& each) {
         each.category = entry.category;
         each.verdict = entry.verdict;

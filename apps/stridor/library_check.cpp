@@ -1,7 +1,7 @@
 #include "library.hpp"
 #include "library_hearing.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/library_repair.hpp"
+#include "stridor/io/library/library_repair.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 #include "library.hpp"
 #include "progress.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/library_archive.hpp"
+#include "stridor/io/library/library_archive.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>

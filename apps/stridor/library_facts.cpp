@@ -2,8 +2,8 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "terminal.hpp"
 
@@ -220,7 +220,7 @@ std::string profile_of(const parameters::Drive& drive) {
     return "";
 }
 
-void take_facts(const io::SignalFacts& facts, Entry& entry) {
+void take_facts(const recordings::SignalFacts& facts, Entry& entry) {
     const bool is_simulation = is_simulated(facts.metadata);
     if (is_simulation) {
         const bool is_said = !entry.recorded.empty();
@@ -235,7 +235,7 @@ void take_facts(const io::SignalFacts& facts, Entry& entry) {
     for (const auto& [key, value] : facts.metadata)
         if (is_id_line(key))
             take_line(value, filler);
-        else if (!io::calibration_in(value) && !value.starts_with(simulated))
+        else if (!recordings::calibration_in(value) && !value.starts_with(simulated))
             filler.take(key, value);
     filler.say_what(entry.file);
 }

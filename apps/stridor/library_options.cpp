@@ -1,7 +1,7 @@
 #include "library.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/atomic_file.hpp"
 #include "stridor/noise_library/field.hpp"
+#include "stridor/storage/atomic_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -81,7 +81,7 @@ void apply(const EntryOptions& options, Entry& entry) {
     for (const auto& [name, text] : options.fields)
         noise_library::set_from_text(entry, *noise_library::find_field(name), text);
     if (!options.case_file.empty()) {
-        noise_library::set_from_text(entry, *noise_library::find_field("case"), io::read_file(options.case_file));
+        noise_library::set_from_text(entry, *noise_library::find_field("case"), storage::read_file(options.case_file));
         if (entry.recorded.empty()) entry.recorded = "simulation";
     }
     for (const std::string& text : options.figures)

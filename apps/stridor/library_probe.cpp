@@ -6,7 +6,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/sound_rules.hpp"
-#include "stridor/io/json_verdict.hpp"
+#include "stridor/io/sound/json_verdict.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/signal/channel_name.hpp"
 #include "terminal.hpp"
@@ -24,7 +24,7 @@ namespace {
 
 using noise_library::Entry;
 using noise_library::Figure;
-using signal::SoundFeatures;
+using sound::SoundFeatures;
 
 constexpr std::uint64_t most_friction_samples = 30'000'000;  // of all channels: ten minutes at 16 kHz of three
 constexpr std::size_t most_channels = 64;
@@ -60,7 +60,7 @@ void add_figure(std::vector<Figure>& figures, const char* name, const std::strin
 }
 
 // of a sound pressure as a whole, in a free field
-void add_quality(std::vector<Figure>& figures, const signal::SoundQuality& quality) {
+void add_quality(std::vector<Figure>& figures, const sound::SoundQuality& quality) {
     add_figure(figures, "loudness_5", "sone", quality.loudness_5);
     add_figure(figures, "loudness_greatest", "sone", quality.greatest_loudness);
     add_figure(figures, "sharpness", "acum", quality.sharpness);
@@ -99,8 +99,8 @@ void add_missing(Entry& entry, const std::vector<Figure>& figures) {
         if (!has_figure(entry, figure.name)) noise_library::set_figure(entry, figure);
 }
 
-io::OpenOptions open_options(const std::string& calibration, const std::vector<std::string>& full_scales) {
-    io::OpenOptions open;
+recordings::OpenOptions open_options(const std::string& calibration, const std::vector<std::string>& full_scales) {
+    recordings::OpenOptions open;
     open.full_scales = full_scales.empty() ? full_scales_in(calibration) : parsed_full_scales(full_scales);
     return open;
 }
@@ -133,22 +133,22 @@ void choose_loudest(io::SoundReport& report) {
     }
 }
 
-signal::Progress progress_of(const signal::Layout& layout, const Heard& heard) {
+sound::Progress progress_of(const signal::Layout& layout, const Heard& heard) {
     if (!heard || !layout.frames) return {};
     const double whole = std::max(1.0, static_cast<double>(*layout.frames));
     return [whole, heard](std::uint64_t frames) { heard(static_cast<double>(frames) / whole); };
 }
 
 // the entry keeps what the sidecar says: the sidecar does not come along
-void keep_calibration(const io::SignalFacts& facts, Entry& entry) {
+void keep_calibration(const recordings::SignalFacts& facts, Entry& entry) {
     if (!entry.calibration.empty()) return;
     bool is_given = false;
     bool is_one = true;
     std::string all;
     for (std::size_t k = 0; k < facts.full_scales.size(); ++k) {
-        const io::Calibration origin = facts.calibrations[k];
-        is_given |= origin == io::Calibration::option || origin == io::Calibration::sidecar ||
-                    origin == io::Calibration::description;
+        const recordings::Calibration origin = facts.calibrations[k];
+        is_given |= origin == recordings::Calibration::option || origin == recordings::Calibration::sidecar ||
+                    origin == recordings::Calibration::description;
         is_one = is_one && facts.full_scales[k] == facts.full_scales.front();
         all += fmt::format("{}full scale = {} {}", k > 0 ? "; " : "", base::shortest(facts.full_scales[k].value),
                            facts.full_scales[k].unit);
@@ -157,7 +157,7 @@ void keep_calibration(const io::SignalFacts& facts, Entry& entry) {
 }
 
 // of a file that does not say how long it is, by reading it
-std::uint64_t counted_frames(io::SignalFile& file) {
+std::uint64_t counted_frames(recordings::SignalFile& file) {
     const std::size_t channels = file.layout().channels.size();
     std::vector<double> block(4096 * channels);
     std::uint64_t frames = 0;
@@ -168,14 +168,14 @@ std::uint64_t counted_frames(io::SignalFile& file) {
 
 }  // namespace
 
-std::vector<io::FullScale> full_scales_in(const std::string& calibration) {
-    std::vector<io::FullScale> scales;
+std::vector<recordings::FullScale> full_scales_in(const std::string& calibration) {
+    std::vector<recordings::FullScale> scales;
     constexpr std::string_view mark = "full scale = ";
     std::size_t begin = 0;
     try {
         while (calibration.compare(begin, mark.size(), mark) == 0) {
             const std::size_t end = std::min(calibration.find(';', begin), calibration.size());
-            scales.push_back(io::parse_full_scale(
+            scales.push_back(recordings::parse_full_scale(
                 base::trimmed(calibration.substr(begin + mark.size(), end - begin - mark.size()))));
             begin = std::min(end + 2, calibration.size());
         }
@@ -183,21 +183,22 @@ std::vector<io::FullScale> full_scales_in(const std::string& calibration) {
         scales.clear();  // words of a person
     }
     if (scales.empty())
-        if (const std::optional<io::FullScale> scale = io::calibration_in(calibration)) scales.push_back(*scale);
+        if (const std::optional<recordings::FullScale> scale = recordings::calibration_in(calibration))
+            scales.push_back(*scale);
     return scales;
 }
 
-void judge(const io::SignalInput& input, const HearingOptions& options, Entry& entry, const Heard& heard) {
-    const std::unique_ptr<io::SignalFile> file =
-        io::open_signal(input, open_options(entry.calibration, options.full_scales));
+void judge(const recordings::SignalInput& input, const HearingOptions& options, Entry& entry, const Heard& heard) {
+    const std::unique_ptr<recordings::SignalFile> file =
+        recordings::open_signal(input, open_options(entry.calibration, options.full_scales));
     const std::vector<std::size_t> places = channels_to_hear(file->layout(), options.channel, entry);
     if (places.empty()) return;
     io::SoundReport report;
     report.file = entry.file;
     PickedChannels picked(*file, places);
-    report.channels = signal::analyse(picked, progress_of(file->layout(), heard), signal::one_after_the_other,
-                                      signal::SoundField::free);
-    for (const signal::SoundAnalysis& analysis : report.channels)
+    report.channels =
+        sound::analyse(picked, progress_of(file->layout(), heard), sound::one_after_the_other, sound::SoundField::free);
+    for (const sound::SoundAnalysis& analysis : report.channels)
         report.verdicts.push_back(classification::classify_recording(analysis.stretches, report.thresholds));
     choose_loudest(report);
 
@@ -209,8 +210,9 @@ void judge(const io::SignalInput& input, const HearingOptions& options, Entry& e
     if (std::isnan(entry.duration)) entry.duration = report.channels[report.loudest].duration;
 }
 
-void measure_friction(const io::SignalInput& input, Entry& entry) {
-    const std::unique_ptr<io::SignalFile> file = io::open_signal(input, open_options(entry.calibration, {}));
+void measure_friction(const recordings::SignalInput& input, Entry& entry) {
+    const std::unique_ptr<recordings::SignalFile> file =
+        recordings::open_signal(input, open_options(entry.calibration, {}));
     const signal::Layout& layout = file->layout();
     const std::optional<FrictionChannels> channels = friction_channels(layout);
     if (!channels || !(entry.preload > 0.0)) return;
@@ -253,9 +255,9 @@ void measure_friction(const io::SignalInput& input, Entry& entry) {
 
 noise_library::Probe probe_of(const HearingOptions& options, const Heard& heard) {
     return [options, heard](const std::filesystem::path& path, Entry& entry) {
-        const io::SignalInput input = io::open_input(path.string());
-        const std::unique_ptr<io::SignalFile> file =
-            io::open_signal(input, open_options(entry.calibration, options.full_scales));
+        const recordings::SignalInput input = recordings::open_input(path.string());
+        const std::unique_ptr<recordings::SignalFile> file =
+            recordings::open_signal(input, open_options(entry.calibration, options.full_scales));
         const signal::Layout& layout = file->layout();
         entry.rate = layout.rate;
         entry.channels = static_cast<double>(layout.channels.size());

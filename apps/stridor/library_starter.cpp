@@ -4,13 +4,13 @@
 #include "progress.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/json_library.hpp"
-#include "stridor/io/toml_writer.hpp"
-#include "stridor/io/wav.hpp"
+#include "stridor/hearing/run_sound.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/library/json_library.hpp"
 #include "stridor/noise_library/recording.hpp"
+#include "stridor/noise_library/starter_noises.hpp"
+#include "stridor/recordings/audio/wav.hpp"
 #include "stridor/storage/temporary.hpp"
-#include "stridor/sweep/run_sound.hpp"
-#include "stridor/sweep/starter_noises.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -50,20 +50,20 @@ std::string contact_verdict(const parameters::Case& c, const sweep::Attempt& att
 }
 
 MadeNoise made(const parameters::Case& c, const std::stop_token& stop, integration::Workspace& workspace) {
-    signal::AuralisationSettings settings;
+    sound::AuralisationSettings settings;
     settings.density = 8;                          // as the cells of a chart are heard (docs/methods/auralisation.md)
     settings.stretches = {{0.0, c.run.duration}};  // all of it, faded at its ends
-    const std::optional<sweep::RunSound> sound = sweep::sound_of_run(c, settings, stop, workspace);
+    const std::optional<hearing::RunSound> sound = hearing::sound_of_run(c, settings, stop, workspace);
     if (!sound) throw Error(ErrorKind::interrupted, {"stopped", "what was added stays", "Run it again."});
     if (sound->attempt.status != sweep::Status::done)
         throw Error(ErrorKind::numerical, {c.title + " has no result", sound->attempt.message, ""});
-    return {sweep::joined(sound->parts), contact_verdict(c, sound->attempt)};
+    return {hearing::joined(sound->parts), contact_verdict(c, sound->attempt)};
 }
 
 // the loudest sample lies 1 dB below full scale, which the file states: levels compare
 double full_scale_of(const signal::Signal& sound) {
     constexpr double bits_of_1_dB = 1.0 / 6.020599913279624;  // [1] log2 of the factor
-    const double peak = signal::peak(sound.samples);
+    const double peak = sound::peak(sound.samples);
     return peak > 0.0 ? peak * base::power_of_2(bits_of_1_dB) : 1.0;
 }
 
@@ -72,15 +72,15 @@ std::string case_text(const parameters::Case& c) {
 }
 
 void write(const std::string& file, const signal::Signal& sound, const parameters::Case& c) {
-    io::WavOptions options;
+    recordings::WavOptions options;
     options.full_scales = {{full_scale_of(sound), sound.unit}};
     // no version of the program: the same noise is the same file for the next one, too
     options.description = "simulated by stridor: joint velocity along x; " + c.title;
-    options.history = io::case_mark + case_text(c);
-    io::write_wav(file, *signal::source_of({sound}), options);
+    options.history = recordings::case_mark + case_text(c);
+    recordings::write_wav(file, *signal::source_of({sound}), options);
 }
 
-Entry given(const sweep::StarterNoise& noise, const std::string& contact) {
+Entry given(const noise_library::StarterNoise& noise, const std::string& contact) {
     const parameters::Drive& drive = noise.c.drive;
     Entry entry;
     entry.system = noise.system;
@@ -107,13 +107,13 @@ public:
     Starter(const StarterOptions& options, const std::stop_token& stop)
         : options_(options),
           stop_(stop),
-          noises_(sweep::starter_noises()),
+          noises_(noise_library::starter_noises()),
           library_(open_library(options.library, Access::fill)) {}
 
     void run() {
         arrivals_.left = noises_.size();
         std::map<std::string_view, int> numbers;
-        for (const sweep::StarterNoise& noise : noises_) {
+        for (const noise_library::StarterNoise& noise : noises_) {
             std::string name = fmt::format("{}-{}.wav", noise.system, ++numbers[noise.system]);
             std::replace(name.begin(), name.end(), ' ', '-');
             add(noise, name);
@@ -130,7 +130,7 @@ public:
 
 private:
     // those that were made before, by name and case, need not be made again to be known
-    std::optional<std::int64_t> made_before(const sweep::StarterNoise& noise, const std::string& name) {
+    std::optional<std::int64_t> made_before(const noise_library::StarterNoise& noise, const std::string& name) {
         noise_library::Query query;
         query.conditions = {{"file", noise_library::Comparison::equal, name},
                             {"recorded", noise_library::Comparison::equal, "simulation"}};
@@ -140,7 +140,7 @@ private:
         return std::nullopt;
     }
 
-    void add(const sweep::StarterNoise& noise, const std::string& name) {
+    void add(const noise_library::StarterNoise& noise, const std::string& name) {
         if (const auto twin = made_before(noise, name)) return arrivals_.known.push_back({name, *twin});
         const MadeNoise made_noise = made(noise.c, stop_, workspace_);
         const std::filesystem::path file = folder_.path() / name;
@@ -159,7 +159,7 @@ private:
 
     const StarterOptions& options_;
     std::stop_token stop_;
-    std::vector<sweep::StarterNoise> noises_;
+    std::vector<noise_library::StarterNoise> noises_;
     noise_library::Library library_;
     storage::PrivateFolder folder_{};
     integration::Workspace workspace_{};

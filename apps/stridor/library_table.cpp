@@ -124,7 +124,7 @@ std::string summary_text(const noise_library::Arrivals& arrivals) {
     if (arrivals.known.size() <= most_known)
         for (const noise_library::KnownRecording& known : arrivals.known)
             text += fmt::format("\nknown    {}: entry {} has its sound", known.file, known.id);
-    for (const noise_library::RefusedRecording& refused : arrivals.refused)
+    for (const recordings::RefusedRecording& refused : arrivals.refused)
         text += "\nrefused  " + refused.reason;
     return text;
 }

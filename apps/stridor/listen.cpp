@@ -8,14 +8,14 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
-#include "stridor/io/json_listen.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_document.hpp"
-#include "stridor/io/toml_study.hpp"
-#include "stridor/io/toml_writer.hpp"
-#include "stridor/io/wav.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_document.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/toml_study.hpp"
+#include "stridor/io/sound/json_listen.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/record/schedule.hpp"
+#include "stridor/recordings/audio/wav.hpp"
 #include "stridor/storage/temporary.hpp"
 #include "terminal.hpp"
 
@@ -113,7 +113,7 @@ Choice choose(const ListenOptions& options) {
 
 // --- what of it
 
-signal::Pickup pickup(const ListenOptions& options) {
+sound::Pickup pickup(const ListenOptions& options) {
     const bool is_joint = options.of == "joint";
     const std::string component = options.component.empty() ? (is_joint ? "x" : "y") : options.component;
     if (!is_joint && component == "x")
@@ -126,7 +126,7 @@ signal::Pickup pickup(const ListenOptions& options) {
 }
 
 // the part of the motion that is heard; all of it if no direction is named
-std::vector<signal::Stretch> stretches(const ListenOptions& options, const parameters::Case& c) {
+std::vector<sound::Stretch> stretches(const ListenOptions& options, const parameters::Case& c) {
     const std::optional<Direction> direction = direction_of(options);
     const bool is_constant = c.drive.kind == DriveKind::constant;
     if (is_constant && direction && options.cell.empty() &&
@@ -140,8 +140,8 @@ std::vector<signal::Stretch> stretches(const ListenOptions& options, const param
     const record::Phase phase = is_constant                      ? record::Phase::all
                                 : *direction == Direction::going ? record::Phase::going
                                                                  : record::Phase::coming;
-    std::vector<signal::Stretch> found =
-        signal::stretches_of(record::schedule(c), phase, options.judged ? record::Use::judged : record::Use::counted);
+    std::vector<sound::Stretch> found =
+        sound::stretches_of(record::schedule(c), phase, options.judged ? record::Use::judged : record::Use::counted);
     if (found.empty())
         refuse("no " + options.direction + " phase lies in the window of " + base::shortest(c.run.window) + " s",
                options.judged ? "only whole phases are judged" : "the drive does not move that way",
@@ -149,8 +149,8 @@ std::vector<signal::Stretch> stretches(const ListenOptions& options, const param
     return found;
 }
 
-signal::AuralisationSettings settings_for(const ListenOptions& options, const parameters::Case& c) {
-    signal::AuralisationSettings settings;
+sound::AuralisationSettings settings_for(const ListenOptions& options, const parameters::Case& c) {
+    sound::AuralisationSettings settings;
     settings.pickup = pickup(options);
     settings.rate = base::parse_quantity(options.rate, "Hz");
     settings.high_pass = base::parse_quantity(options.high_pass, "Hz");
@@ -163,7 +163,7 @@ signal::AuralisationSettings settings_for(const ListenOptions& options, const pa
                "20 Hz is the default, 0 leaves all in.");
     if (!(settings.fade >= 0.0)) refuse("--fade " + options.fade + " is no time", "it must not be negative", "");
     const double end = seconds_of(options).value_or(c.run.duration);
-    for (const signal::Stretch& stretch : stretches(options, c))
+    for (const sound::Stretch& stretch : stretches(options, c))
         if (stretch.from < end) settings.stretches.push_back({stretch.from, std::min(stretch.to, end)});
     if (settings.stretches.empty())
         refuse("nothing of this part lies in the first " + base::shortest(end) + " s", "", "Ask for more --seconds.");
@@ -249,7 +249,7 @@ void listen(ListenOptions options) {
     const std::optional<Direction> of_cell = options.cell.empty() ? std::nullopt : parse_cell(options.cell).direction;
     if (options.direction.empty() && of_cell) options.direction = direction_names[static_cast<std::size_t>(*of_cell)];
     Choice choice = choose(options);
-    const signal::AuralisationSettings settings = settings_for(options, choice.c);
+    const sound::AuralisationSettings settings = settings_for(options, choice.c);
     std::unique_ptr<Spool> sound;
     {
         const Interrupt interrupt;
@@ -263,7 +263,7 @@ void listen(ListenOptions options) {
     info.quantity = options.quantity;
     info.direction = options.direction.empty() ? "whole" : options.direction;
     info.part = options.judged ? "judged" : "all";
-    info.unit = signal::unit_of(settings.pickup.quantity);
+    info.unit = sound::unit_of(settings.pickup.quantity);
     info.rate = settings.rate;
     info.duration = static_cast<double>(sound->frames()) / settings.rate;
     info.high_pass = settings.high_pass;
@@ -274,14 +274,16 @@ void listen(ListenOptions options) {
     info.player = options.out.empty() ? find_player() : "";
 
     const std::string case_text = io::case_toml(choice.c, {io::Comments::none, ""});
-    const io::WavOptions file{
-        io::WavSamples::pcm_24, {{info.full_scale, info.unit}}, description(info, choice.c), io::case_mark + case_text};
-    if (!options.out.empty()) io::write_wav(options.out, *sound, file);
+    const recordings::WavOptions file{recordings::WavSamples::pcm_24,
+                                      {{info.full_scale, info.unit}},
+                                      description(info, choice.c),
+                                      recordings::case_mark + case_text};
+    if (!options.out.empty()) recordings::write_wav(options.out, *sound, file);
     print(options.json ? io::listen_json(choice.c, info) + "\n" : report(info));
     if (!options.out.empty()) return;
     const storage::PrivateFolder folder;
     const std::string temporary = (folder.path() / "sound.wav").string();
-    io::write_wav(temporary, *sound, file);
+    recordings::write_wav(temporary, *sound, file);
     play(info.player, temporary);
 }
 

@@ -8,12 +8,12 @@
 #include "kept.hpp"
 #include "progress.hpp"
 #include "sound.hpp"
-#include "stridor/chart/side_by_side.hpp"
-#include "stridor/io/atomic_file.hpp"
-#include "stridor/io/json_compare.hpp"
-#include "stridor/io/toml_study.hpp"
-#include "stridor/io/wav.hpp"
-#include "stridor/sweep/run_sound.hpp"
+#include "stridor/figures/side_by_side.hpp"
+#include "stridor/hearing/run_sound.hpp"
+#include "stridor/io/chart/toml_study.hpp"
+#include "stridor/io/sound/json_compare.hpp"
+#include "stridor/recordings/audio/wav.hpp"
+#include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/store.hpp"
 #include "terminal.hpp"
 
@@ -31,7 +31,7 @@ namespace {
 
 using classification::Category;
 using classification::ComparedSound;
-using sweep::SoundMatch;
+using hearing::SoundMatch;
 
 constexpr double least_rate = 8000.0;       // [Hz] of a rendered cell
 constexpr double most_rate = 192000.0;      // [Hz]
@@ -59,7 +59,7 @@ struct MatchOptions {
 // says how far the search is: a line that is redrawn in a terminal, a line per 10 % anywhere else
 class SearchDisplay {
 public:
-    void show(const sweep::SearchProgress& progress) {
+    void show(const hearing::SearchProgress& progress) {
         if (progress.done <= progress.before && progress.done < progress.known) return;  // known from an earlier run
         if (!has_terminal() && progress.known < least_said) return;
         display_.show(static_cast<double>(progress.done) / static_cast<double>(progress.known),
@@ -102,7 +102,7 @@ double cell_rate(const ComparedSound& recording) {
 }
 
 void require_level(const MatchOptions& options, const ComparedSound& recording) {
-    const std::string unit = signal::unit_of(pickup_of(options.motion).quantity);
+    const std::string unit = sound::unit_of(pickup_of(options.motion).quantity);
     if (!options.with_level || recording.analysis.unit == unit) return;
     refuse("the level of " + recording.name + " cannot be compared",
            "it is in " + recording.analysis.unit + ", the model's motion in " + unit +
@@ -110,9 +110,9 @@ void require_level(const MatchOptions& options, const ComparedSound& recording) 
            "Leave --with-level out, or choose --quantity.");
 }
 
-sweep::SoundSearchResult searched(const MatchOptions& options, const io::MatchReport& report,
-                                  const sweep::CellListening& listening) {
-    sweep::SoundSearch settings;
+hearing::SoundSearchResult searched(const MatchOptions& options, const io::MatchReport& report,
+                                    const hearing::CellListening& listening) {
+    hearing::SoundSearch settings;
     settings.extent = report.extent;
     settings.keep = options.best;
     settings.level = report.level;
@@ -121,10 +121,10 @@ sweep::SoundSearchResult searched(const MatchOptions& options, const io::MatchRe
     const Interrupt interrupt;
     SearchDisplay display;
     settings.stop = interrupt.token();
-    settings.progress = [&](const sweep::SearchProgress& progress) { display.show(progress); };
-    Kept kept("match", sweep::listening_text(report.study, listening));
+    settings.progress = [&](const hearing::SearchProgress& progress) { display.show(progress); };
+    Kept kept("match", hearing::listening_text(report.study, listening));
     settings.kept = kept.results();
-    sweep::SoundSearchResult result = sweep::search(report.study, report.recording.profile, listening, settings);
+    hearing::SoundSearchResult result = hearing::search(report.study, report.recording.profile, listening, settings);
     if (result.is_stopped)
         throw Error(ErrorKind::interrupted,
                     {fmt::format("stopped after {} cells", result.heard),
@@ -162,7 +162,7 @@ std::string differences(const classification::Likeness& likeness) {
 }
 
 std::string search_words(const io::MatchReport& report) {
-    const sweep::SoundSearchResult& result = report.result;
+    const hearing::SoundSearchResult& result = report.result;
     std::string text = fmt::format("listened to {} of {} cells", result.heard, sweep::cell_count(report.study));
     if (result.ruled_out > 0) text += fmt::format("; {} ruled out by the store", result.ruled_out);
     if (result.without_result > 0) text += fmt::format("; {} without a result", result.without_result);
@@ -189,22 +189,23 @@ std::string report_text(const io::MatchReport& report) {
 SimulatedSound simulated(const io::MatchReport& report, const SoundMatch& match) {
     const sweep::CellPlace place = sweep::place_of(report.study, match.cell.index);
     SimulatedSound sound{name_of(report.study, match), sweep::case_at(report.study, place), {}, report.rate};
-    sound.stretches = sweep::heard_stretches(sound.c, report.study.directions[place.direction]);
+    sound.stretches = hearing::heard_stretches(sound.c, report.study.directions[place.direction]);
     return sound;
 }
 
 void write_cell(const SimulatedSound& cell, const MatchOptions& options, const std::string& file) {
-    signal::AuralisationSettings settings;
+    sound::AuralisationSettings settings;
     settings.pickup = pickup_of(options.motion);
     settings.rate = cell.rate;
     settings.stretches = cell.stretches;
     const Interrupt interrupt;
     const std::unique_ptr<Spool> sound = render(cell.c, settings, interrupt.token(), [](double) {});
-    const std::string unit = signal::unit_of(settings.pickup.quantity);
+    const std::string unit = sound::unit_of(settings.pickup.quantity);
     const double full_scale = sound->peak() > 0.0 ? sound->peak() / normal_peak : 1.0;
-    io::write_wav(
-        file, *sound,
-        {io::WavSamples::pcm_24, {{full_scale, unit}}, "simulated by stridor: " + motion_words(options.motion)});
+    recordings::write_wav(file, *sound,
+                          {recordings::WavSamples::pcm_24,
+                           {{full_scale, unit}},
+                           "simulated by stridor: " + motion_words(options.motion)});
 }
 
 void write_folder(const MatchOptions& options, const io::MatchReport& report) {
@@ -213,7 +214,7 @@ void write_folder(const MatchOptions& options, const io::MatchReport& report) {
     std::filesystem::create_directories(folder, error);
     if (error)
         throw Error(ErrorKind::io, {"cannot make the folder " + options.out, error.message(), "Choose another --out."});
-    io::write_file((folder / "match.json").string(), io::match_json(report) + "\n");
+    storage::write_file((folder / "match.json").string(), io::match_json(report) + "\n");
     std::vector<ComparedSound> sounds{report.recording};
     for (std::size_t k = 0; k < report.result.best.size(); ++k) {
         const SimulatedSound cell = simulated(report, report.result.best[k]);
@@ -224,7 +225,7 @@ void write_folder(const MatchOptions& options, const io::MatchReport& report) {
         sounds.back().label = fmt::format("match {}", k + 1);
         sounds.back().origin = "simulation at " + cell.name;
     }
-    draw_both(chart::side_by_side(sounds), folder / "match");
+    draw_both(figures::side_by_side(sounds), folder / "match");
 }
 
 void match(const MatchOptions& options) {
@@ -237,11 +238,11 @@ void match(const MatchOptions& options) {
     report.motion = motion_words(options.motion);
     report.rate = cell_rate(report.recording);
     report.level = options.with_level ? classification::LevelUse::counted : classification::LevelUse::ignored;
-    report.extent = options.every ? sweep::Extent::every : sweep::Extent::search;
-    sweep::CellListening listening;
+    report.extent = options.every ? hearing::Extent::every : hearing::Extent::search;
+    hearing::CellListening listening;
     listening.sound.pickup = pickup_of(options.motion);
     listening.sound.rate = report.rate;
-    sweep::check_audible(report.study.base, listening.sound);
+    hearing::check_audible(report.study.base, listening.sound);
     report.result = searched(options, report, listening);
     if (!options.out.empty()) write_folder(options, report);
     print(options.json ? io::match_json(report) + "\n" : report_text(report));

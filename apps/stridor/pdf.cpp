@@ -3,7 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/process.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/io/atomic_file.hpp"
+#include "stridor/storage/atomic_file.hpp"
 #include "stridor/storage/temporary.hpp"
 
 #include <unistd.h>
@@ -57,7 +57,7 @@ std::string printed_pdf(std::string_view html) {
     expect_printer();
     const std::string printer = found_printer();
     const storage::PrivateFolder folder;
-    io::write_file((folder.path() / "report.html").string(), html);
+    storage::write_file((folder.path() / "report.html").string(), html);
     const base::ProcessResult result = base::run_process(command_for(printer, folder.path()));
     const std::filesystem::path sheet = folder.path() / "report.pdf";
     if (result.exit_status != 0 || !std::filesystem::exists(sheet)) {
@@ -65,7 +65,7 @@ std::string printed_pdf(std::string_view html) {
         throw Error(ErrorKind::io, {printer + " could not print the report", message.substr(message.rfind('\n') + 1),
                                     "Write FILE.html and print that."});
     }
-    return io::read_file(sheet.string());
+    return storage::read_file(sheet.string());
 }
 
 }  // namespace stridor::app

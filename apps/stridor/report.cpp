@@ -5,10 +5,10 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/io/axis_text.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_document.hpp"
-#include "stridor/io/toml_study.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_document.hpp"
+#include "stridor/io/chart/axis_text.hpp"
+#include "stridor/io/chart/toml_study.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/report/design_report.hpp"
 #include "terminal.hpp"
@@ -95,12 +95,12 @@ sweep::Study study_for(const ReportOptions& options, const io::TomlSource& sourc
 void add_advice(report::DesignResults& results, const ReportOptions& options, const std::stop_token& asked) {
     const Deadline deadline(asked, longest_advice);
     ShareDisplay display("advice:", TimeLeft::shown);
-    sweep::AdviceOptions advice;
+    advice::AdviceOptions advice;
     advice.threads = options.threads;
     advice.stop = deadline.token();
-    advice.progress = [&](const sweep::AdviceProgress& progress) { display.show(progress.share); };
+    advice.progress = [&](const advice::AdviceProgress& progress) { display.show(progress.share); };
     try {
-        results.advice = sweep::advise(results.design, advice);
+        results.advice = advice::advise(results.design, advice);
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::interrupted || asked.stop_requested()) throw;
         results.without_advice = fmt::format(

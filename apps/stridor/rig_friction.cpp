@@ -4,11 +4,11 @@
 #include "stridor/analysis/friction_trace.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/io/json_friction.hpp"
-#include "stridor/io/open_signal.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/simulation/json_friction.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/recordings/open_signal.hpp"
 #include "stridor/signal/channel_name.hpp"
 #include "terminal.hpp"
 
@@ -146,9 +146,9 @@ std::string changed_case(const FrictionOptions& options, const io::FrictionTest&
 }
 
 void friction(const FrictionOptions& options) {
-    io::OpenOptions open;
-    if (!options.full_scale.empty()) open.full_scales = {io::parse_full_scale(options.full_scale)};
-    const std::unique_ptr<io::SignalFile> file = io::open_signal(options.file, open);
+    recordings::OpenOptions open;
+    if (!options.full_scale.empty()) open.full_scales = {recordings::parse_full_scale(options.full_scale)};
+    const std::unique_ptr<recordings::SignalFile> file = recordings::open_signal(options.file, open);
     const signal::Layout layout = file->layout();
     const FrictionChannels places = channels_of(layout, options);
     for (const std::string& note : file->facts().notes)

@@ -3,8 +3,8 @@
 #include "library.hpp"
 #include "rig.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/chart/sensitivity.hpp"
-#include "stridor/io/json_library.hpp"
+#include "stridor/figures/sensitivity.hpp"
+#include "stridor/io/library/json_library.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/noise_library/sensitivity.hpp"
 #include "terminal.hpp"
@@ -162,7 +162,7 @@ void run_sensitivity(const SensitivityCommand& command) {
                      result.left_out == 0 ? "no entry meets the conditions"
                                           : fmt::format("it is unknown in all {} of them", result.left_out),
                      "Say it with `stridor library edit ID --" + command.over + " VALUE`."});
-    if (!command.figure.empty()) draw(chart::sensitivity(result), command.figure);
+    if (!command.figure.empty()) draw(figures::sensitivity(result), command.figure);
     print(command.json ? io::sensitivity_json(library.file(), result) + "\n" : report(result, command));
 }
 

@@ -6,9 +6,9 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/contact_rules.hpp"
-#include "stridor/io/csv.hpp"
-#include "stridor/io/json.hpp"
-#include "stridor/io/netcdf.hpp"
+#include "stridor/io/simulation/json_simulation.hpp"
+#include "stridor/io/simulation/motion_csv.hpp"
+#include "stridor/io/simulation/motion_netcdf.hpp"
 #include "stridor/parameters/field.hpp"
 #include "terminal.hpp"
 

@@ -1,8 +1,8 @@
 #include "sound.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/hearing/run_sound.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/sweep/run_sound.hpp"
 
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ void Spool::append(std::span<const double> samples) {
     file_.append({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     for (const double sample : samples)
         square_sum_ += sample * sample;
-    peak_ = std::max(peak_, signal::peak(samples));
+    peak_ = std::max(peak_, sound::peak(samples));
     *layout_.frames += samples.size();
 }
 
@@ -54,11 +54,11 @@ std::size_t Spool::read(std::span<double> frames) {
     return count / sizeof(double);
 }
 
-Rendering render(const parameters::Case& c, const signal::AuralisationSettings& settings, record::KeepHistory history,
+Rendering render(const parameters::Case& c, const sound::AuralisationSettings& settings, record::KeepHistory history,
                  const std::stop_token& stop, const RenderProgress& progress) {
-    sweep::check_audible(c, settings);
-    auto sound = std::make_unique<Spool>(settings.rate, signal::unit_of(settings.pickup.quantity));
-    signal::Auralisation auralisation(settings);
+    hearing::check_audible(c, settings);
+    auto sound = std::make_unique<Spool>(settings.rate, sound::unit_of(settings.pickup.quantity));
+    sound::Auralisation auralisation(settings);
     record::Request request;
     request.history = history;
     request.trace = auralisation.request(c.run.duration, [&](std::span<const double> block) { sound->append(block); });
@@ -73,7 +73,7 @@ Rendering render(const parameters::Case& c, const signal::AuralisationSettings& 
     return {std::move(sound), std::move(motion.record)};
 }
 
-std::unique_ptr<Spool> render(const parameters::Case& c, const signal::AuralisationSettings& settings,
+std::unique_ptr<Spool> render(const parameters::Case& c, const sound::AuralisationSettings& settings,
                               const std::stop_token& stop, const RenderProgress& progress) {
     return render(c, settings, record::KeepHistory::no, stop, progress).sound;
 }

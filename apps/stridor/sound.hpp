@@ -1,10 +1,10 @@
 #pragma once
 
-#include "stridor/io/bytes.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"
-#include "stridor/signal/auralisation.hpp"
+#include "stridor/recordings/bytes.hpp"
 #include "stridor/signal/source.hpp"
+#include "stridor/sound/auralisation.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -35,7 +35,7 @@ public:
 
 private:
     signal::Layout layout_;
-    io::Spool file_;
+    recordings::Spool file_;
     std::uint64_t next_ = 0;  // [bytes] where the next read begins
     double peak_ = 0.0;
     double square_sum_ = 0.0;
@@ -53,9 +53,9 @@ struct Rendering {
 /// Simulates a case and makes the sound of it [m/s or m/s^2].
 ///
 /// Throws `Error` for a run that has no result or was stopped, and for a beta_2 step too long to be heard.
-Rendering render(const parameters::Case& c, const signal::AuralisationSettings& settings, record::KeepHistory history,
+Rendering render(const parameters::Case& c, const sound::AuralisationSettings& settings, record::KeepHistory history,
                  const std::stop_token& stop, const RenderProgress& progress);
-std::unique_ptr<Spool> render(const parameters::Case& c, const signal::AuralisationSettings& settings,
+std::unique_ptr<Spool> render(const parameters::Case& c, const sound::AuralisationSettings& settings,
                               const std::stop_token& stop, const RenderProgress& progress);
 
 }  // namespace stridor::app

@@ -2,7 +2,7 @@
 
 #include "stridor/base/quantity.hpp"
 #include "stridor/classification/sound_rules.hpp"
-#include "stridor/io/open_signal.hpp"
+#include "stridor/recordings/open_signal.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
@@ -21,7 +21,7 @@ void side_by_side(std::size_t count, const std::function<void(std::size_t)>& wor
 }
 
 // a line that is redrawn in a terminal, a line per 10 % of long recordings anywhere else, nothing for short ones
-signal::Progress progress_of(const signal::Layout& layout) {
+sound::Progress progress_of(const signal::Layout& layout) {
     constexpr double long_recording = 300.0;  // [s]
     const double whole = layout.frames ? static_cast<double>(*layout.frames) : 0.0;
     if (whole < long_recording * layout.rate) return {};
@@ -50,38 +50,39 @@ void add_sound_options(CLI::App& command, SoundOptions& options) {
         ->allow_extra_args(false);
 }
 
-io::SoundReport listen_to(const SoundOptions& options, std::optional<signal::SoundField> field) {
+io::SoundReport listen_to(const SoundOptions& options, std::optional<sound::SoundField> field) {
     io::SoundReport report;
     for (const std::string& assignment : options.thresholds)
         parameters::set_sound_threshold(report.thresholds, assignment);
-    const std::unique_ptr<io::SignalFile> file = io::open_signal(options.file, open_options(options.recording));
+    const std::unique_ptr<recordings::SignalFile> file =
+        recordings::open_signal(options.file, open_options(options.recording));
     report.file = file->facts().name;
     report.format = file->facts().format;
     report.notes = file->facts().notes;
     for (const std::string& note : report.notes)
         say("stridor: note: " + note);
-    report.channels = signal::analyse(*file, progress_of(file->layout()), side_by_side, field);
-    for (const signal::SoundAnalysis& analysis : report.channels)
+    report.channels = sound::analyse(*file, progress_of(file->layout()), side_by_side, field);
+    for (const sound::SoundAnalysis& analysis : report.channels)
         report.verdicts.push_back(classification::classify_recording(analysis.stretches, report.thresholds));
-    report.loudest = signal::loudest(report.channels);
+    report.loudest = sound::loudest(report.channels);
     return report;
 }
 
 std::string channel_title(const io::SoundReport& report, std::size_t channel) {
-    const signal::SoundAnalysis& analysis = report.channels[channel];
+    const sound::SoundAnalysis& analysis = report.channels[channel];
     const bool is_only = report.channels.size() == 1;
     std::string text = is_only ? report.file : fmt::format("{}, channel {}", report.file, channel + 1);
     if (!analysis.name.empty()) text += " (" + analysis.name + ")";
     return text;
 }
 
-std::string segment_table(const signal::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict) {
+std::string segment_table(const sound::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict) {
     const double reference = signal::reference_of(analysis.unit);
     std::string text =
         fmt::format("{:>9}{:>10}  {:<10}{:>9}{:>11}{:>9}{:>11}{:>9}{:>7}{:>9}\n", "from", "to", "category", "level",
                     "frequency", "tonal", "regularity", "moves", "rest", "kurtosis");
     for (const classification::SoundSegment& segment : verdict.segments) {
-        const signal::SoundFeatures& f = segment.verdict.features;
+        const sound::SoundFeatures& f = segment.verdict.features;
         const bool is_noisy = segment.verdict.category != classification::Category::none;
         const std::string category = styled(fmt::format("{:<10}", classification::name(segment.verdict.category)),
                                             is_noisy ? Style::bold : Style::plain, STDOUT_FILENO);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "input_options.hpp"
-#include "stridor/io/json_sound.hpp"
+#include "stridor/io/sound/json_sound.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -26,10 +26,10 @@ void add_sound_options(CLI::App& command, SoundOptions& options);
 
 /// Reads, analyses and judges the recording that the options name; says on stderr what is noteworthy, and how far it
 /// is. With a field the channels in Pa get their sound quality, heard in it.
-io::SoundReport listen_to(const SoundOptions& options, std::optional<signal::SoundField> field = {});
+io::SoundReport listen_to(const SoundOptions& options, std::optional<sound::SoundField> field = {});
 
 /// "0.28 - 0.78 s  squeal ...": the segments of a channel as a table.
-std::string segment_table(const signal::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict);
+std::string segment_table(const sound::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict);
 
 /// "1 left": how a channel is called.
 std::string channel_title(const io::SoundReport& report, std::size_t channel);

@@ -3,7 +3,7 @@
 #include "stability_scan.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/io/json.hpp"
+#include "stridor/io/simulation/json_simulation.hpp"
 #include "terminal.hpp"
 
 #include <CLI/CLI.hpp>

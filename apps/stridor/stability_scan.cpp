@@ -1,7 +1,7 @@
 #include "stability_scan.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/io/range_text.hpp"
+#include "stridor/io/chart/range_text.hpp"
 #include "stridor/parameters/field_name.hpp"
 
 #include <optional>

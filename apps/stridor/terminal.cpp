@@ -2,7 +2,7 @@
 
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/io/atomic_file.hpp"
+#include "stridor/storage/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -168,7 +168,7 @@ void write_output(const std::string& path, std::string_view text) {
     if (path.empty() || path == "-")
         print_data(text);
     else
-        io::write_file(path, text);
+        storage::write_file(path, text);
 }
 
 }  // namespace stridor::app

@@ -2,8 +2,8 @@
 
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/analysis/stability_path.hpp"
-#include "stridor/integration/beta_2.hpp"
-#include "stridor/integration/exact.hpp"
+#include "stridor/integration/beta_2/beta_2.hpp"
+#include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/mass_on_belt.hpp"

@@ -1,7 +1,7 @@
 #include "contract/friction_contract.hpp"
 
-#include "stridor/integration/beta_2.hpp"
-#include "stridor/integration/exact.hpp"
+#include "stridor/integration/beta_2/beta_2.hpp"
+#include "stridor/integration/exact/exact.hpp"
 #include "stridor/model/mass_on_belt.hpp"
 #include "support/belt_run.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "support/effort.hpp"
-#include "unit/sweep/small_study.hpp"
+#include "support/small_study.hpp"
 
 namespace stridor::sweep {
 

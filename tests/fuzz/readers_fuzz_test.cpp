@@ -1,9 +1,9 @@
 #include "stridor/base/error.hpp"
-#include "stridor/io/sampled_csv.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_study.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/toml_study.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/recordings/table/sampled_csv.hpp"
 #include "stridor/sweep/paper_charts.hpp"
 #include "support/counter_random.hpp"
 #include "support/runs.hpp"
@@ -114,7 +114,7 @@ TEST(CsvReaderFuzz, EndsInSamplesOrAnError) {
          {"# lab\ntime [ms],velocity [mm/s]\n0,100\n1,99.5\n2,-98\n3,1e2\n", "0;0,1\n0,5;-0,25\n1;0\n",
           "\xEF\xBB\xBFnote\t\"velocity\"\ttime\r\n-\tm/s\ts\r\na\t0.1\t0\r\n\"b\tc\"\t-0.25\t0.5\r\n"})
         fuzz(std::string(valid), [](const std::string& text) {
-            const SampledMotion motion = read_sampled_csv(text, "d.csv");
+            const recordings::SampledMotion motion = recordings::read_sampled_csv(text, "d.csv");
             ASSERT_EQ(motion.times.size(), motion.velocities.size());
             for (std::size_t k = 1; k < motion.times.size(); ++k)
                 ASSERT_GT(motion.times[k], motion.times[k - 1]);

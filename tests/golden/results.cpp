@@ -4,14 +4,14 @@
 #include "stridor/analysis/stability_scan.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/classification/contact_rules.hpp"
+#include "stridor/hearing/run_sound.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"
-#include "stridor/sweep/run_sound.hpp"
 #include "stridor/sweep/starts.hpp"
 #include "support/seal_lip.hpp"
-#include "unit/sweep/small_study.hpp"
+#include "support/small_study.hpp"
 
 #include <fmt/format.h>
 
@@ -242,15 +242,15 @@ Result sound(integration::InstructionSet set) {
     integration::Workspace workspace;
     workspace.instruction_set = set;
     const Case c = column(PaperCase::squeal);
-    signal::AuralisationSettings settings;
-    settings.stretches = sweep::heard_stretches(c, parameters::Direction::going);
-    const std::optional<sweep::RunSound> heard = sweep::sound_of_run(c, settings, {}, workspace);
+    sound::AuralisationSettings settings;
+    settings.stretches = hearing::heard_stretches(c, parameters::Direction::going);
+    const std::optional<hearing::RunSound> heard = hearing::sound_of_run(c, settings, {}, workspace);
     Values values;
     for (const signal::Signal& part : heard->parts)
         values.add("sample", part.samples);
-    const sweep::HeardVerdict verdict = sweep::judged(heard->parts, {});
-    for (const signal::SoundStretch& stretch : verdict.stretches) {
-        const signal::SoundFeatures& f = stretch.features;
+    const hearing::HeardVerdict verdict = hearing::judged(heard->parts, {});
+    for (const sound::SoundStretch& stretch : verdict.stretches) {
+        const sound::SoundFeatures& f = stretch.features;
         for (const double feature :
              {f.duration, f.mean_square, f.peak, f.clearness, f.frequency, f.prominence, f.tonality, f.regularity,
               f.repetition, f.repetition_frequency, f.movement, f.trend, f.unsteadiness, f.abruptness, f.rest,

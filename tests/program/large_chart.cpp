@@ -1,6 +1,6 @@
 // Writes a small chart in the way of one that does not fit into memory: large_chart FILE.nc
 
-#include "stridor/io/netcdf.hpp"
+#include "stridor/io/chart/chart_netcdf.hpp"
 #include "unit/io/io_support.hpp"
 
 #include <iostream>

@@ -10,9 +10,9 @@
 #   4. our headers are named from the include root ("stridor/<module>/..."), so that rules 1 and 2 see them;
 #   5. a source includes the header of its own name first, which shows that the header compiles on its own.
 #
-# `io` reads and writes, and so stands late, at the edge, beside the things it stores: it may include `chart` (a picture
-# becomes a file), but `chart` may not include `io` (drawing a scene does not need to know where it came from). Rule 1
-# says this already; the order alone keeps it true.
+# `io` reads and writes, and so stands late, at the edge, beside the things it stores: it may include `sweep`, but
+# `sweep` may not include `io` (a chart does not need to know how it is written). Rule 1 says this already; the order
+# alone keeps it true.
 set -eu
 
 src=$1

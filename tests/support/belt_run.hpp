@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/beta_2.hpp"
+#include "stridor/integration/beta_2/beta_2.hpp"
 #include "stridor/model/mass_on_belt.hpp"
 #include "stridor/record/schedule.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/sweep/advice.hpp"
+#include "stridor/advice/advice.hpp"
 
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/boundaries.hpp"
@@ -17,7 +17,7 @@ namespace {
 const parameters::Case squeal = parameters::paper_case(parameters::PaperCase::squeal);
 
 // charts around the squeal of Table 1, close along one axis, with the present design in the middle of the other
-constexpr int close = scan_intervals + 1;
+constexpr int close = advice::scan_intervals + 1;
 
 Study chart(Axis preload, Axis friction) {
     Study study;
@@ -66,12 +66,12 @@ bool is_crossed(const std::vector<Boundary>& lines, std::size_t direction, Cross
 
 TEST(Advice, HasItsMarginsOnTheBoundariesOfTheChart) {
     const std::vector<Boundary> lines[] = {boundaries_of(chart_along_preload()), boundaries_of(chart_along_friction())};
-    AdviceOptions options;
+    advice::AdviceOptions options;
     options.over = {{"contact.preload", 2.0, 200.0}, {"contact.kinetic_friction", 0.0, 0.8}};
-    const Advice advice = advise(squeal, options);
+    const advice::Advice advice = advice::advise(squeal, options);
     std::size_t compared = 0;
-    for (const ParameterMargin& margin : advice.margins)
-        for (const ScanSide* side : {&margin.below, &margin.above}) {
+    for (const advice::ParameterMargin& margin : advice.margins)
+        for (const advice::ScanSide* side : {&margin.below, &margin.above}) {
             if (!side->change) continue;
             for (std::size_t phase = 0; phase < advice.space.phases.size(); ++phase) {
                 if (side->change->beyond.phases[phase] == advice.present.phases[phase]) continue;

@@ -1,8 +1,8 @@
 // A beam of 1, 8 and 40 bending modes that rubs with its tip, by beta_2: balance, order,
 // and the exact engine where it can.
 
-#include "stridor/integration/beta_2.hpp"
-#include "stridor/integration/exact.hpp"
+#include "stridor/integration/beta_2/beta_2.hpp"
+#include "stridor/integration/exact/exact.hpp"
 #include "stridor/model/cantilever.hpp"
 #include "stridor/model/equilibrium.hpp"
 #include "stridor/model/frequencies.hpp"

@@ -1,6 +1,6 @@
 // Friction that differs each way: where only one way is ever slipped, its coefficients are Coulomb's, bit for bit.
 
-#include "stridor/integration/exact.hpp"
+#include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/mass_on_belt.hpp"
 #include "support/belt_run.hpp"

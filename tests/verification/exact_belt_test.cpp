@@ -1,7 +1,7 @@
 // The exact engine against closed forms of one mass: stick 2 lambda/w0, slip 2 (pi - atan lambda)/w0 (see belt_test),
 // the damped vibration, Den Hartog's dry-friction oscillator (see den_hartog_test), and bounces.
 
-#include "stridor/integration/exact.hpp"
+#include "stridor/integration/exact/exact.hpp"
 #include "stridor/model/mass_on_belt.hpp"
 #include "stridor/record/schedule.hpp"
 #include "support/belt_run.hpp"

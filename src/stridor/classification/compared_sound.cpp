@@ -12,7 +12,7 @@ namespace stridor::classification {
 
 namespace {
 
-using signal::SoundFeatures;
+using sound::SoundFeatures;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 

@@ -5,7 +5,7 @@
 #include "stridor/classification/verdict.hpp"
 #include "stridor/record/contact_history.hpp"
 #include "stridor/signal/signal.hpp"
-#include "stridor/signal/sound_analysis.hpp"
+#include "stridor/sound/analysis.hpp"
 
 #include <span>
 #include <string>
@@ -34,7 +34,7 @@ struct ComparedSound {
     std::string what{};    // of a simulation, what moves: "joint velocity along x"; else the channel
     double rate = 0.0;     // [Hz] of the sound as it came; `analysis` may be of a lower one
     double length = 0.0;   // [s] of the sound as it came
-    signal::SoundAnalysis analysis{};
+    sound::SoundAnalysis analysis{};
     RecordingVerdict heard{};
     SoundProfile profile{};
     SoundDetail detail{};

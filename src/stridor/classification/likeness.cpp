@@ -10,8 +10,8 @@ namespace stridor::classification {
 
 namespace {
 
-using signal::SoundFeatures;
-using signal::SoundStretch;
+using sound::SoundFeatures;
+using sound::SoundStretch;
 
 constexpr double level_step = 3.0;    // [dB]
 constexpr double level_weight = 2.0;  // [1]

@@ -2,7 +2,7 @@
 
 #include "stridor/classification/sound_verdict.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
-#include "stridor/signal/sound_features.hpp"
+#include "stridor/sound/features.hpp"
 
 #include <span>
 #include <string_view>
@@ -16,7 +16,7 @@ namespace stridor::classification {
 /// than `quiet_depth` below the loudest are background and do not count. `features.mean_square` is the mean over them,
 /// `features.peak` the greatest, `features.from` the beginning of the first and `features.duration` their sum.
 struct SoundProfile {
-    signal::SoundFeatures features{};
+    sound::SoundFeatures features{};
     double impulse_interval = 0.0;    // [s] of the creak's impulses, else of the envelope; 0: nothing repeats
     double impulse_regularity = 0.0;  // [1] likewise: of neighbouring intervals, else the envelope's periodicity
 };
@@ -27,7 +27,7 @@ inline bool is_silent(const SoundProfile& profile) {
 }
 
 /// The profile of a recording from its stretches and the verdict on them; a silent one for none.
-SoundProfile profile_of(std::span<const signal::SoundStretch> stretches, const RecordingVerdict& verdict,
+SoundProfile profile_of(std::span<const sound::SoundStretch> stretches, const RecordingVerdict& verdict,
                         const parameters::SoundThresholds& thresholds);
 
 /// How a figure of two sounds is compared.

@@ -12,8 +12,8 @@ namespace stridor::classification {
 namespace {
 
 using parameters::SoundThresholds;
-using signal::SoundFeatures;
-using signal::SoundStretch;
+using sound::SoundFeatures;
+using sound::SoundStretch;
 
 // What deviates from a straight fall of the level, as a share of the fall; infinite where the level does not fall.
 double crookedness(const SoundFeatures& features) {

@@ -2,7 +2,7 @@
 
 #include "stridor/classification/sound_verdict.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
-#include "stridor/signal/sound_features.hpp"
+#include "stridor/sound/features.hpp"
 
 #include <span>
 
@@ -21,7 +21,7 @@ namespace stridor::classification {
 ///
 /// The gain of the sound does not matter. Sources: Elmaian et al. 2012, section 2.1, for what each noise sounds like;
 /// docs/methods/sound.md for the figures.
-SoundVerdict classify_sound(const signal::SoundFeatures& features, const parameters::SoundThresholds& thresholds);
+SoundVerdict classify_sound(const sound::SoundFeatures& features, const parameters::SoundThresholds& thresholds);
 
 /// The segments and the category of a recording from its stretches in time.
 ///
@@ -29,7 +29,7 @@ SoundVerdict classify_sound(const signal::SoundFeatures& features, const paramet
 /// Creaks with nothing but rest between them, impulses at most `creak_pause` apart, are counted together; one with
 /// fewer than `least_impulses` impulses, and a noise shorter than `least_duration`, is `undecided`. The recording has
 /// the category with most energy, if that is at least `majority` of all; else it is `undecided`.
-RecordingVerdict classify_recording(std::span<const signal::SoundStretch> stretches,
+RecordingVerdict classify_recording(std::span<const sound::SoundStretch> stretches,
                                     const parameters::SoundThresholds& thresholds);
 
 }  // namespace stridor::classification

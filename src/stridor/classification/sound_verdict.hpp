@@ -2,7 +2,7 @@
 
 #include "stridor/classification/category.hpp"
 #include "stridor/classification/verdict.hpp"
-#include "stridor/signal/sound_features.hpp"
+#include "stridor/sound/features.hpp"
 
 #include <array>
 #include <string>
@@ -13,7 +13,7 @@ namespace stridor::classification {
 /// The category of a sound with the figures it was made from, how far each lies from its threshold, and why.
 struct SoundVerdict {
     Category category = Category::undecided;
-    signal::SoundFeatures features{};
+    sound::SoundFeatures features{};
     std::vector<Margin> margins{};       // in the order the rules look at them; those never reached are listed too
     std::vector<std::string> reasons{};  // sentences, in the order of the rules
 };

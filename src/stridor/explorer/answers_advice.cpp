@@ -1,10 +1,10 @@
+#include "stridor/advice/advice.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/explorer/answers.hpp"
-#include "stridor/io/json_advice.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/advice/json_advice.hpp"
+#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/report/design_report.hpp"
-#include "stridor/sweep/advice.hpp"
 
 #include <array>
 #include <utility>
@@ -30,16 +30,16 @@ std::optional<double> optional_in(const Json& object, const std::string& name) {
     return object.contains(name) ? std::optional(number_in(object, name)) : std::nullopt;
 }
 
-sweep::AdviceOptions options_in(const World& world, const Json& body, const std::stop_token& stop) {
+advice::AdviceOptions options_in(const World& world, const Json& body, const std::stop_token& stop) {
     constexpr int most_samples = 16384;
-    sweep::AdviceOptions options;
+    advice::AdviceOptions options;
     options.threads = world.threads;
     options.stop = stop;
     for (const Json& range : list_in(body, "over"))
         options.over.push_back({text_in(range, "key"), optional_in(range, "from"), optional_in(range, "to")});
     for (const Json& tolerance : list_in(body, "tolerance"))
         options.tolerances.push_back({text_in(tolerance, "key"), optional_in(tolerance, "relative"),
-                                      optional_in(tolerance, "absolute"), sweep::Spread::uniform});
+                                      optional_in(tolerance, "absolute"), advice::Spread::uniform});
     const int samples = whole_in(body, "samples", 2048);
     if (samples < 1 || samples > most_samples)
         throw Error(ErrorKind::input, {"\"samples\" must be from 1 to " + std::to_string(most_samples), "", ""});
@@ -62,14 +62,14 @@ std::string command_of(const World& world, const Json& body) {
 }  // namespace
 
 Response advice(const World& world, const Json& body, const std::stop_token& stop) {
-    return json(io::advice_json(sweep::advise(case_in(world, body), options_in(world, body, stop))));
+    return json(io::advice_json(advice::advise(case_in(world, body), options_in(world, body, stop))));
 }
 
 Response report(const World& world, const Json& body, const std::stop_token& stop) {
     report::DesignResults results = report::basic_results(case_in(world, body), stop);
     results.command = command_of(world, body);
     if (body.contains("chart")) results.chart = report::chart_in_memory(study_in(world, body), world.threads, stop);
-    results.advice = sweep::advise(results.design, options_in(world, body, stop));
+    results.advice = advice::advise(results.design, options_in(world, body, stop));
     Response response{200, "text/html; charset=utf-8", report::html(report::design_report(results))};
     response.headers = {{"Content-Disposition", "attachment; filename=\"stridor-report.html\""}};
     return response;

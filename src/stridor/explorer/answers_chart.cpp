@@ -1,7 +1,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/explorer/answers.hpp"
 #include "stridor/explorer/bytes.hpp"
-#include "stridor/io/json_chart.hpp"
+#include "stridor/io/chart/json_chart.hpp"
 #include "stridor/sweep/boundaries.hpp"
 #include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"

@@ -1,9 +1,9 @@
 #include "stridor/base/error.hpp"
 #include "stridor/explorer/answers.hpp"
-#include "stridor/io/bytes.hpp"
-#include "stridor/io/json_library.hpp"
-#include "stridor/io/open_signal.hpp"
+#include "stridor/io/library/json_library.hpp"
 #include "stridor/noise_library/library.hpp"
+#include "stridor/recordings/bytes.hpp"
+#include "stridor/recordings/open_signal.hpp"
 
 #include <array>
 #include <charconv>
@@ -55,10 +55,10 @@ Response audio(const World& world, std::int64_t id) {
         if (entry.format == format) {
             Response response;
             response.content_type = type;
-            response.stream = [bytes = io::open_plain_bytes(library.sound_file(entry).string())](
+            response.stream = [bytes = recordings::open_plain_bytes(library.sound_file(entry).string())](
                                   const Send& send, const std::stop_token& stop) {
                 for (std::uint64_t at = 0; at < bytes->size() && !stop.stop_requested(); at += piece)
-                    send(io::text_at(*bytes, at, piece));
+                    send(recordings::text_at(*bytes, at, piece));
             };
             return response;
         }
@@ -69,7 +69,7 @@ Response audio(const World& world, std::int64_t id) {
 Response entry_analysis(const World& world, std::int64_t id) {
     Library library = open(world);
     const std::string path = library.sound_file(entry_of(library, id)).string();
-    return analysis_of(*io::open_signal(path));
+    return analysis_of(*recordings::open_signal(path));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/explorer/answers.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_document.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 

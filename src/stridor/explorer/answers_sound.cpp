@@ -3,10 +3,10 @@
 #include "stridor/classification/sound_rules.hpp"
 #include "stridor/explorer/answers.hpp"
 #include "stridor/explorer/bytes.hpp"
-#include "stridor/io/open_signal.hpp"
-#include "stridor/io/wav.hpp"
-#include "stridor/signal/sound_analysis.hpp"
-#include "stridor/sweep/run_sound.hpp"
+#include "stridor/hearing/run_sound.hpp"
+#include "stridor/recordings/audio/wav.hpp"
+#include "stridor/recordings/open_signal.hpp"
+#include "stridor/sound/analysis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ constexpr double floor_level = -200.0;    // [dB] what stands for silence, which
 
 struct Listening {
     parameters::Case c;
-    signal::AuralisationSettings settings;
+    sound::AuralisationSettings settings;
 };
 
 Error none_of(const std::string& choices, const std::string& given) {
@@ -42,7 +42,7 @@ Listening listening_in(const World& world, const Json& body) {
     const std::string of = text_in(body, "of", "joint");
     const std::string quantity = text_in(body, "quantity", "velocity");
     const std::string direction = text_in(body, "direction", "whole");
-    signal::AuralisationSettings& settings = listening.settings;
+    sound::AuralisationSettings& settings = listening.settings;
     if (of != "joint" && of != "plate") throw none_of("joint, plate", of);
     if (quantity != "velocity" && quantity != "acceleration") throw none_of("velocity, acceleration", quantity);
     settings.pickup.dof = of == "joint" ? 0 : 2;  // along the plate, or across it
@@ -55,9 +55,9 @@ Listening listening_in(const World& world, const Json& body) {
     run.window += std::max(0.0, seconds - run.duration);
     run.duration = std::max(run.duration, seconds);
     if (direction == "going")
-        settings.stretches = sweep::heard_stretches(listening.c, parameters::Direction::going);
+        settings.stretches = hearing::heard_stretches(listening.c, parameters::Direction::going);
     else if (direction == "coming")
-        settings.stretches = sweep::heard_stretches(listening.c, parameters::Direction::coming);
+        settings.stretches = hearing::heard_stretches(listening.c, parameters::Direction::coming);
     else if (direction != "whole")
         throw none_of("going, coming, whole", direction);
     return listening;
@@ -122,8 +122,8 @@ Json verdict_object(const classification::RecordingVerdict& verdict) {
 }  // namespace
 
 Response analysis_of(signal::Source& source) {
-    const std::vector<signal::SoundAnalysis> channels = signal::analyse(source);
-    const signal::SoundAnalysis& sound = channels[signal::loudest(channels)];
+    const std::vector<sound::SoundAnalysis> channels = sound::analyse(source);
+    const sound::SoundAnalysis& sound = channels[sound::loudest(channels)];
     const double reference = signal::reference_of(sound.unit);
     const std::vector<double> lines = signal::line_squares(sound.spectrum);
     const std::size_t instants = sound.level.decibels.size();
@@ -148,16 +148,16 @@ Response analysis_of(signal::Source& source) {
 
 Response sound(const World& world, const Json& body, const std::stop_token& stop) {
     const Listening listening = listening_in(world, body);
-    const signal::Signal sound = sweep::sound_of_case(listening.c, listening.settings, stop);
-    double peak = sweep::least_motion;
+    const signal::Signal sound = hearing::sound_of_case(listening.c, listening.settings, stop);
+    double peak = hearing::least_motion;
     for (const double sample : sound.samples)
         peak = std::max(peak, std::abs(sample));
-    return {200, "audio/wav", io::wav_bytes(sound, {peak / loudest_sample, sound.unit})};
+    return {200, "audio/wav", recordings::wav_bytes(sound, {peak / loudest_sample, sound.unit})};
 }
 
 Response analysis(const World& world, const Json& body, const std::stop_token& stop) {
     const Listening listening = listening_in(world, body);
-    const auto source = signal::source_of({sweep::sound_of_case(listening.c, listening.settings, stop)});
+    const auto source = signal::source_of({hearing::sound_of_case(listening.c, listening.settings, stop)});
     return analysis_of(*source);
 }
 

@@ -2,8 +2,8 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_document.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/field.hpp"
 
 #include <algorithm>

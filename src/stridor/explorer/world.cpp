@@ -1,7 +1,7 @@
 #include "stridor/explorer/world.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_document.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_document.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <filesystem>
@@ -19,7 +19,7 @@ struct Preset {
     std::string file{};                    // the file it came from; empty: one of the paper's
     std::vector<std::string> overrides{};  // "section.key=value", over the file's values
     std::string samples_file{};            // of its sampled drive, as it was read when the program started
-    io::SampledMotion samples{};           // what stood in it
+    recordings::SampledMotion samples{};   // what stood in it
     std::optional<sweep::Study> study{};   // the chart of its file, should it have one
 };
 

@@ -1,7 +1,7 @@
 #include "stridor/integration/simulate.hpp"
 
-#include "stridor/integration/beta_2.hpp"
-#include "stridor/integration/exact.hpp"
+#include "stridor/integration/beta_2/beta_2.hpp"
+#include "stridor/integration/exact/exact.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/record/schedule.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/exact_flow.hpp"
+#include "stridor/integration/exact/flow.hpp"
 #include "stridor/integration/motion.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/case.hpp"

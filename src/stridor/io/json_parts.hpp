@@ -2,7 +2,7 @@
 
 // What all JSON documents share. Private to this folder: nlohmann's types stay out of the headers others see.
 
-#include "stridor/base/text.hpp"
+#include "stridor/base/json.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/classification/verdict.hpp"
 #include "stridor/parameters/field.hpp"
@@ -10,9 +10,6 @@
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/study.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,25 +17,7 @@
 
 namespace stridor::io::json_parts {
 
-using Json = nlohmann::ordered_json;
-
-// levels of a document that somebody else wrote; no program of ours needs ten
-inline constexpr std::size_t deepest_document = 64;
-
-// the text of others as a document; discarded (`is_discarded`) for what is no JSON, or nests deeper than makes sense
-inline Json foreign_document(std::string_view text) {
-    if (base::nesting(text) > deepest_document) return Json(Json::value_t::discarded);
-    return Json::parse(text, nullptr, false);
-}
-
-// what is not UTF-8 in a title becomes a replacement character instead of an exception; NaN and infinities become null
-inline std::string text_of(const Json& document) {
-    return document.dump(2, ' ', false, Json::error_handler_t::replace);
-}
-
-inline Json text_or_null(const std::string& text) {
-    return text.empty() ? Json() : Json(text);
-}
+using base::Json;
 
 template <typename Enumeration>
 std::string_view name_of(std::span<const std::string_view> names, Enumeration value) {

@@ -1,6 +1,7 @@
 #include "stridor/io/netcdf_dataset.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/version.hpp"
 
 #include <netcdf.h>
 #include <netcdf_mem.h>
@@ -127,6 +128,13 @@ void NetcdfDataset::finish(const std::function<void(std::string_view)>& take) {
     check(nc_close_memio(std::exchange(id_, -1), &memory));
     const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
     take({static_cast<const char*>(memory.memory), memory.size});
+}
+
+void put_origin(NetcdfDataset& file, std::string_view schema, const std::string& title) {
+    file.attribute("Conventions", "CF-1.10");
+    file.attribute("title", title);
+    file.attribute("source", "stridor " + std::string(base::version()) + " (" + std::string(base::commit()) + ")");
+    file.attribute("schema", "stridor." + std::string(schema) + "/1");
 }
 
 }  // namespace stridor::io

@@ -68,4 +68,7 @@ private:
     int id_ = -1;
 };
 
+/// What every file of ours says of itself: conventions, title, the program, and the schema "stridor.SCHEMA/1".
+void put_origin(NetcdfDataset& file, std::string_view schema, const std::string& title);
+
 }  // namespace stridor::io

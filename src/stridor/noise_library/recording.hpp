@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/noise_library/library.hpp"
+#include "stridor/recordings/recording_files.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -38,19 +39,13 @@ struct KnownRecording {
     std::int64_t id = 0;  // of the entry that has its sound
 };
 
-/// A recording that is not taken, and why.
-struct RefusedRecording {
-    std::string file;
-    std::string reason;  // a line
-};
-
 /// What became of many recordings that were added one after the other.
 struct Arrivals {
-    std::vector<std::int64_t> added{};        // ids, in the order of the files
-    std::vector<KnownRecording> known{};      // skipped
-    std::vector<RefusedRecording> refused{};  // skipped
-    std::size_t passed_over = 0;              // [1] files that are no recordings by their names
-    std::size_t left = 0;                     // [1] files that were not looked at before a stop was asked for
+    std::vector<std::int64_t> added{};                    // ids, in the order of the files
+    std::vector<KnownRecording> known{};                  // skipped
+    std::vector<recordings::RefusedRecording> refused{};  // skipped
+    std::size_t passed_over = 0;                          // [1] files that are no recordings by their names
+    std::size_t left = 0;  // [1] files that were not looked at before a stop was asked for
 };
 
 }  // namespace stridor::noise_library

@@ -1,13 +1,14 @@
 #include "stridor/report/design_report.hpp"
 
 #include "stridor/base/version.hpp"
-#include "stridor/chart/design_mark.hpp"
-#include "stridor/chart/noise_chart.hpp"
-#include "stridor/chart/palette.hpp"
-#include "stridor/chart/picture.hpp"
-#include "stridor/chart/stability.hpp"
-#include "stridor/chart/time_history.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/drawing/palette.hpp"
+#include "stridor/drawing/picture.hpp"
+#include "stridor/figures/category_colours.hpp"
+#include "stridor/figures/design_mark.hpp"
+#include "stridor/figures/noise_chart.hpp"
+#include "stridor/figures/stability.hpp"
+#include "stridor/figures/time_history.hpp"
+#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/report/sketch.hpp"
 #include "stridor/report/verdict_words.hpp"
@@ -80,21 +81,22 @@ Section sound_section(const std::vector<DesignSound>& sounds) {
 
 Section motion_section(const DesignResults& results) {
     constexpr double zoom = 0.02;  // [s]
-    chart::TimeHistoryOptions options;
-    options.zoom = chart::busiest_stretch(results.design, results.motion.record.history, zoom);
-    return {"Motion",
-            {},
-            chart::render(chart::time_history(results.design, results.motion.record, options), chart::Format::svg),
-            "Imposed velocity, accelerations and contact states over time, and a short stretch of them beside."};
+    figures::TimeHistoryOptions options;
+    options.zoom = figures::busiest_stretch(results.design, results.motion.record.history, zoom);
+    return {
+        "Motion",
+        {},
+        drawing::render(figures::time_history(results.design, results.motion.record, options), drawing::Format::svg),
+        "Imposed velocity, accelerations and contact states over time, and a short stretch of them beside."};
 }
 
 Section chart_section(const sweep::SweepResult& result) {
-    chart::Scene scene = chart::noise_chart(result);
-    chart::mark_design(scene, result.study);
+    drawing::Scene scene = figures::noise_chart(result);
+    figures::mark_design(scene, result.study);
     return {
         "Where it is quiet",
         {},
-        chart::render(scene, chart::Format::svg),
+        drawing::render(scene, drawing::Format::svg),
         fmt::format("Category over {} and {}, {} by {} cells in each direction, each a run of its own. {}",
                     result.study.x.parameter, result.study.y.parameter, result.study.x.points, result.study.y.points,
                     sweep::holds_design(result.study) ? "The diamond is the design."
@@ -102,12 +104,12 @@ Section chart_section(const sweep::SweepResult& result) {
 }
 
 Section stability_section(const analysis::StabilityScan& scan) {
-    std::vector<chart::StabilityCurve> curves;
+    std::vector<figures::StabilityCurve> curves;
     for (const analysis::DirectionScan& direction : scan.directions)
         curves.push_back({direction.direction, direction.path});
     return {"Stability of steady sliding",
             {},
-            chart::render(chart::stability(scan.key, curves), chart::Format::svg),
+            drawing::render(figures::stability(scan.key, curves), drawing::Format::svg),
             "Frequencies and growth rates of the sliding modes over " + scan.key + "."};
 }
 
@@ -116,9 +118,9 @@ std::string measured(const std::string& key, double value) {
     return fmt::format("{:.4g}{}", value, unit == "1" ? "" : " " + std::string(unit));
 }
 
-std::string change_words(const sweep::DesignSpace& space, const sweep::DesignChange& change) {
+std::string change_words(const advice::DesignSpace& space, const advice::DesignChange& change) {
     std::string text;
-    for (const sweep::ParameterChange& each : change.set)
+    for (const advice::ParameterChange& each : change.set)
         text += fmt::format("{}{} from {} to {}", text.empty() ? "" : ", ", space.parameters[each.parameter].key,
                             measured(space.parameters[each.parameter].key, each.from),
                             measured(space.parameters[each.parameter].key, each.to));
@@ -126,36 +128,36 @@ std::string change_words(const sweep::DesignSpace& space, const sweep::DesignCha
 }
 
 // the parameters whose verdict changes nearest, with where it does
-Table margin_table(const sweep::Advice& advice) {
+Table margin_table(const advice::Advice& advice) {
     constexpr std::size_t most_rows = 6;
     std::vector<std::pair<double, std::size_t>> order;
-    for (const sweep::ParameterMargin& margin : advice.margins)
-        if (const sweep::VerdictChange* change = sweep::nearest_change(advice.space, margin))
+    for (const advice::ParameterMargin& margin : advice.margins)
+        if (const advice::VerdictChange* change = advice::nearest_change(advice.space, margin))
             order.emplace_back(std::abs(change->share - advice.space.origin[margin.parameter]), margin.parameter);
     std::sort(order.begin(), order.end());
     Table table{{"parameter", "now", "changes below", "changes above"}, {}};
     for (std::size_t k = 0; k < std::min(most_rows, order.size()); ++k) {
-        const sweep::ParameterMargin& margin = advice.margins[order[k].second];
+        const advice::ParameterMargin& margin = advice.margins[order[k].second];
         const std::string& key = advice.space.parameters[margin.parameter].key;
-        const auto words = [&](const sweep::ScanSide& side) {
+        const auto words = [&](const advice::ScanSide& side) {
             if (!side.change) return std::string("-");
             return measured(key, side.change->value) + " (" +
-                   std::string(sweep::word(sweep::overall(side.change->beyond))) + ")";
+                   std::string(sweep::word(advice::overall(side.change->beyond))) + ")";
         };
         table.rows.push_back({key, measured(key, margin.value), words(margin.below), words(margin.above)});
     }
     return table;
 }
 
-std::vector<Section> advice_sections(const sweep::Advice& advice) {
+std::vector<Section> advice_sections(const advice::Advice& advice) {
     Section change{"What to change"};
-    const bool is_quiet = sweep::is_quiet(advice.present);
+    const bool is_quiet = advice::is_quiet(advice.present);
     if (is_quiet)
         change.paragraphs.emplace_back("Nothing: the design is quiet as it stands.");
     else if (advice.changes.empty())
         change.paragraphs.emplace_back("No change within the usual ranges was verified to be quiet.");
     else {
-        const sweep::DesignChange& best = advice.changes[advice.recommended.value_or(0)];
+        const advice::DesignChange& best = advice.changes[advice.recommended.value_or(0)];
         change.paragraphs.push_back("Advised: " + change_words(advice.space, best) +
                                     fmt::format(". This was verified to be quiet by {} runs, from every start and with "
                                                 "1 % more and less of each value.",
@@ -164,7 +166,7 @@ std::vector<Section> advice_sections(const sweep::Advice& advice) {
             "All changes that were verified, smallest first. The distance is the share of its usual range that a "
             "quantity has to go.");
         change.table.columns = {"distance", "change", "verified by"};
-        for (const sweep::DesignChange& each : advice.changes)
+        for (const advice::DesignChange& each : advice.changes)
             change.table.rows.push_back({fmt::format("{:.3f}", each.distance), change_words(advice.space, each),
                                          fmt::format("{} quiet runs", each.runs)});
     }
@@ -193,9 +195,9 @@ Section parameter_section(const parameters::Case& c) {
 std::vector<Badge> badges(const std::vector<Verdict>& verdicts) {
     std::vector<Badge> badges;
     for (const Verdict& verdict : verdicts) {
-        const chart::Fill fill = chart::category_fill(verdict.category);
+        const drawing::Fill fill = figures::category_fill(verdict.category);
         badges.push_back({phase_name(verdict), std::string(classification::name(verdict.category)),
-                          chart::hex(fill.colour), chart::hex(chart::text_colour_on(fill.colour))});
+                          drawing::hex(fill.colour), drawing::hex(drawing::text_colour_on(fill.colour))});
     }
     return badges;
 }

@@ -2,12 +2,12 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/classification/contact_rules.hpp"
-#include "stridor/io/wav.hpp"
+#include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/temperature_table.hpp"
+#include "stridor/recordings/audio/wav.hpp"
 #include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"
-#include "stridor/sweep/run_sound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,31 +30,31 @@ std::vector<Direction> directions_of(const Case& c) {
 }
 
 // the stretches up to the longest time that is heard
-std::vector<signal::Stretch> first_of(std::vector<signal::Stretch> stretches, double longest) {
+std::vector<sound::Stretch> first_of(std::vector<sound::Stretch> stretches, double longest) {
     double left = longest;
-    for (signal::Stretch& stretch : stretches) {
+    for (sound::Stretch& stretch : stretches) {
         stretch.to = std::min(stretch.to, stretch.from + std::max(0.0, left));
         left -= stretch.to - stretch.from;
     }
-    std::erase_if(stretches, [](const signal::Stretch& stretch) { return !(stretch.to > stretch.from); });
+    std::erase_if(stretches, [](const sound::Stretch& stretch) { return !(stretch.to > stretch.from); });
     return stretches;
 }
 
 std::optional<DesignSound> sound_of(const Case& c, Direction direction, const std::stop_token& stop) {
     constexpr double shortest = 0.05;  // [s] what is shorter is a click
-    signal::AuralisationSettings settings;
-    settings.stretches = first_of(sweep::heard_stretches(c, direction), longest_sound);
+    sound::AuralisationSettings settings;
+    settings.stretches = first_of(hearing::heard_stretches(c, direction), longest_sound);
     if (settings.stretches.empty()) return std::nullopt;
     integration::Workspace workspace;
-    const std::optional<sweep::RunSound> run = sweep::sound_of_run(c, settings, stop, workspace);
+    const std::optional<hearing::RunSound> run = hearing::sound_of_run(c, settings, stop, workspace);
     if (!run || run->parts.empty()) return std::nullopt;
-    const signal::Signal sound = sweep::joined(run->parts);
+    const signal::Signal sound = hearing::joined(run->parts);
     if (signal::duration(sound) < shortest) return std::nullopt;
-    DesignSound result{direction, sweep::judged(run->parts, {}).verdict, {}};
+    DesignSound result{direction, hearing::judged(run->parts, {}).verdict, {}};
     double peak = 0.0;
     for (const double sample : sound.samples)
         peak = std::max(peak, std::abs(sample));
-    if (peak > sweep::least_motion) result.wav = io::wav_bytes(sound, {peak / normal_peak, sound.unit});
+    if (peak > hearing::least_motion) result.wav = recordings::wav_bytes(sound, {peak / normal_peak, sound.unit});
     return result;
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "stridor/advice/advice.hpp"
 #include "stridor/analysis/stability_scan.hpp"
 #include "stridor/classification/sound_verdict.hpp"
 #include "stridor/classification/verdict.hpp"
 #include "stridor/integration/motion.hpp"
 #include "stridor/parameters/case.hpp"
-#include "stridor/sweep/advice.hpp"
 #include "stridor/sweep/cell.hpp"
 
 #include <optional>
@@ -32,7 +32,7 @@ struct DesignResults {
     std::string without_sound{};                      // why there is none
     std::optional<sweep::SweepResult> chart{};
     std::optional<analysis::StabilityScan> stability{};
-    std::optional<sweep::Advice> advice{};
+    std::optional<advice::Advice> advice{};
     std::string without_advice{};  // why there is none, if it was wanted
 };
 

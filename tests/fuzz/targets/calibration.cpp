@@ -1,4 +1,4 @@
-#include "stridor/io/calibration.hpp"
+#include "stridor/recordings/calibration.hpp"
 
 #include "fuzz/targets/targets.hpp"
 #include "stridor/base/error.hpp"
@@ -8,16 +8,17 @@
 namespace stridor::fuzz {
 
 void calibration(std::string_view bytes) {
-    const auto check = [](const io::FullScale& scale) {
+    const auto check = [](const recordings::FullScale& scale) {
         require(scale.value > 0.0 && std::isfinite(scale.value) && !scale.unit.empty());
     };
-    if (const auto found = io::calibration_in(bytes)) {
+    if (const auto found = recordings::calibration_in(bytes)) {
         check(*found);
         // what is written of it is read as the same
-        if (found->unit != signal::full_scale) require(io::calibration_in(io::calibration_text(*found)) == found);
+        if (found->unit != signal::full_scale)
+            require(recordings::calibration_in(recordings::calibration_text(*found)) == found);
     }
     try {
-        check(io::parse_full_scale(bytes));
+        check(recordings::parse_full_scale(bytes));
     } catch (const Error& error) {
         require(error.kind() == ErrorKind::input);
     }

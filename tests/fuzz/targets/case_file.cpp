@@ -1,9 +1,9 @@
 #include "fuzz/targets/targets.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_study.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/toml_study.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
 

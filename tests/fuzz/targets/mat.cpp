@@ -1,8 +1,8 @@
-#include "stridor/io/mat.hpp"
+#include "stridor/recordings/mat/mat.hpp"
 
 #include "fuzz/targets/reading.hpp"
-#include "stridor/io/mat_choice.hpp"
-#include "stridor/io/mat_header.hpp"
+#include "stridor/recordings/mat/mat_choice.hpp"
+#include "stridor/recordings/mat/mat_header.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -13,7 +13,7 @@ namespace stridor::fuzz {
 namespace {
 
 /// A process that has been taken over: it answers whatever it likes.
-class Impostor final : public io::mat::Answers {
+class Impostor final : public recordings::mat::Answers {
 public:
     explicit Impostor(std::string_view bytes) : bytes_(bytes) {}
     void send(std::span<const std::byte>) override {}
@@ -36,9 +36,9 @@ constexpr std::size_t files_per_process = 256;
 
 // what this process itself reads of a file
 void follow_lengths(std::string_view bytes) {
-    const io::SignalInput input{io::bytes_of(std::string(bytes)), "input", {}};
+    const recordings::SignalInput input{recordings::bytes_of(std::string(bytes)), "input", {}};
     try {
-        io::mat::check_length(input, *io::mat::version_of(bytes));
+        recordings::mat::check_length(input, *recordings::mat::version_of(bytes));
     } catch (const Error& error) {
         require(error.kind() == ErrorKind::input && !error.problem().what.empty());
     }
@@ -47,19 +47,20 @@ void follow_lengths(std::string_view bytes) {
 }  // namespace
 
 void mat(std::string_view bytes) {
-    if (io::is_mat(bytes) && std::hash<std::string_view>()(bytes) % files_per_process != 0)
+    if (recordings::is_mat(bytes) && std::hash<std::string_view>()(bytes) % files_per_process != 0)
         return follow_lengths(bytes);
-    if (io::is_mat(bytes))
+    if (recordings::is_mat(bytes))
         return read_signal(
-            bytes, [](const io::SignalInput& input) { return io::open_mat(input, {}); }, most_per_byte);
+            bytes, [](const recordings::SignalInput& input) { return recordings::open_mat(input, {}); }, most_per_byte);
     // the channel that is wished for, up to a zero; then the answers
     const std::size_t end = std::min(bytes.find('\0'), std::size_t{8});
     const std::string channel(bytes.substr(0, end));
     bytes.remove_prefix(std::min(bytes.size(), end + 1));
     read_signal(
         bytes,
-        [&](const io::SignalInput& input) {
-            return io::open_mat_answers(std::make_shared<Impostor>(bytes), bytes.size(), {{}, channel}, input.name);
+        [&](const recordings::SignalInput& input) {
+            return recordings::open_mat_answers(std::make_shared<Impostor>(bytes), bytes.size(), {{}, channel},
+                                                input.name);
         },
         most_per_byte);
 }

@@ -2,7 +2,7 @@
 
 #include "fuzz/targets/targets.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/raw_signal.hpp"
+#include "stridor/recordings/raw_signal.hpp"
 
 #include <cmath>
 #include <string>
@@ -16,7 +16,8 @@ namespace stridor::fuzz {
 template <typename Open>
 void read_signal(std::string_view bytes, Open open, std::uint64_t most_per_byte = 1) {
     try {
-        const io::RawSignal raw = open(io::SignalInput{io::bytes_of(std::string(bytes)), "input", {}});
+        const recordings::RawSignal raw =
+            open(recordings::SignalInput{recordings::bytes_of(std::string(bytes)), "input", {}});
         const signal::Layout& layout = raw.source->layout();
         const std::size_t width = layout.channels.size();
         require(width > 0 && layout.rate > 0.0 && std::isfinite(layout.rate));

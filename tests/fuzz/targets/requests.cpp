@@ -2,8 +2,8 @@
 #include "stridor/base/error.hpp"
 #include "stridor/explorer/body.hpp"
 #include "stridor/explorer/gate.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 
 #include <array>

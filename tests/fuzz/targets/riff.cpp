@@ -1,4 +1,4 @@
-#include "stridor/io/riff.hpp"
+#include "stridor/recordings/audio/riff.hpp"
 
 #include "fuzz/targets/targets.hpp"
 
@@ -8,7 +8,7 @@
 namespace stridor::fuzz {
 
 void riff(std::string_view bytes) {
-    const auto data = io::find_riff_data(*io::bytes_of(std::string(bytes)));
+    const auto data = recordings::find_riff_data(*recordings::bytes_of(std::string(bytes)));
     if (data) require(data->offset + data->available == bytes.size());
 }
 

@@ -1,4 +1,4 @@
-#include "stridor/io/sidecar.hpp"
+#include "stridor/recordings/sidecar.hpp"
 
 #include "fuzz/targets/targets.hpp"
 #include "stridor/base/error.hpp"
@@ -9,9 +9,9 @@ namespace stridor::fuzz {
 
 void sidecar(std::string_view bytes) {
     try {
-        const io::Sidecar sidecar = io::parse_sidecar(bytes, "input");
+        const recordings::Sidecar sidecar = recordings::parse_sidecar(bytes, "input");
         // what was read can be written, and reads back as the same
-        const io::Sidecar back = io::parse_sidecar(io::sidecar_json(sidecar), "written");
+        const recordings::Sidecar back = recordings::parse_sidecar(recordings::sidecar_json(sidecar), "written");
         require(back.rate == sidecar.rate && back.channels.size() == sidecar.channels.size());
         for (std::size_t k = 0; k < sidecar.channels.size(); ++k) {
             require(back.channels[k].name == sidecar.channels[k].name);

@@ -1,8 +1,8 @@
-#include "stridor/io/tar.hpp"
+#include "stridor/io/library/tar.hpp"
 
 #include "fuzz/targets/targets.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/io/archive_manifest.hpp"
+#include "stridor/io/library/archive_manifest.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/integration/exact.hpp"
+#include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/mass_on_belt.hpp"
 #include "stridor/parameters/paper_cases.hpp"

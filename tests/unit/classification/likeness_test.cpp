@@ -3,7 +3,7 @@
 #include "stridor/classification/compared_sound.hpp"
 #include "stridor/classification/sound_rules.hpp"
 #include "stridor/signal/perturb.hpp"
-#include "stridor/signal/sound_analysis.hpp"
+#include "stridor/sound/analysis.hpp"
 #include "support/property.hpp"
 
 #include <cmath>
@@ -30,7 +30,7 @@ Signal tone(double frequency, double rest = 0.0) {
 
 SoundProfile profile(const Signal& signal) {
     const auto source = signal::source_of({signal});
-    const signal::SoundAnalysis analysis = signal::analyse(*source).front();
+    const sound::SoundAnalysis analysis = sound::analyse(*source).front();
     const parameters::SoundThresholds thresholds;
     return profile_of(analysis.stretches, classify_recording(analysis.stretches, thresholds), thresholds);
 }

@@ -3,7 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/classification/confusion.hpp"
 #include "stridor/signal/perturb.hpp"
-#include "stridor/signal/sound_analysis.hpp"
+#include "stridor/sound/analysis.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace stridor::classification {
 namespace {
 
 using parameters::SoundThresholds;
-using signal::SoundFeatures;
-using signal::SoundStretch;
+using sound::SoundFeatures;
+using sound::SoundStretch;
 
 SoundFeatures squeal() {
     SoundFeatures f;
@@ -178,7 +178,7 @@ TEST(RecordingRules, WhiteNoiseIsNoNoiseAtAnyRate) {
     for (const double rate : {8000.0, 16000.0, 48000.0}) {
         int noises = 0;
         for (std::uint64_t seed = 0; seed < 40; ++seed) {
-            signal::StretchFinder finder(rate);
+            sound::StretchFinder finder(rate);
             finder.push(white_noise(rate, seed).samples);
             noises += classify_recording(finder.finish(), {}).category != Category::none ? 1 : 0;
         }

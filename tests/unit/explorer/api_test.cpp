@@ -1,8 +1,8 @@
 #include "stridor/explorer/api.hpp"
 
 #include "stridor/explorer/bytes.hpp"
-#include "stridor/io/wav.hpp"
 #include "stridor/noise_library/recording.hpp"
+#include "stridor/recordings/audio/wav.hpp"
 #include "stridor/signal/source.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -201,7 +201,7 @@ signal::Signal tone() {
 TEST(Api, ShowsPlaysAndHearsTheLibrary) {
     const support::ScratchFolder folder;
     const std::string file = (folder / "tone.wav").string();
-    io::write_wav(file, *signal::source_of({tone()}));
+    recordings::write_wav(file, *signal::source_of({tone()}));
     World with_library = world();
     with_library.library = folder / "noises.sqlite";
     {

@@ -1,7 +1,7 @@
 // No request reaches a file: not by any spelling of a key, not by a preset, a name or a path.
 
 #include "stridor/explorer/api.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/canary.hpp"

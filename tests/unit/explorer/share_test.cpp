@@ -1,9 +1,9 @@
 // What leaves the page and comes back: texts with units, links that hold a whole case, the chart of a file.
 
 #include "stridor/explorer/api.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_study.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/toml_study.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 

@@ -1,6 +1,6 @@
 // A run ends soon after it is told to, wherever its time goes; and by itself where numbers are none.
 
-#include "stridor/integration/exact.hpp"
+#include "stridor/integration/exact/exact.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/record/schedule.hpp"

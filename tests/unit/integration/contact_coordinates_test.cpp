@@ -1,4 +1,4 @@
-#include "stridor/integration/contact_coordinates.hpp"
+#include "stridor/integration/exact/contact_coordinates.hpp"
 
 #include "stridor/model/mass_on_belt.hpp"
 #include "stridor/model/rubbing_system.hpp"

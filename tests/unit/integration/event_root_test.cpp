@@ -1,4 +1,4 @@
-#include "stridor/integration/event_root.hpp"
+#include "stridor/integration/exact/event_root.hpp"
 
 #include "support/property.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/integration/exact.hpp"
+#include "stridor/integration/exact/exact.hpp"
 
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/mass_on_belt.hpp"

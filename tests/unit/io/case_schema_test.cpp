@@ -1,4 +1,4 @@
-#include "stridor/io/case_schema.hpp"
+#include "stridor/io/case/case_schema.hpp"
 
 #include "stridor/parameters/field.hpp"
 

@@ -1,8 +1,8 @@
-#include "stridor/io/csv.hpp"
-
 #include "io_support.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/integration/simulate.hpp"
+#include "stridor/io/chart/chart_csv.hpp"
+#include "stridor/io/simulation/motion_csv.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "stridor/io/library_repair.hpp"
+#include "stridor/io/library/library_repair.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/io/library_archive.hpp"
+#include "stridor/io/library/library_archive.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/storage/page_checksum.hpp"
 #include "support/bit_flips.hpp"

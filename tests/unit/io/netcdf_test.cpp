@@ -1,10 +1,10 @@
-#include "stridor/io/netcdf.hpp"
-
 #include "io_support.hpp"
 #include "stridor/base/hash.hpp"
 #include "stridor/base/version.hpp"
-#include "stridor/io/atomic_file.hpp"
-#include "stridor/io/toml_study.hpp"
+#include "stridor/io/chart/chart_netcdf.hpp"
+#include "stridor/io/chart/toml_study.hpp"
+#include "stridor/io/simulation/motion_netcdf.hpp"
+#include "stridor/storage/atomic_file.hpp"
 
 #include <gtest/gtest.h>
 #include <netcdf.h>
@@ -212,7 +212,7 @@ TEST(ChartNetcdf, HasTheSameBytesForTheSameChart) {
     const ScratchFolder scratch;
     write_chart_netcdf((scratch / "a.nc").string(), small_chart());
     write_chart_netcdf((scratch / "b.nc").string(), small_chart());
-    EXPECT_EQ(read_file((scratch / "a.nc").string()), read_file((scratch / "b.nc").string()));
+    EXPECT_EQ(storage::read_file((scratch / "a.nc").string()), storage::read_file((scratch / "b.nc").string()));
 }
 
 // a chart too large for the memory is written by a process of its own: whoever reads it sees no difference

@@ -1,4 +1,4 @@
-#include "stridor/io/range_text.hpp"
+#include "stridor/io/chart/range_text.hpp"
 
 #include "stridor/base/error.hpp"
 

@@ -1,7 +1,7 @@
-#include "stridor/io/toml_case.hpp"
+#include "stridor/io/case/toml_case.hpp"
 
 #include "io_support.hpp"
-#include "stridor/io/atomic_file.hpp"
+#include "stridor/storage/atomic_file.hpp"
 #include "support/canary.hpp"
 
 #include <gtest/gtest.h>
@@ -233,16 +233,16 @@ TEST(TomlCase, DoesNotLookAtAChart) {
 TEST(TomlCase, FindsTheSampledDriveBesideTheFile) {
     const ScratchFolder scratch;
     std::filesystem::create_directory((scratch / "in").string());
-    write_file((scratch / "in/drive.csv").string(), "time,velocity\ns,mm/s\n0,100\n2,-100\n");
+    storage::write_file((scratch / "in/drive.csv").string(), "time,velocity\ns,mm/s\n0,100\n2,-100\n");
     std::string text = replaced(minimal, "kind = \"constant\"", "kind = \"sampled\"");
     text = replaced(text, "velocity = -0.1", "file = \"drive.csv\"");
-    write_file((scratch / "in/case.toml").string(), text);
+    storage::write_file((scratch / "in/case.toml").string(), text);
     const Case c = read_case((scratch / "in/case.toml").string());
     EXPECT_EQ(c.drive.times, (std::vector<double>{0.0, 2.0}));
     EXPECT_EQ(c.drive.velocities, (std::vector<double>{0.1, -0.1}));
     EXPECT_EQ(c.drive.file, "drive.csv");
 
-    write_file((scratch / "in/drive.csv").string(), "time,velocity\n0,1\n2,x\n");
+    storage::write_file((scratch / "in/drive.csv").string(), "time,velocity\n0,1\n2,x\n");
     const auto error = error_of([&] { read_case((scratch / "in/case.toml").string()); });
     expect_error(error, "velocity = \"x\" is not a number", (scratch / "in/drive.csv").string() + ":3:3");
 
@@ -286,7 +286,7 @@ TEST(TomlCase, ReachesAFileThroughItsReaderAlone) {
             std::string asked;
             const SamplesReader reader = [&](const std::string& name) {
                 asked = name;
-                return SampledMotion{{0.0, 2.0}, {0.1, -0.1}};
+                return recordings::SampledMotion{{0.0, 2.0}, {0.1, -0.1}};
             };
             EXPECT_NO_THROW(read_case(parse_toml({text, "case.toml", {}}), reader)) << text;
             EXPECT_EQ(asked, path) << text;
@@ -296,7 +296,9 @@ TEST(TomlCase, ReachesAFileThroughItsReaderAlone) {
 
 TEST(TomlCase, OpensNothingWhateverByteStandsAroundAKey) {
     support::Canary canary;
-    const SamplesReader none = [](const std::string&) -> SampledMotion { throw std::runtime_error("opened"); };
+    const SamplesReader none = [](const std::string&) -> recordings::SampledMotion {
+        throw std::runtime_error("opened");
+    };
     const std::string plain = cases_with_samples(canary.file()).front();
     for (const std::string& key : {std::string("file"), std::string("kind"), std::string("[drive]")})
         for (int byte = 0; byte < 0x80; byte = byte == 0x20 ? 0x7F : byte + 1)

@@ -1,7 +1,7 @@
-#include "stridor/io/toml_document.hpp"
+#include "stridor/io/case/toml_document.hpp"
 
 #include "io_support.hpp"
-#include "stridor/io/atomic_file.hpp"
+#include "stridor/storage/atomic_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -101,7 +101,7 @@ TEST(TomlDocument, ReadsByteOrderMarksAndWindowsLineEnds) {
 
 TEST(TomlDocument, LoadsAFileUnderItsOwnName) {
     const ScratchFolder scratch;
-    write_file((scratch / "a.toml").string(), "title = \"t\"\n");
+    storage::write_file((scratch / "a.toml").string(), "title = \"t\"\n");
     const TomlSource source = load_toml((scratch / "a.toml").string(), {"title=u"});
     EXPECT_EQ(source.name, (scratch / "a.toml").string());
     EXPECT_EQ(source.text, "title = \"t\"\n");

@@ -1,9 +1,9 @@
-#include "stridor/io/toml_study.hpp"
+#include "stridor/io/chart/toml_study.hpp"
 
 #include "io_support.hpp"
-#include "stridor/io/atomic_file.hpp"
-#include "stridor/io/axis_text.hpp"
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/axis_text.hpp"
+#include "stridor/storage/atomic_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -201,7 +201,7 @@ TEST(TomlStudy, PointsAtUnknownDirectionsAndQuantities) {
 
 TEST(TomlStudy, ReadsAFile) {
     const ScratchFolder scratch;
-    write_file((scratch / "c.toml").string(), study_toml(sweep::figure_8()));
+    storage::write_file((scratch / "c.toml").string(), study_toml(sweep::figure_8()));
     EXPECT_EQ(sweep::canonical_text(read_study((scratch / "c.toml").string())),
               sweep::canonical_text(sweep::figure_8()));
 }

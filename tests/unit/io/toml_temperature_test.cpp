@@ -1,9 +1,9 @@
-#include "stridor/io/toml_temperature.hpp"
+#include "stridor/io/case/toml_temperature.hpp"
 
 #include "io_support.hpp"
-#include "stridor/io/json.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_study.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/chart/toml_study.hpp"
+#include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/parameters/field.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-#include "stridor/io/toml_writer.hpp"
+#include "stridor/io/case/toml_writer.hpp"
 
 #include "io_support.hpp"
-#include "stridor/io/toml_case.hpp"
-#include "stridor/io/toml_study.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/chart/toml_study.hpp"
 #include "stridor/parameters/check.hpp"
 #include "support/property.hpp"
 

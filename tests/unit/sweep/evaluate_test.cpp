@@ -8,7 +8,7 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "support/error_text.hpp"
-#include "unit/sweep/small_study.hpp"
+#include "support/small_study.hpp"
 
 #include <gtest/gtest.h>
 

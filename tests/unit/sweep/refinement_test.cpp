@@ -1,7 +1,7 @@
 #include "stridor/sweep/refinement.hpp"
 
 #include "support/property.hpp"
-#include "unit/sweep/small_study.hpp"
+#include "support/small_study.hpp"
 
 #include <gtest/gtest.h>
 

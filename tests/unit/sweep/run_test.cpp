@@ -3,7 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/sweep/evaluate.hpp"
 #include "support/error_text.hpp"
-#include "unit/sweep/small_study.hpp"
+#include "support/small_study.hpp"
 
 #include <gtest/gtest.h>
 

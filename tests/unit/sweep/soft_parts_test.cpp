@@ -2,11 +2,11 @@
 
 #include "stridor/sweep/soft_parts.hpp"
 
+#include "stridor/hearing/hearing.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/sweep/hearing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -87,7 +87,7 @@ TEST(SoftParts, ASlowCreakOfAClipIsHeardAsACreak) {
     c.contact.kinetic_friction = 0.21;
     constexpr std::array going{Direction::going};
     integration::Workspace workspace;
-    const std::vector<HeardSound> sounds = hear(c, going, {}, {}, workspace);
+    const std::vector<hearing::HeardSound> sounds = hearing::hear(c, going, {}, {}, workspace);
     ASSERT_EQ(sounds.size(), 1u);
     EXPECT_EQ(sounds[0].cell.category, classification::Category::creak);
     EXPECT_EQ(sounds[0].heard, classification::Category::creak) << sounds[0].reason;

@@ -1,7 +1,7 @@
 #include "stridor/sweep/starts.hpp"
 
 #include "stridor/sweep/evaluate.hpp"
-#include "unit/sweep/small_study.hpp"
+#include "support/small_study.hpp"
 
 #include <gtest/gtest.h>
 

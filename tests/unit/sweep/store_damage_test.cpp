@@ -6,7 +6,7 @@
 #include "stridor/sweep/store.hpp"
 #include "support/bit_flips.hpp"
 #include "support/error_text.hpp"
-#include "unit/sweep/small_study.hpp"
+#include "support/small_study.hpp"
 
 #include <gtest/gtest.h>
 

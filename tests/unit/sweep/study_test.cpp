@@ -5,7 +5,7 @@
 #include "stridor/sweep/paper_charts.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"
-#include "unit/sweep/small_study.hpp"
+#include "support/small_study.hpp"
 
 #include <gtest/gtest.h>
 

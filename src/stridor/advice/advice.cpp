@@ -1,0 +1,136 @@
+#include "stridor/advice/advice.hpp"
+
+#include "stridor/base/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace stridor::advice {
+
+namespace {
+
+// a parameter whose nearest change is nearer comes first; without one it has no rank
+std::vector<std::size_t> ranked_by_change(const DesignSpace& space, std::span<const ParameterMargin> margins) {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (const ParameterMargin& margin : margins)
+        if (const VerdictChange* change = nearest_change(space, margin))
+            order.emplace_back(std::abs(change->share - space.origin[margin.parameter]), margin.parameter);
+    std::sort(order.begin(), order.end());
+    std::vector<std::size_t> ranking;
+    for (const auto& [far, parameter] : order)
+        ranking.push_back(parameter);
+    return ranking;
+}
+
+bool concerns_the_same(const DesignChange& a, const DesignChange& b) {
+    return std::equal(a.set.begin(), a.set.end(), b.set.begin(), b.set.end(),
+                      [](const auto& x, const auto& y) { return x.parameter == y.parameter; });
+}
+
+// About how many runs each stage takes: medians of the cases of Table 1 and the soft parts. What deviates shows in the
+// display of progress alone, as a share that waits at the end of a stage or skips to it.
+std::array<double, advice_stage_names.size()> expected_runs(std::size_t parameters, std::size_t samples) {
+    constexpr double runs_per_margin = 65.0;
+    constexpr double runs_per_direction = 500.0;  // of the search for the nearest design, up to five directions
+    constexpr double runs_of_changes = 1500.0;
+    const auto number = static_cast<double>(parameters);
+    return {runs_per_margin * number, runs_per_direction * std::min(number, 5.0),
+            parameters > 1 ? runs_of_changes : 100.0, static_cast<double>(samples)};
+}
+
+// tells the share of the work that is done
+class Watch {
+public:
+    Watch(const AdviceOptions& options, const DesignSpace& space, DesignRunner& runner)
+        : options_(options),
+          runner_(runner),
+          expected_(expected_runs(space.free.size(), options.tolerances.empty() ? 0 : options.chance.samples)) {}
+
+    void begin(AdviceStage stage) {
+        if (!options_.progress) return;
+        const std::size_t before = runner_.runs();
+        runner_.on_progress([this, stage, before](std::size_t runs) {
+            options_.progress({stage, runs, share(static_cast<std::size_t>(stage), runs - before)});
+        });
+    }
+
+    // a stage that is not needed
+    void skip(AdviceStage stage) { expected_[static_cast<std::size_t>(stage)] = 0.0; }
+
+private:
+    double share(std::size_t stage, std::size_t runs) {
+        double done = std::min(static_cast<double>(runs), expected_[stage]);
+        double total = 0.0;
+        for (std::size_t k = 0; k < expected_.size(); ++k) {
+            if (k < stage) done += expected_[k];
+            total += expected_[k];
+        }
+        shown_ = std::max(shown_, total > 0.0 ? done / total : 1.0);
+        return shown_;
+    }
+
+    const AdviceOptions& options_;
+    DesignRunner& runner_;
+    std::array<double, advice_stage_names.size()> expected_;
+    double shown_ = 0.0;
+};
+
+void find_changes(Advice& advice, DesignRunner& runner) {
+    advice.changes = single_changes(advice.space, advice.margins, Sticking::refused, runner);
+    std::vector<DesignChange> joint = joint_changes(advice.space, advice.margins, advice.nearest, runner);
+    if (advice.changes.empty() && joint.empty())
+        advice.changes = single_changes(advice.space, advice.margins, Sticking::accepted, runner);
+    for (const DesignChange& change : advice.changes)
+        advice.ranking.push_back(change.set.front().parameter);
+    std::move(joint.begin(), joint.end(), std::back_inserter(advice.changes));
+    std::stable_sort(advice.changes.begin(), advice.changes.end(),
+                     [](const auto& a, const auto& b) { return a.distance < b.distance; });
+    // a pair may have turned out to be one parameter, known already
+    std::vector<DesignChange> distinct;
+    for (DesignChange& change : advice.changes)
+        if (std::none_of(distinct.begin(), distinct.end(),
+                         [&](const DesignChange& nearer) { return concerns_the_same(nearer, change); }))
+            distinct.push_back(std::move(change));
+    advice.changes = std::move(distinct);
+    if (const DesignChange* best = recommended(advice.changes))
+        advice.recommended = static_cast<std::size_t>(best - advice.changes.data());
+}
+
+}  // namespace
+
+Advice advise(const parameters::Case& c, const AdviceOptions& options) {
+    Advice advice;
+    advice.space = design_space(c, options.over);
+    const std::vector<Tolerance> spreads = tolerances(c, options.tolerances);
+    DesignRunner runner(options.threads, options.stop);
+    Watch watch(options, advice.space, runner);
+    watch.begin(AdviceStage::margins);
+    advice.present = runner.judge(advice.space, std::span(&advice.space.origin, 1)).front();
+    advice.margins = margins(advice.space, advice.present, runner);
+    const bool was_quiet = is_quiet(advice.present);
+    if (was_quiet) watch.skip(AdviceStage::changes);
+    watch.begin(AdviceStage::nearest);
+    advice.nearest =
+        nearest_design(advice.space, advice.margins, was_quiet ? Wanted::not_quiet : Wanted::quiet, runner);
+    watch.begin(AdviceStage::changes);
+    if (was_quiet)
+        advice.ranking = ranked_by_change(advice.space, advice.margins);
+    else
+        find_changes(advice, runner);
+    watch.begin(AdviceStage::chance);
+    if (!spreads.empty()) advice.chance = chance(advice.space, spreads, options.chance, runner);
+    advice.runs = runner.runs();
+    return advice;
+}
+
+std::string settings_of(const DesignSpace& space, const DesignChange& change) {
+    std::string text;
+    for (const ParameterChange& each : change.set)
+        text += (text.empty() ? "--set " : " --set ") + space.parameters[each.parameter].key + "=" +
+                base::shortest(each.to);
+    return text;
+}
+
+}  // namespace stridor::advice

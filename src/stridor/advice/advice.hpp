@@ -1,0 +1,62 @@
+#pragma once
+
+#include "stridor/advice/margins.hpp"
+#include "stridor/advice/quieting.hpp"
+#include "stridor/advice/tolerance.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string_view>
+#include <vector>
+
+/// What keeps a design quiet: how far it is from another verdict, what to change, and the chance of noise.
+namespace stridor::advice {
+
+/// What advice is being worked on.
+enum class AdviceStage { margins, nearest, changes, chance };
+
+inline constexpr std::array<std::string_view, 4> advice_stage_names{"margins", "nearest design", "changes", "chance"};
+
+/// How far advice is.
+struct AdviceProgress {
+    AdviceStage stage = AdviceStage::margins;
+    std::size_t runs = 0;  // [1] designs simulated so far
+    double share =
+        0.0;  // [1] of the work done, never falling: an estimate, for each stage asks what the one before found
+};
+
+struct AdviceOptions {
+    std::vector<AskedRange> over{};            // what may be changed; empty: all with a usual range
+    std::vector<AskedTolerance> tolerances{};  // empty: no chance of noise is computed
+    ChanceOptions chance{};
+    int threads = 0;                                        // [1] 0: one per processor this process may use
+    std::stop_token stop{};                                 // asks for an early end
+    std::function<void(const AdviceProgress&)> progress{};  // called from the caller's thread
+};
+
+/// Advice on a design.
+struct Advice {
+    DesignSpace space{};
+    DesignVerdict present{};
+    std::vector<ParameterMargin> margins{};  // by parameter
+    std::vector<std::size_t> ranking{};  // parameters by what they buy: smallest verified quieting change first, or,
+                                         // of a quiet design, smallest distance to the nearest change of verdict
+    std::optional<NearestDesign>
+        nearest{};  // as a whole: the nearest quiet design, or, of a quiet one, the nearest not quiet
+    std::vector<DesignChange> changes{};       // verified quieting changes, smallest first; none of a quiet design
+    std::optional<std::size_t> recommended{};  // which of them
+    std::optional<Chance> chance{};
+    std::size_t runs = 0;  // [1] simulated designs
+};
+
+/// Advice on a case: the same for every number of threads. Throws `Error` (input) for what is wrong with case and
+/// options, and (interrupted) when stopped.
+Advice advise(const parameters::Case& c, const AdviceOptions& options = {});
+
+/// The change as options of the command line: "--set contact.preload=12 --set ...".
+std::string settings_of(const DesignSpace& space, const DesignChange& change);
+
+}  // namespace stridor::advice

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "stridor/parameters/case.hpp"
+#include "stridor/parameters/field.hpp"
+#include "stridor/record/schedule.hpp"
+#include "stridor/sweep/study.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The designs around a case: which of its quantities may be changed, how far, and how each changed case is judged.
+///
+/// A design is a point of a box. Its coordinates are *shares*: 0 at one end of a parameter's range and 1 at the other,
+/// on the scale of the range, so that equal steps are equal differences on a linear scale and equal ratios on a
+/// logarithmic one. The distance of two designs is the Euclidean one of their shares: how far a designer has to go,
+/// measured by how far designers go. docs/methods/advice.md says why.
+namespace stridor::advice {
+
+/// A quantity that may be changed, and between which values.
+struct DesignParameter {
+    std::string key;    // "contact.preload"
+    double from = 0.0;  // in the field's unit, below `to`
+    double to = 1.0;
+    sweep::Scale scale = sweep::Scale::linear;  // logarithmic: both ends have the same sign
+};
+
+/// The value at a share of the range, 0 <= share <= 1; the same bits on every machine, ends exact.
+double value_at(const DesignParameter& parameter, double share);
+
+/// The share at which a value of the range stands.
+double share_of(const DesignParameter& parameter, double value);
+
+/// A point of the box, shape [parameter].
+using Shares = std::vector<double>;
+
+/// A case and the box of designs around it.
+struct DesignSpace {
+    parameters::Case base;
+    std::vector<DesignParameter> parameters;
+    Shares origin;                      // where the base case stands, shape [parameter]
+    std::vector<std::size_t> free;      // the parameters that a change may concern; the others are only followed
+    std::vector<record::Phase> phases;  // what is judged: all of a constant drive, else the going and coming phases
+};
+
+/// A range that a user asks for by name; without ends the usual one.
+struct AskedRange {
+    std::string name;  // in any spelling of `quantity_named`
+    std::optional<double> from{};
+    std::optional<double> to{};
+};
+
+/// `parameters::quantity_named`, which also throws `Error` (input) if the field changes nothing in this case.
+const parameters::Field& quantity_named(const parameters::Case& c, std::string_view name);
+
+/// The space of the ranges asked for, all of them free, or, if there are none, of all quantities that have a usual
+/// range and belong to the case. Of these the drive is not free: a product has to bear how it is moved, so its margins
+/// are of interest, but advice to move it otherwise is not. A range is widened to hold the case's own value.
+///
+/// Throws `Error` (input) for a name that is none or comes twice, for ends out of the field's range or order, for a
+/// quantity without a usual range whose ends are not given, and for a case with `parameters::findings`.
+DesignSpace design_space(const parameters::Case& c, std::span<const AskedRange> asked = {});
+
+/// The case at a point of the box. Parameters that stay at the origin keep their bits.
+parameters::Case design_at(const DesignSpace& space, const Shares& shares);
+
+}  // namespace stridor::advice

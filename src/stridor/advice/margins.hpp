@@ -1,0 +1,96 @@
+#pragma once
+
+#include "stridor/advice/design_runner.hpp"
+#include "stridor/advice/design_space.hpp"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// How far each parameter of a design may move before its verdict changes.
+///
+/// Each parameter is followed alone through its range: on a grid of `scan_intervals` equal intervals of its share, and
+/// closer around the present value. The nearest place where the verdict of any phase is another one is then bisected
+/// to `scan_resolution`. What is narrower than a grid's interval may be missed: an island of noise, or of silence.
+namespace stridor::advice {
+
+/// Equal intervals of a parameter's range, at whose ends the verdict is asked for.
+inline constexpr int scan_intervals = 64;
+
+/// Share of the range to which a change of verdict is located.
+inline constexpr double scan_resolution = 1e-4;
+
+/// A place where a verdict is another one than nearer to the present value. Both sides of it were run: they are at most
+/// `scan_resolution` of the range apart.
+struct VerdictChange {
+    double share = 0.0;      // [1] of the range, of `value`
+    double value = 0.0;      // in the field's unit: the other verdict
+    double before = 0.0;     // likewise: not yet
+    DesignVerdict beyond{};  // at `value`
+};
+
+/// Why a parameter is not followed further.
+enum class ScanEnd {
+    range,    // its range ends there
+    invalid,  // the case's values contradict each other beyond
+};
+
+inline constexpr std::array<std::string_view, 2> scan_end_names{"range", "invalid"};
+
+/// How far a parameter is followed to one side, and what is found there.
+struct ScanSide {
+    std::optional<VerdictChange> change{};  // the nearest change of verdict
+    std::optional<VerdictChange> quiet{};   // the nearest that slips quietly, unless the present one is quiet
+    double last = 0.0;                      // in the field's unit: the scan ends there
+    ScanEnd end = ScanEnd::range;
+    std::string reason{};  // end = invalid: what the contradiction is
+};
+
+/// A design of a scan.
+struct ScanPoint {
+    double share = 0.0;  // [1] of the range
+    double value = 0.0;  // in the field's unit
+    DesignVerdict verdict{};
+};
+
+/// What happens along one parameter.
+struct ParameterMargin {
+    std::size_t parameter = 0;      // into DesignSpace::parameters
+    double value = 0.0;             // in the field's unit, at present
+    ScanSide below{};               // towards smaller values
+    ScanSide above{};               // towards larger ones
+    std::vector<ScanPoint> scan{};  // rising, the present value among them
+};
+
+/// The margins of all parameters, in their order; `present` is the verdict at the origin.
+std::vector<ParameterMargin> margins(const DesignSpace& space, const DesignVerdict& present, DesignRunner& runner);
+
+/// The nearer of a parameter's two changes, by share; nothing if there is none.
+const VerdictChange* nearest_change(const DesignSpace& space, const ParameterMargin& margin);
+
+/// The nearer of a parameter's two quiet designs, likewise.
+const VerdictChange* nearest_quiet(const DesignSpace& space, const ParameterMargin& margin);
+
+/// What is looked for among designs.
+using Condition = std::function<bool(const DesignVerdict&)>;
+
+/// Two designs between which a condition begins to hold.
+struct Bracket {
+    Shares before{};          // it does not hold here
+    Shares beyond{};          // it does here
+    DesignVerdict verdict{};  // of `beyond`
+};
+
+/// The same brackets, bisected until their ends are at most `resolution` apart [1, distance of shares]; each with its
+/// own condition, shape [bracket].
+std::vector<Bracket> bisect(const DesignSpace& space, std::vector<Bracket> brackets,
+                            const std::vector<Condition>& conditions, double resolution, DesignRunner& runner);
+
+/// Distance of two designs: the Euclidean one of their shares [1].
+double distance(const Shares& a, const Shares& b);
+
+}  // namespace stridor::advice

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "stridor/drawing/scene.hpp"
+#include "stridor/drawing/ticks.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace stridor::drawing {
+
+/// A rectangle on paper, counted from the scene's lower left corner [mm].
+struct Rectangle {
+    double left = 0.0;
+    double right = 0.0;
+    double bottom = 0.0;
+    double top = 0.0;
+};
+
+inline double width_of(const Rectangle& area) {
+    return area.right - area.left;
+}
+inline double height_of(const Rectangle& area) {
+    return area.top - area.bottom;
+}
+
+/// A line of text on paper; the point is the middle of its height.
+struct PlacedText {
+    Text text;
+    double x = 0.0;  // [mm]
+    double y = 0.0;  // [mm]
+    Align align = Align::left;
+    double size = 8.0;  // [pt]
+    Colour colour;
+    enum class Turn { none, quarter } turn = Turn::none;
+};
+
+/// Where one panel stands, with the ticks of its axes.
+struct PlacedPanel {
+    Rectangle area;  // inside the axis lines
+    TickSet x;
+    TickSet y;
+};
+
+/// A sample of the legend; its text is among the layout's texts.
+struct PlacedSample {
+    Rectangle area;
+    std::variant<Fill, Stroke, Points> sample;
+};
+
+/// Where everything of a scene stands on paper.
+struct Layout {
+    std::vector<PlacedPanel> panels;        // as in the scene
+    std::optional<PlacedPanel> colour_bar;  // its y ticks stand on the right
+    std::vector<PlacedText> texts;          // titles, caption, numbers and titles of the axes, legend
+    std::vector<PlacedSample> samples;
+};
+
+/// Arranges a scene: panels of one column share their left and right ends, panels of one row their upper and lower
+/// ends, whatever numbers stand beside them. A pure function of the scene.
+Layout arrange(const Scene& scene);
+
+}  // namespace stridor::drawing

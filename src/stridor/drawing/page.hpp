@@ -1,0 +1,54 @@
+#pragma once
+
+#include "stridor/drawing/layout.hpp"
+#include "stridor/drawing/texture.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+
+namespace stridor::drawing {
+
+enum class Format { png, svg, pdf };
+
+/// Dots per inch of PNG files; SVG and PDF have none.
+inline constexpr double png_resolution = 200.0;
+
+enum class LineEnd { butt, round };
+
+/// A sheet of paper that takes ink, by cairo. Places are in mm from its lower left corner, widths of lines and marks in
+/// pt. What is drawn later covers what was drawn before.
+class Page {
+public:
+    /// A white page. `title` is what a reader of the file calls it: a PNG has none.
+    Page(double width, double height, Format format, std::string_view title);
+    ~Page();
+    Page(const Page&) = delete;
+    Page& operator=(const Page&) = delete;
+
+    void fill(std::span<const Rectangle> areas, Colour colour);
+    void fill(const Rectangle& area, Colour colour) { fill({&area, 1}, colour); }
+    void curve(std::span<const Dot> points, const Stroke& stroke, LineEnd end = LineEnd::round);
+    void segments(std::span<const Segment> lines, const Stroke& stroke);
+    void outline(const Rectangle& area, const Stroke& stroke);
+
+    /// Marks of one diameter [pt], all in one colour.
+    void marks(std::span<const Dot> middles, Mark mark, double diameter, Colour colour);
+
+    void text(const PlacedText& placed);
+
+    /// Until the matching `end_clip` nothing is drawn outside of the area.
+    void begin_clip(const Rectangle& area);
+    void end_clip();
+
+    /// The bytes of the file; nothing is drawn after it. The same drawing gives the same bytes.
+    ///
+    /// Throws `Error` (io) where memory ran out or the page is too large for its format.
+    std::string finished();
+
+private:
+    struct Surface;
+    std::unique_ptr<Surface> surface_;
+};
+
+}  // namespace stridor::drawing

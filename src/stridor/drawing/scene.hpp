@@ -1,0 +1,215 @@
+#pragma once
+
+#include "stridor/drawing/text.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// A scene says what a figure shows, in data units, and knows neither where the data came from nor who draws it.
+///
+/// A figure is one function that builds a scene. Panels stand in a grid of rows and columns; their layers are drawn in
+/// order, later ones over earlier ones. Lengths on paper are in mm, text sizes and line widths in pt.
+namespace stridor::drawing {
+
+inline constexpr double millimetres_per_point = 25.4 / 72.0;
+
+struct Colour {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    bool operator==(const Colour&) const = default;
+};
+
+/// A pattern over a fill: the second channel beside colour, so that a figure can be read in grey.
+enum class Texture { none, dots, rising, falling, crossed };
+
+/// How an area is filled. A texture is drawn in `ink` over the colour.
+struct Fill {
+    Colour colour{255, 255, 255};
+    Texture texture = Texture::none;
+    Colour ink;
+    bool operator==(const Fill&) const = default;
+};
+
+enum class Dash { solid, dashed, dotted };
+
+struct Stroke {
+    Colour colour;
+    double width = 0.8;  // [pt]
+    Dash dash = Dash::solid;
+};
+
+/// An interval of an axis, in its data units.
+struct Range {
+    double from = 0.0;
+    double to = 1.0;
+    bool operator==(const Range&) const = default;
+};
+
+enum class AxisScale { linear, logarithmic };
+
+enum class TickSize { major, minor };
+
+struct Tick {
+    double value = 0.0;
+    Text label;
+    TickSize size = TickSize::major;
+};
+
+/// Do an axis' numbers and title stand beside it, or does a neighbour panel carry them?
+enum class AxisText { shown, hidden };
+
+struct Axis {
+    Text label;        // "preload F", without its unit
+    std::string unit;  // as in the field table: "m/s^2", "1"
+    AxisScale scale = AxisScale::linear;
+    Range range;
+    std::vector<Tick> ticks;  // empty: chosen by the range and the axis' length
+    AxisText text = AxisText::shown;
+};
+
+/// A line through points; a NaN parts it. May have as many points as a simulation has steps: it is reduced to the
+/// extremes of each pixel column when drawn.
+struct Line {
+    std::vector<double> x;  // shape [point]
+    std::vector<double> y;  // shape [point]
+    Stroke stroke;
+};
+
+/// The shape of a point: a second channel beside its colour.
+enum class Mark { disc, square, triangle, diamond, nabla, cross };
+
+/// Points, without a line.
+struct Points {
+    std::vector<double> x;  // shape [point]
+    std::vector<double> y;  // shape [point]
+    Colour colour;
+    double diameter = 2.0;      // [pt]
+    std::optional<Colour> rim;  // of a ring around each, half as thick as the disc, that shows it on any ground
+    Mark mark = Mark::disc;
+    std::optional<Colour> outline{};  // a thin line around each
+};
+
+/// States over time, one row per state: row r fills y from r + 0.1 to r + 0.9.
+///
+/// Where intervals are shorter than a pixel column the shade tells the share of time spent in the state; however short,
+/// an interval never vanishes.
+struct Strip {
+    struct Interval {
+        double from = 0.0;
+        double to = 0.0;
+        std::size_t row = 0;
+    };
+    std::vector<Interval> intervals;
+    std::vector<Colour> rows;  // shape [row]
+};
+
+/// An axis-parallel rectangle in data units.
+struct Box {
+    Range x;
+    Range y;
+};
+
+/// Filled rectangles.
+struct Boxes {
+    std::vector<Box> boxes;
+    Fill fill;
+};
+
+/// Cells of a map with one kind each out of a list of fills.
+struct CategoryCells {
+    std::vector<double> x_edges;       // rising, shape [column + 1]
+    std::vector<double> y_edges;       // rising, shape [row + 1]
+    std::vector<std::uint16_t> kinds;  // index into fills, shape [row][column]
+    std::vector<Fill> fills;
+};
+
+/// A quantity's colours: the sequential map stretched over a range; values beyond it take the end's colour.
+struct ColourScale {
+    Range range;
+    AxisScale scale = AxisScale::linear;
+};
+
+/// Cells of a map with one value each; a cell without a number is filled with `missing`.
+struct ValueCells {
+    std::vector<double> x_edges;  // rising, shape [column + 1]
+    std::vector<double> y_edges;  // rising, shape [row + 1]
+    std::vector<double> values;   // shape [row][column]
+    ColourScale colours;
+    Fill missing;
+};
+
+/// Where a note's position is counted: in data units, or as shares of the panel from its lower left corner.
+enum class Anchor { data, panel };
+enum class Align { left, centre, right };
+
+/// A piece of text in a panel, over all other layers.
+struct Note {
+    Text text;
+    double x = 0.0;
+    double y = 0.0;
+    Anchor anchor = Anchor::data;
+    Align align = Align::left;
+    Colour colour;
+    double size = 0.0;             // [pt] 0: the scene's
+    std::optional<Colour> ground;  // of a patch under the letters, to keep textures away from them
+};
+
+enum class Orientation { vertical, horizontal };
+
+/// A straight line across the whole panel at one value.
+struct Rule {
+    double value = 0.0;
+    Orientation orientation = Orientation::vertical;
+    Stroke stroke;
+};
+
+using Layer = std::variant<Line, Points, Strip, Boxes, CategoryCells, ValueCells, Note, Rule>;
+
+/// What surrounds a panel: two axis lines for curves, a closed frame for maps and strips.
+enum class Frame { open, closed };
+enum class Grid { none, vertical, both };
+
+struct Panel {
+    Text title;
+    std::size_t row = 0;     // from the top
+    std::size_t column = 0;  // from the left
+    Axis x;
+    Axis y;
+    Frame frame = Frame::open;
+    Grid grid = Grid::none;
+    std::vector<Layer> layers;
+};
+
+/// One entry of the legend below the panels.
+struct LegendEntry {
+    Text text;
+    std::variant<Fill, Stroke, Points> sample;  // of points one is shown, wherever they stand
+};
+
+/// The scale of a quantity's colours, right of all panels or of one row of them.
+struct ColourBar {
+    Text label;
+    std::string unit;
+    ColourScale colours;
+    std::optional<std::size_t> row{};  // beside this row of panels only
+};
+
+struct Scene {
+    Text title;
+    std::vector<Text> caption;               // paragraphs below the title, each wrapped to the width
+    double width = 170.0;                    // [mm] the text width of a two-column paper
+    double height = 100.0;                   // [mm]
+    double font_size = 8.0;                  // [pt]
+    std::vector<double> column_widths{1.0};  // relative, shape [column]
+    std::vector<double> row_heights{1.0};    // relative, shape [row]
+    std::vector<Panel> panels;
+    std::vector<LegendEntry> legend;
+    std::optional<ColourBar> colour_bar;
+};
+
+}  // namespace stridor::drawing

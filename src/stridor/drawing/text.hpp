@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::drawing {
+
+/// How a stretch of text is set.
+enum class TextStyle { plain, italic, bold, subscript, superscript };
+
+/// A stretch of UTF-8 text in one style.
+struct TextRun {
+    std::string text;
+    TextStyle style = TextStyle::plain;
+    bool operator==(const TextRun&) const = default;
+};
+
+/// Text of a scene. What comes from a user is taken literally ("mu_d" stays "mu_d"): subscripts and italics exist only
+/// where code asks for them, with `symbol` and `unit_text`.
+struct Text {
+    std::vector<TextRun> runs;
+
+    Text() = default;
+    Text(const char* literal);
+    Text(std::string_view literal);
+    Text(const std::string& literal);
+    Text(std::string_view literal, TextStyle style);
+    bool operator==(const Text&) const = default;
+};
+
+Text operator+(Text left, const Text& right);
+
+bool is_empty(const Text& text);
+
+/// The characters alone, without styles.
+std::string plain_text(const Text& text);
+
+/// A symbol of the field table as it is printed: "mu_d" as an italic mu with subscript d, "k1i",
+/// "m1", "A_exc" likewise.
+Text symbol(std::string_view name);
+
+/// A unit as it is printed: "m/s^2" with its superscript, "N*s/m" with a centred dot,
+/// "deg" as a degree sign, "1" as nothing.
+Text unit_text(std::string_view unit);
+
+/// A number as it is printed, with six digits: "0.004", "10" with its power where it is very small or large.
+Text number_text(double value);
+
+}  // namespace stridor::drawing

@@ -1,0 +1,52 @@
+#include "stridor/figures/contact_states.hpp"
+
+#include "stridor/drawing/palette.hpp"
+#include "stridor/figures/category_colours.hpp"
+#include "stridor/figures/field_axis.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace stridor::figures {
+
+drawing::Panel state_panel(const record::ContactHistory& history, const drawing::Range& time) {
+    using model::ContactState;
+    drawing::Panel panel;
+    panel.frame = drawing::Frame::open;
+    panel.x.label = drawing::Text("time ") + drawing::symbol("t");
+    panel.x.unit = "s";
+    panel.x.range = time;
+    panel.y.range = {0.0, model::contact_states};
+    drawing::Strip strip;
+    for (const ContactState state : {ContactState::slip, ContactState::stick, ContactState::separation}) {
+        const std::size_t row = model::index_of(state);
+        panel.y.ticks.push_back(
+            {static_cast<double>(row) + 0.5, model::contact_state_names[row], drawing::TickSize::major});
+        strip.rows.push_back(state_colour(state));
+    }
+    for (const record::ContactInterval& interval : history)
+        strip.intervals.push_back({interval.from, interval.to, model::index_of(interval.state)});
+    panel.layers.emplace_back(std::move(strip));
+    return panel;
+}
+
+drawing::Scene contact_states(std::span<const StatesOfCase> cases, const drawing::Range& time) {
+    constexpr std::array<std::string_view, 5> told{"joint.incidence_angle", "contact.kinetic_friction",
+                                                   "contact.static_friction", "contact.preload", "drive.velocity"};
+    drawing::Scene scene;
+    scene.title = "Contact states over time";
+    scene.caption = {"Pale lines: stays shorter than their line is wide."};
+    scene.row_heights.assign(std::max<std::size_t>(1, cases.size()), 1.0);
+    scene.height = 28.0 + 23.0 * static_cast<double>(cases.size());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        drawing::Panel panel = state_panel(cases[i].history, time);
+        panel.title = lettered(i, drawing::Text(cases[i].name) + ": " + settings(cases[i].c, told));
+        panel.row = i;
+        // the time axis stands once, below all
+        if (i + 1 < cases.size()) panel.x.text = drawing::AxisText::hidden;
+        scene.panels.push_back(std::move(panel));
+    }
+    return scene;
+}
+
+}  // namespace stridor::figures

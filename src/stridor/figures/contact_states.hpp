@@ -1,0 +1,26 @@
+#pragma once
+
+#include "stridor/drawing/scene.hpp"
+#include "stridor/parameters/case.hpp"
+#include "stridor/record/contact_history.hpp"
+
+#include <span>
+#include <string>
+
+namespace stridor::figures {
+
+/// One run's contact states with the words above them.
+struct StatesOfCase {
+    std::string name;  // "squeal"
+    parameters::Case c;
+    record::ContactHistory history;
+};
+
+/// Contact states over time, a panel per case, over one stretch of time [s] (Elmaian et al. 2012, Figure 7). Above each
+/// panel stand the case's name and parameters.
+drawing::Scene contact_states(std::span<const StatesOfCase> cases, const drawing::Range& time);
+
+/// A panel with the three rows slip, stick and separation; its x axis is time over a range [s].
+drawing::Panel state_panel(const record::ContactHistory& history, const drawing::Range& time);
+
+}  // namespace stridor::figures

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "stridor/hearing/hearing.hpp"
+#include "stridor/storage/kept_results.hpp"
+#include "stridor/sweep/run.hpp"
+#include "stridor/sweep/study.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace stridor::hearing {
+
+struct HearingOptions {
+    HearingSettings settings{};
+    std::size_t perturb_every = 7;  // [1] every so many runs' sounds are perturbed too; 0: none are
+    int threads = 0;                // [1] 0: one per processor this process may use
+    std::stop_token stop{};
+    storage::KeptResults* kept =
+        nullptr;  // where runs are kept by their first index, if anywhere; must outlive the hearing
+    std::function<void(const sweep::Progress&)>
+        progress{};  // called from the caller's thread, at most ten times a second
+};
+
+/// All that decides what is heard of a study, as text: for what is kept of it.
+std::string heard_text(const sweep::Study& study, const HearingOptions& options);
+
+/// Judges every cell of a study by its contact states and by ear; in index order, empty if it was stopped. What is kept
+/// is not heard again.
+///
+/// The same result for any number of threads. A study's refinement is not looked at: every cell is heard. Throws
+/// `Error` (input) for a study with several starts, of which one could be heard only, and what `check_audible` throws.
+std::vector<HeardSound> hear(const sweep::Study& study, const HearingOptions& options);
+
+}  // namespace stridor::hearing

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "stridor/classification/sound_verdict.hpp"
+#include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/sound_thresholds.hpp"
+#include "stridor/signal/signal.hpp"
+#include "stridor/sound/auralisation.hpp"
+#include "stridor/sound/features.hpp"
+#include "stridor/sweep/evaluate.hpp"
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+/// The sound of a simulated motion, in memory: what the cells of a chart are judged by ear from.
+namespace stridor::hearing {
+
+/// A motion that nowhere exceeds this is rounding, and silence [m/s], [m/s^2].
+inline constexpr double least_motion = 1e-9;
+
+/// The stretches of a case's motion that are listened to: the window its rates are made from, and of it the phases of a
+/// direction. None if the drive never moves that way in the window, or the case is invalid.
+std::vector<sound::Stretch> heard_stretches(const parameters::Case& c, parameters::Direction direction);
+
+/// Throws `Error` (input) for a case whose motion cannot be sampled densely enough for such a sound
+/// (beta_2 with long steps).
+void check_audible(const parameters::Case& c, const sound::AuralisationSettings& settings);
+
+/// A run, and what of it is heard.
+struct RunSound {
+    sweep::Attempt attempt;
+    std::vector<signal::Signal> parts{};  // [m/s or m/s^2] shape [settings.stretches]; none unless the run is done
+};
+
+/// Runs a case and makes a sound of each of the stretches by itself, faded as the settings say; they may overlap.
+/// Without stretches the whole run is the one part. Nothing if it was stopped.
+///
+/// The motion is listened to from 0.1 s before the first stretch on, in which the high pass at 20 Hz forgets how it
+/// began. A stretch whose motion nowhere exceeds `least_motion` is made silent. What goes wrong with the physics or the
+/// numbers is the attempt's status; throws what `check_audible` throws.
+std::optional<RunSound> sound_of_run(const parameters::Case& c, const sound::AuralisationSettings& settings,
+                                     const std::stop_token& stop, integration::Workspace& workspace);
+
+/// The sound of a case [m/s or m/s^2]: the stretches of the settings (`heard_stretches` gives those of a direction) one
+/// after the other, each faded in and out, or the whole run. It stands in memory: eight bytes per sample of the run.
+/// For more seconds than the case lasts, give it a longer `run.duration` and `run.window`.
+///
+/// Throws `Error`: input for an invalid case and what `check_audible` throws, numerical for a run without a result,
+/// interrupted if it was stopped.
+signal::Signal sound_of_case(const parameters::Case& c, const sound::AuralisationSettings& settings,
+                             const std::stop_token& stop = {});
+
+/// Parts of a sound put one after the other; there is at least one.
+signal::Signal joined(std::span<const signal::Signal> parts);
+
+/// What a sound is by ear.
+struct HeardVerdict {
+    std::vector<sound::SoundStretch> stretches{};
+    classification::RecordingVerdict verdict{};
+};
+
+/// Judges a sound from its parts, each described by itself, so that no splice between them is heard.
+HeardVerdict judged(std::span<const signal::Signal> parts, const parameters::SoundThresholds& thresholds);
+
+}  // namespace stridor::hearing

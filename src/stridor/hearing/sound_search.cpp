@@ -1,0 +1,207 @@
+#include "stridor/hearing/sound_search.hpp"
+
+#include "stridor/hearing/heard_text.hpp"
+#include "stridor/hearing/hearing_run.hpp"
+#include "stridor/sweep/fork_join.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace stridor::hearing {
+
+namespace {
+
+constexpr std::size_t least_front = 12;  // [1] best cells whose neighbours are looked at
+
+// 0, stride, 2 stride, ..., and the last point
+std::vector<int> grid_points(int points, int stride) {
+    std::vector<int> indices;
+    for (int index = 0; index < points - 1; index += stride)
+        indices.push_back(index);
+    indices.push_back(points - 1);
+    return indices;
+}
+
+class Search {
+public:
+    Search(const sweep::Study& study, const classification::SoundProfile& recording, const CellListening& listening,
+           const SoundSearch& options)
+        : study_(study),
+          recording_(recording),
+          listening_(listening),
+          options_(options),
+          is_taken_(options.ruled_out) {
+        is_taken_.resize(sweep::cell_count(study), false);
+    }
+
+    SoundSearchResult result() && {
+        int stride = first_stride();
+        std::vector<std::size_t> asked = grid(stride);
+        while (!asked.empty() && !options_.stop.stop_requested()) {
+            listen(asked);
+            stride = std::max(1, stride / 2);
+            asked = neighbours(stride);
+            // nothing new at this distance: nearer still
+            while (asked.empty() && stride > 1) {
+                stride /= 2;
+                asked = neighbours(stride);
+            }
+        }
+        SoundSearchResult result;
+        result.heard = done_;
+        result.without_result = without_result_;
+        result.ruled_out =
+            static_cast<std::size_t>(std::count(options_.ruled_out.begin(), options_.ruled_out.end(), true));
+        result.is_stopped = options_.stop.stop_requested();
+        known_.resize(std::min(known_.size(), options_.keep));
+        result.best = std::move(known_);
+        return result;
+    }
+
+private:
+    const sweep::Study& study_;
+    const classification::SoundProfile& recording_;
+    const CellListening& listening_;
+    const SoundSearch& options_;
+    std::vector<bool> is_taken_;       // listened to, asked for or ruled out
+    std::vector<SoundMatch> known_{};  // nearest first; as many as anyone will ask for
+    std::size_t done_ = 0;
+    std::size_t kept_ = 0;  // of these, by an earlier run
+    std::size_t asked_ = 0;
+    std::size_t without_result_ = 0;
+    std::mutex mutex_{};  // guards done_ and kept_ while threads run
+
+    std::size_t front() const { return std::max(least_front, options_.keep); }
+
+    int first_stride() const {
+        int stride = 1;
+        if (options_.extent == Extent::every) return stride;
+        const auto cells = [&] {
+            return grid_points(study_.x.points, stride).size() * grid_points(study_.y.points, stride).size() *
+                   study_.directions.size();
+        };
+        while (cells() > options_.first_grid && stride < sweep::most_points)
+            stride *= 2;
+        return stride;
+    }
+
+    void ask(std::vector<std::size_t>& asked, const sweep::CellPlace& place) {
+        const std::size_t index = sweep::index_of(study_, place);
+        if (is_taken_[index]) return;
+        is_taken_[index] = true;
+        asked.push_back(index);
+    }
+
+    std::vector<std::size_t> grid(int stride) {
+        std::vector<std::size_t> asked;
+        for (std::size_t direction = 0; direction < study_.directions.size(); ++direction)
+            for (const int iy : grid_points(study_.y.points, stride))
+                for (const int ix : grid_points(study_.x.points, stride))
+                    ask(asked, {direction, iy, ix, 0});
+        return asked;
+    }
+
+    std::vector<std::size_t> neighbours(int stride) {
+        std::vector<std::size_t> asked;
+        for (std::size_t k = 0; k < std::min(front(), known_.size()); ++k) {
+            const sweep::CellPlace centre = sweep::place_of(study_, known_[k].cell.index);
+            for (const int dy : {-stride, 0, stride})
+                for (const int dx : {-stride, 0, stride})
+                    ask(asked, {centre.direction, std::clamp(centre.iy + dy, 0, study_.y.points - 1),
+                                std::clamp(centre.ix + dx, 0, study_.x.points - 1), 0});
+        }
+        return asked;
+    }
+
+    void count(bool was_kept) {
+        const std::lock_guard lock(mutex_);
+        ++done_;
+        if (was_kept) ++kept_;
+        if (options_.progress) options_.progress({done_, kept_, asked_});
+    }
+
+    // nothing if it was not listened to before
+    std::optional<CellSound> kept(std::size_t index) const {
+        if (options_.kept == nullptr) return std::nullopt;
+        const std::optional<std::string> text = options_.kept->find(index);
+        std::optional<CellSound> sound = text ? unpacked_cell_sound(*text) : std::nullopt;
+        return sound && sound->index == index ? std::move(sound) : std::nullopt;
+    }
+
+    std::optional<CellSound> sound_of(std::size_t index, integration::Workspace& workspace) {
+        std::optional<CellSound> sound = kept(index);
+        const bool was_kept = sound.has_value();
+        if (!was_kept) sound = sound_of_cell(study_, index, listening_, options_.stop, workspace);
+        if (!was_kept && sound && options_.kept != nullptr) options_.kept->keep(index, packed(*sound));
+        count(was_kept);
+        return sound;
+    }
+
+    void listen(const std::vector<std::size_t>& asked) {
+        namespace tbb = oneapi::tbb;
+        asked_ += asked.size();
+        std::vector<std::optional<CellSound>> sounds(asked.size());
+        const int threads = options_.threads > 0 ? options_.threads : tbb::info::default_concurrency();
+        tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+        tbb::task_arena arena(threads);
+        tbb::enumerable_thread_specific<integration::Workspace> workspaces;
+        using Range = tbb::blocked_range<std::size_t>;
+        const sweep::ForkJoin all;
+        const auto listen_to = [&](const Range& range) {
+            const sweep::ForkJoin::Task task;
+            for (std::size_t k = range.begin(); k < range.end() && !options_.stop.stop_requested(); ++k) {
+                sounds[k] = sound_of(asked[k], workspaces.local());
+            }
+        };
+        arena.execute([&] { tbb::parallel_for(Range(0, asked.size(), 1), listen_to, tbb::simple_partitioner()); });
+        all.join();
+        for (std::optional<CellSound>& sound : sounds)
+            if (sound) take(std::move(*sound));
+        sort();
+    }
+
+    void take(CellSound sound) {
+        if (sound.status != sweep::Status::done) {
+            ++without_result_;
+            return;
+        }
+        classification::Likeness likeness = classification::likeness(recording_, sound.profile, options_.level);
+        known_.push_back({std::move(sound), std::move(likeness)});
+    }
+
+    void sort() {
+        std::sort(known_.begin(), known_.end(), [](const SoundMatch& a, const SoundMatch& b) {
+            if (a.likeness.distance != b.likeness.distance) return a.likeness.distance < b.likeness.distance;
+            return a.cell.index < b.cell.index;
+        });
+        known_.resize(std::min(known_.size(), front()));
+    }
+};
+
+}  // namespace
+
+std::string listening_text(const sweep::Study& study, const CellListening& listening) {
+    // a cell sounds as `hear` hears it, without what is done to its sound there
+    HearingOptions options;
+    options.settings.sound = listening.sound;
+    options.settings.thresholds = listening.thresholds;
+    options.perturb_every = 0;
+    return "cells\n" + heard_text(study, options);
+}
+
+SoundSearchResult search(const sweep::Study& study, const classification::SoundProfile& recording,
+                         const CellListening& listening, const SoundSearch& options) {
+    return Search(study, recording, listening, options).result();
+}
+
+}  // namespace stridor::hearing

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "stridor/hearing/cell_sound.hpp"
+#include "stridor/storage/kept_results.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+/// Which cells of a chart sound most like a recording.
+///
+/// A chart of few cells is listened to whole. Of a larger one every n-th point of both axes is first, the ends
+/// included; then, with n halved again and again down to 1, the neighbours of the best cells so far, until those of all
+/// best ones are known. A small region between the points of the first grid may be missed: `Extent::every` listens to
+/// all. What is listened to follows from the chart and the recording alone, never from threads.
+namespace stridor::hearing {
+
+enum class Extent { search, every };
+
+/// How far a search is.
+struct SearchProgress {
+    std::size_t done = 0;    // [1] cells listened to
+    std::size_t before = 0;  // [1] of them, those that were kept by an earlier run
+    std::size_t known = 0;   // [1] cells asked for so far: more follow from what they sound like
+};
+
+struct SoundSearch {
+    Extent extent = Extent::search;
+    std::size_t keep = 5;          // [1] of the best cells
+    std::size_t first_grid = 400;  // [1] most cells of the first grid
+    classification::LevelUse level = classification::LevelUse::ignored;
+    std::vector<bool> ruled_out{};  // cells that are not listened to, shape [cell]; empty: none
+    int threads = 0;                // 0: one per processor this process may use
+    std::stop_token stop{};
+    storage::KeptResults* kept = nullptr;  // where cells are kept by their index, if anywhere; must outlive the search
+    std::function<void(const SearchProgress&)> progress{};  // from any thread, one at a time
+};
+
+/// A cell beside the recording. In `likeness` the recording is the first, the cell the second.
+struct SoundMatch {
+    CellSound cell{};
+    classification::Likeness likeness{};
+};
+
+struct SoundSearchResult {
+    std::vector<SoundMatch> best{};  // nearest first, of equals the one with the lower index
+    std::size_t heard = 0;           // [1] cells listened to
+    std::size_t without_result = 0;  // [1] of them, those that are not done
+    std::size_t ruled_out = 0;       // [1]
+    bool is_stopped = false;         // then nothing of the rest is complete
+};
+
+/// All that decides what the cells of a study sound like, as text: for what is kept of them.
+std::string listening_text(const sweep::Study& study, const CellListening& listening);
+
+/// Finds the cells nearest to a profile. What is kept is not listened to again.
+SoundSearchResult search(const sweep::Study& study, const classification::SoundProfile& recording,
+                         const CellListening& listening, const SoundSearch& options);
+
+}  // namespace stridor::hearing

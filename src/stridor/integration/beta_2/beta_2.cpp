@@ -1,0 +1,406 @@
+// The beta_2 scheme (explicit Newmark, beta = 0, gamma = beta_2) with the damping solved, not lagged:
+//
+//     pₙ = vₙ₋₁ + h (1 - β) aₙ₋₁
+//     (M + β h C) aₙ = f - K uₙ - C pₙ + n N + t T
+//     vₙ = pₙ + β h aₙ
+//     uₙ₊₁ = uₙ + h pₙ + (β + 1/2) h² aₙ
+//
+// Eliminating v gives pₙ₊₁ = pₙ + h aₙ: the state is (u, p). With A = M + β h C and s = (β + 1/2) h² the contact forces
+// move the end of the step by s A⁻¹ (n N + t T). Free predictor u*: gap n.u* > 0 is separation. Else the stick trial:
+// n.uₙ₊₁ = 0 and t.(uₙ₊₁ - uₙ) = x2ₙ₊₁ - x2ₙ; if the law of friction holds it sticks,
+// else T is its share of N and N closes the gap.
+//
+// Energy: ½ p.M p + ½ uₙ.K (uₙ - h pₙ) changes over a step by exactly h vₙ.(f0 + n N + t T - C vₙ) when β = 1/2.
+
+#include "stridor/integration/beta_2/beta_2.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/integration/energy_held.hpp"
+#include "stridor/integration/sticking.hpp"
+#include "stridor/model/contact_forces.hpp"
+#include "stridor/model/frequencies.hpp"
+#include "stridor/model/sized_structure.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace stridor::integration {
+
+namespace {
+
+using model::ContactState;
+using model::SizedStructure;
+
+// so often a run looks for a stop request and for numbers that left double precision: a tenth of a millisecond
+constexpr long steps_between_checks = 4096;
+// [1] of the turnover: 5e-10 in thousands of steps; a rounding error of the energy held in each of 1e9 steps makes 1e-7
+constexpr double most_unexplained = 1e-6;
+// above 1/2 beta_2 damps by intent, of first order in the step: its residual is a figure to read, not a check
+constexpr double everything = 1.0;
+
+// the law of friction for a contact that slips, or would, one way
+struct SlipLaw {
+    double limit;      // [1] of the stick
+    double ratio;      // [1] T/N
+    double stiffness;  // [N/m] of the gap
+};
+
+// what a step needs and never changes
+template <int dofs>
+struct Coefficients {
+    using Vector = typename SizedStructure<dofs>::Vector;
+    using Matrix = typename SizedStructure<dofs>::Matrix;
+
+    double h;              // [s]
+    double end_of_step;    // [s^2] s
+    double half_velocity;  // [s] beta h: v = p + beta h a
+    Matrix from_u;         // -A⁻¹ K
+    Matrix from_p;         // -A⁻¹ C
+    Vector from_load;      // A⁻¹ f0
+    Vector from_normal;    // A⁻¹ n
+    Vector from_tangent;   // A⁻¹ t
+    Vector normal;         // n
+    Vector tangent;        // t
+    // inverse of the 2 by 2 compliance s [n t]ᵀ A⁻¹ [n t]
+    double stick_nn, stick_nt, stick_tt;  // [N/m]
+    std::array<SlipLaw, 2> slip;          // shape [slip]
+    Matrix damping;                       // C
+    Vector load;                          // f0
+};
+
+template <int dofs>
+Coefficients<dofs> prepare(const SizedStructure<dofs>& structure, const model::FrictionLaw& friction,
+                           const Beta2& settings) {
+    Coefficients<dofs> c;
+    const double h = settings.step;
+    c.h = h;
+    c.end_of_step = (settings.beta_2 + 0.5) * h * h;
+    c.half_velocity = settings.beta_2 * h;
+    const typename SizedStructure<dofs>::Matrix effective_mass =
+        structure.mass + settings.beta_2 * h * structure.damping;
+    const typename SizedStructure<dofs>::Matrix inverse = effective_mass.inverse();
+    c.from_u = -(inverse * structure.stiffness);
+    c.from_p = -(inverse * structure.damping);
+    c.from_load = inverse * structure.load;
+    c.from_normal = inverse * structure.normal;
+    c.from_tangent = inverse * structure.tangent;
+    c.normal = structure.normal;
+    c.tangent = structure.tangent;
+    c.damping = structure.damping;
+    c.load = structure.load;
+
+    const double nn = structure.normal.dot(c.from_normal);
+    const double nt = structure.normal.dot(c.from_tangent);
+    const double tt = structure.tangent.dot(c.from_tangent);
+    model::require_no_painleve(nn, nt, friction);
+    const double determinant = c.end_of_step * (nn * tt - nt * nt);
+    c.stick_nn = tt / determinant;
+    c.stick_nt = -nt / determinant;
+    c.stick_tt = nn / determinant;
+    for (const model::Slip way : model::slips) {
+        const double ratio = slip_ratio(friction, way);
+        c.slip[index_of(way)] = {stick_limit(friction, way), ratio, 1.0 / (c.end_of_step * (nn + ratio * nt))};
+    }
+    return c;
+}
+
+// the moving part of a run
+template <int dofs>
+struct State {
+    typename SizedStructure<dofs>::Vector u;  // [m]
+    typename SizedStructure<dofs>::Vector p;  // [m/s]
+    double last_increment = 0.0;              // [m] of the plate, the step before
+    ContactState contact = ContactState::slip;
+    bool has_contact = false;  // false until the first step
+};
+
+// what one step computed at its beginning, time n h
+template <int dofs>
+struct Step {
+    typename SizedStructure<dofs>::Vector velocity;      // [m/s] vₙ
+    typename SizedStructure<dofs>::Vector acceleration;  // [m/s^2] aₙ
+    double normal_force = 0.0;                           // [N]
+    double friction_force = 0.0;                         // [N]
+    ContactState contact = ContactState::separation;
+};
+
+template <int dofs>
+inline Step<dofs> step(const Coefficients<dofs>& c, State<dofs>& state, double increment) {
+    using Vector = typename SizedStructure<dofs>::Vector;
+    Step<dofs> now;
+    const Vector free_acceleration = c.from_load + c.from_u * state.u + c.from_p * state.p;
+    const Vector moved = state.u + c.h * state.p;
+    const Vector predicted = moved + c.end_of_step * free_acceleration;
+    const double gap = c.normal.dot(predicted);
+    now.acceleration = free_acceleration;
+    if (gap <= 0.0) {
+        const double sliding = increment - c.tangent.dot(predicted - state.u);
+        const double stick_normal = c.stick_nt * sliding - c.stick_nn * gap;
+        const double stick_friction = c.stick_tt * sliding - c.stick_nt * gap;
+        const SlipLaw& law = c.slip[index_of(model::slip_against(stick_friction))];
+        if (std::abs(stick_friction) <= law.limit * stick_normal) {
+            now.contact = ContactState::stick;
+            now.normal_force = stick_normal;
+            now.friction_force = stick_friction;
+        } else {
+            now.contact = ContactState::slip;
+            now.normal_force = -gap * law.stiffness;
+            now.friction_force = law.ratio * now.normal_force;
+        }
+        now.acceleration += c.from_normal * now.normal_force + c.from_tangent * now.friction_force;
+    }
+    now.velocity = state.p + c.half_velocity * now.acceleration;
+    state.u = moved + c.end_of_step * now.acceleration;
+    state.p += c.h * now.acceleration;
+    return now;
+}
+
+// sums over steps, in the order of time
+template <int dofs>
+struct Work {
+    double preload = 0.0, drive = 0.0, dashpot = 0.0, friction = 0.0, impact = 0.0;  // [J/s], times h at the end
+};
+
+template <int dofs>
+double half_step_energy(const SizedStructure<dofs>& structure, const State<dofs>& state, double h) {
+    return 0.5 * state.p.dot(structure.mass * state.p) +
+           0.5 * state.u.dot(structure.stiffness * (state.u - h * state.p));
+}
+
+template <int dofs>
+void store_sample(record::Trace& trace, const Step<dofs>& now,
+                  const typename SizedStructure<dofs>::Vector& displacement, double time, double surface_velocity,
+                  double gap) {
+    trace.time.push_back(time);
+    for (Eigen::Index dof = 0; dof < displacement.size(); ++dof) {
+        const auto place = static_cast<std::size_t>(dof);
+        trace.displacement[place].push_back(displacement(dof));
+        trace.velocity[place].push_back(now.velocity(dof));
+        trace.acceleration[place].push_back(now.acceleration(dof));
+    }
+    trace.surface_velocity.push_back(surface_velocity);
+    trace.normal_force.push_back(now.normal_force);
+    trace.friction_force.push_back(now.friction_force);
+    trace.gap.push_back(gap);
+    trace.state.push_back(now.contact);
+}
+
+// one run: the loop over blocks of steps between which something outside the motion happens
+template <int dofs>
+class Stepping {
+    using Vector = typename SizedStructure<dofs>::Vector;
+
+public:
+    Stepping(const model::Structure& structure, const model::ContactPoint& contact, const parameters::Drive& drive,
+             const Start& start, const Beta2& settings, record::Recorder& recorder)
+        : whole_(structure),
+          structure_(structure, contact),
+          coefficients_(prepare(structure_, contact.friction, settings)),
+          drive_settings_(drive),
+          drive_(drive, settings.step),
+          recorder_(recorder),
+          vibration_(static_cast<std::size_t>(structure_.load.size())),
+          far_(Vector::Zero(structure_.load.size())),
+          fast_(far_) {
+        const model::SurfaceMotion surface = drive_.at(0.0);
+        const InitialState initial = initial_state(structure, start, surface.velocity);
+        const model::Instant first = model::instant(structure, initial.displacement, initial.velocity, surface);
+        state_.u = initial.displacement;
+        // v₀ = p₀ + β h a₀ must be the given velocity
+        state_.p = initial.velocity - coefficients_.half_velocity * first.acceleration;
+        state_.last_increment = surface.velocity * settings.step;
+        initial_energy_ = half_step_energy(structure_, state_, settings.step);
+    }
+
+    Outcome run(const std::stop_token& stop);
+    EnergyBalance energy() const;
+    record::Outlook outlook(const Outcome& outcome) const;
+
+private:
+    long step_at(double time) const { return static_cast<long>(std::ceil(time / coefficients_.h - 1e-6)); }
+    void advance(long end);
+    void sample();
+    void note(const Step<dofs>& now, double increment);
+    void add_velocity(const typename SizedStructure<dofs>::Vector& velocity);
+    void look();
+    void widen_reach();
+    double held() const;
+
+    const model::Structure& whole_;
+    SizedStructure<dofs> structure_;  // the same
+    Coefficients<dofs> coefficients_;
+    const parameters::Drive& drive_settings_;
+    ImposedMotion drive_;
+    record::Recorder& recorder_;
+    State<dofs> state_;
+    Work<dofs> work_;
+    std::vector<record::Vibration> vibration_;  // shape [dof]
+    double initial_energy_ = 0.0;               // [J]
+    // largest that displacements and velocities have been at changes of state and ends of blocks
+    Vector far_;   // [m]
+    Vector fast_;  // [m/s]
+    long n_ = 0;   // number of the next step
+};
+
+template <int dofs>
+void Stepping<dofs>::note(const Step<dofs>& now, double increment) {
+    const double h = coefficients_.h;
+    const double surface_velocity = 0.5 * (increment + state_.last_increment) / h;
+    recorder_.enter({now.contact, static_cast<double>(n_) * h, 0.0,
+                     coefficients_.tangent.dot(now.velocity) - surface_velocity,
+                     coefficients_.normal.dot(now.velocity)});
+    state_.contact = now.contact;
+    state_.has_contact = true;
+    widen_reach();
+}
+
+template <int dofs>
+void Stepping<dofs>::widen_reach() {
+    far_ = far_.cwiseMax(state_.u.cwiseAbs());
+    fast_ = fast_.cwiseMax(state_.p.cwiseAbs());
+}
+
+// [J] as that of the exact engine: what rounding works on
+template <int dofs>
+double Stepping<dofs>::held() const {
+    return energy_held<dofs>(structure_, far_, fast_);
+}
+
+template <int dofs>
+inline void Stepping<dofs>::add_velocity(const typename SizedStructure<dofs>::Vector& velocity) {
+    for (Eigen::Index dof = 0; dof < velocity.size(); ++dof) {
+        record::Vibration& sum = vibration_[static_cast<std::size_t>(dof)];
+        const double square = velocity(dof) * velocity(dof);
+        sum.square_time += square;
+        if (dof > 1) sum.peak_square = std::max(sum.peak_square, square);
+    }
+    // the rubbing body moves in two directions
+    const double rubbing = velocity.template head<2>().squaredNorm();
+    vibration_[0].peak_square = vibration_[1].peak_square = std::max(vibration_[0].peak_square, rubbing);
+}
+
+// the velocities at this instant, the run itself not touched
+template <int dofs>
+void Stepping<dofs>::look() {
+    State<dofs> copy = state_;
+    add_velocity(step(coefficients_, copy, drive_.increment(n_)).velocity);
+}
+
+template <int dofs>
+void Stepping<dofs>::advance(long end) {
+    const Coefficients<dofs>& c = coefficients_;
+    const double per_step = 0.5 / c.h;
+    for (; n_ < end; ++n_) {
+        const double increment = drive_.increment(n_);
+        const Step<dofs> now = step(c, state_, increment);
+        if (now.contact != state_.contact || !state_.has_contact) note(now, increment);
+        const double surface_velocity = per_step * (increment + state_.last_increment);
+        const double along = c.tangent.dot(now.velocity);
+        work_.preload += c.load.dot(now.velocity);
+        work_.drive += now.friction_force * surface_velocity;
+        work_.friction += now.friction_force * (surface_velocity - along);
+        work_.impact -= now.normal_force * c.normal.dot(now.velocity);
+        work_.dashpot += now.velocity.dot(c.damping * now.velocity);
+        add_velocity(now.velocity);
+        state_.last_increment = increment;
+    }
+}
+
+// the state at this instant as a step from a copy sees it; the run itself is not touched
+template <int dofs>
+void Stepping<dofs>::sample() {
+    State<dofs> copy = state_;
+    const double time = static_cast<double>(n_) * coefficients_.h;
+    const Step<dofs> now = step(coefficients_, copy, drive_.increment(n_));
+    store_sample(recorder_.trace(), now, state_.u, time, drive_.at(time).velocity, coefficients_.normal.dot(state_.u));
+}
+
+template <int dofs>
+Outcome Stepping<dofs>::run(const std::stop_token& stop) {
+    const double h = coefficients_.h;
+    const std::vector<record::Span>& spans = recorder_.schedule().spans;
+    const record::TraceRequest& trace = recorder_.request().trace;
+    const long every = trace.interval > 0.0 ? std::max(1L, std::lround(std::min(trace.interval / h, 1e15))) : 0;
+    long next_sample = every > 0 ? step_at(trace.from) : -1;
+    const long last_sample = every > 0 ? step_at(trace.to) : -1;
+    for (std::size_t k = 0; k < spans.size(); ++k) {
+        const long span_begin = n_;
+        const long span_end = step_at(spans[k].to);
+        std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
+        while (n_ < span_end) {
+            long end = std::min(span_end, n_ + steps_between_checks);
+            if (next_sample >= n_ && next_sample <= last_sample) {
+                if (next_sample == n_) {
+                    sample();
+                    next_sample += every;
+                }
+                end = std::min(end, next_sample);
+            }
+            advance(end);
+            widen_reach();
+            const double time = static_cast<double>(n_) * h;
+            if (!state_.u.allFinite() || !state_.p.allFinite()) return {Reason::diverged, time};
+            if (stop.stop_requested()) return {Reason::cancelled, time};
+        }
+        const double length = n_ > span_begin ? static_cast<double>(n_ - span_begin) * h : spans[k].to - spans[k].from;
+        if (n_ == span_begin) look();  // a span between two steps has the velocities of the next one
+        for (record::Vibration& sum : vibration_)
+            sum.square_time *= n_ > span_begin ? h : length;
+        recorder_.vibrate(k, length, vibration_);
+    }
+    return {Reason::completed, static_cast<double>(n_) * h};
+}
+
+template <int dofs>
+EnergyBalance Stepping<dofs>::energy() const {
+    const double h = coefficients_.h;
+    EnergyBalance balance;
+    balance.stored = half_step_energy(structure_, state_, h) - initial_energy_;
+    balance.preload_work = h * work_.preload;
+    balance.drive_work = h * work_.drive;
+    balance.dashpot_loss = h * work_.dashpot;
+    balance.friction_loss = h * work_.friction;
+    balance.impact_loss = h * work_.impact;
+    balance.residual = unexplained(balance);
+    balance.held = held();
+    return balance;
+}
+
+template <int dofs>
+record::Outlook Stepping<dofs>::outlook(const Outcome& outcome) const {
+    if (outcome.reason != Reason::completed || state_.contact != ContactState::stick) return {};
+    const model::SurfaceMotion surface = drive_.at(outcome.time);
+    // p is the velocity half a step ago: what it misses of the vibration is far below any margin that proves something
+    return outlook_of_stick(whole_, drive_settings_,
+                            {state_.u, state_.p, surface.velocity, surface.acceleration, outcome.time});
+}
+
+}  // namespace
+
+double stable_step(double beta_2, double angular_frequency) {
+    return std::sqrt(2.0 / beta_2) / angular_frequency;
+}
+
+Motion integrate_beta_2(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
+                        const Beta2& settings, record::Recorder recorder, std::stop_token stop) {
+    const model::ContactPoint& contact = model::only_contact(structure, "the beta_2 engine");
+    if (!std::holds_alternative<model::Plastic>(contact.impact))
+        throw Error(ErrorKind::input,
+                    {"the beta_2 engine cannot solve this structure",
+                     "its impacts are what its steps make of them: plastic", "Use the exact engine."});
+    const double fastest = model::natural_frequencies(structure, ContactState::separation).back();
+    if (settings.step > stable_step(settings.beta_2, fastest))
+        return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
+    return model::with_size(model::dofs_of(structure), [&](auto size) -> Motion {
+        Stepping<size()> runner(structure, contact, drive, start, settings, recorder);
+        const Outcome outcome = runner.run(stop);
+        const EnergyBalance balance = runner.energy();
+        const double most = settings.beta_2 > 0.5 ? everything : most_unexplained;
+        return {weighed(outcome, balance, most), balance, recorder.finish(outcome.time, runner.outlook(outcome))};
+    });
+}
+
+}  // namespace stridor::integration

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "stridor/integration/energy_balance.hpp"
+#include "stridor/integration/exact/account.hpp"
+#include "stridor/integration/exact/contact_transition.hpp"
+#include "stridor/integration/exact/limit_cycle.hpp"
+#include "stridor/integration/exact/silence.hpp"
+#include "stridor/record/recorder.hpp"
+
+#include <cstddef>
+#include <stop_token>
+#include <vector>
+
+namespace stridor::integration {
+
+/// The contact state of a mode.
+model::ContactState contact_of(ContactMode mode);
+
+/// What the exact engine writes down: changes of state, integrals by span, samples that are due, where the energy went.
+///
+/// Time is only told, never kept here. A state that lasted no time was never there.
+class Logbook {
+public:
+    /// `knots` [s] are instants after 0 at which the engine must stop for reasons of its own, rising.
+    Logbook(record::Recorder& recorder, const Flows& flows, std::vector<double> knots);
+
+    enum class Stop { sample, knot, end_of_span };
+
+    bool is_full() const { return span_ == spans().size(); }  // all spans have ended
+    double end() const { return end_; }                       // [s] of the run
+    bool has_samples() const { return sample_ <= last_sample_; }
+    Stop next_stop() const;
+    double next_stop_time() const;  // [s]
+    void pass_sample() { ++sample_; }
+    void pass_knot() { ++knot_; }
+
+    Sums& full(ContactMode mode) { return account_.full[static_cast<int>(mode)]; }
+    Sums& part(ContactMode mode) { return account_.part[static_cast<int>(mode)]; }
+
+    /// The contact enters a state.
+    void enter(const Transition& next, double now);
+
+    /// Hands the integrals of the span that ends here to the recorder.
+    void end_span();
+
+    /// Clears the account, keeping its integrals for the span and the balance.
+    void bank();
+
+    /// Writes down the last state, if it has lasted.
+    void close(double now);
+
+    /// Losses and the drive's work so far; what is stored and the preload's work are left to the caller.
+    EnergyBalance losses() const;
+
+    /// Integrals since the account was last cleared.
+    Totals since_banked() const { return totals(flows_, account_); }
+
+    /// Fills the rest of the run with decaying slip from state `s` at `now` on.
+    void fill_with_silence(const Sliding& sliding, const Kernel& loops, Lanes s, double now);
+
+    /// Fills the rest of the run with repetitions of the period that ended at `now` and began at `begin`; less of it
+    /// after a stop request.
+    void fill_with_cycle(const Totals& period, double begin, double now, const std::stop_token& stop);
+
+private:
+    const std::vector<record::Span>& spans() const { return recorder_.schedule().spans; }
+    double sample_time() const { return static_cast<double>(sample_) * recorder_.request().trace.interval; }
+    void tell();
+    void vibrate();
+
+    record::Recorder& recorder_;
+    const Flows& flows_;
+    std::vector<double> knots_;  // [s]
+    double end_ = 0.0;           // [s]
+    std::size_t span_ = 0;
+    std::size_t knot_ = 0;
+    long sample_ = 0;  // number of the next sample
+    long last_sample_ = -1;
+
+    Account account_;
+    Totals banked_;         // of this span
+    EnergyBalance losses_;  // impacts, and the spans that have ended
+
+    record::ContactInterval pending_;  // the state since the last event
+    bool has_pending_ = false;
+    bool has_told_ = false;
+    model::ContactState told_ = model::ContactState::slip;
+    RecentChanges recent_;
+};
+
+}  // namespace stridor::integration

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "stridor/integration/exact/account.hpp"
+#include "stridor/integration/motion.hpp"
+#include "stridor/record/schedule.hpp"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace stridor::integration {
+
+/// Steady sliding of a structure under a constant drive, and how far from it a motion can still get.
+///
+/// With e the distance from the sliding equilibrium, e' = A e, and P of A'P + P A = -Q the function e.P e never grows.
+/// So each linear functional c of e stays below sqrt(c.P⁻¹c) sqrt(e.P e) for ever. Source: Lyapunov's direct method.
+class Sliding {
+public:
+    /// `flow` is the slip state of steady sliding; `load_scale` F [N] and `velocity` V [m/s] are those of the run.
+    Sliding(const Flow& flow, double load_scale, double velocity);
+
+    /// A proof that the contact slips for ever from this state on, with N > 0 and w != 0; nothing if there is none.
+    std::optional<Silence> silence(const Lanes& s, double time) const;
+
+    /// Adds the vibration of the next `duration` [s] to the account, if it is judged, and moves the state to its end.
+    /// Peaks are those of the first thousand steps.
+    void pass(const Kernel& kernel, double duration, record::Use use, Lanes& s, Account& account) const;
+
+private:
+    static constexpr int most = 2 * (most_coordinates - 1);
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most>;
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
+
+    Vector distance(const Lanes& s) const;
+
+    const Flow& flow_;
+    Vector equilibrium_;          // positions and velocities
+    Matrix generator_;            // [1/s] A
+    Matrix bound_;                // P
+    bool is_stable_ = false;      // P is positive definite
+    double normal_force_ = 0.0;   // [N] at the equilibrium
+    double slip_velocity_ = 0.0;  // [m/s] |w| there
+    double normal_gain_ = 0.0;    // sqrt(c.P⁻¹c) for N
+    double velocity_gain_ = 0.0;  // for w
+};
+
+}  // namespace stridor::integration

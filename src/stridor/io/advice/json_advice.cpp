@@ -1,0 +1,175 @@
+#include "stridor/io/advice/json_advice.hpp"
+
+#include "stridor/io/json_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace stridor::io {
+
+namespace {
+
+using advice::Advice;
+using advice::DesignChange;
+using advice::DesignSpace;
+using advice::DesignVerdict;
+using advice::ParameterMargin;
+using base::Json;
+using json_parts::name_of;
+
+std::string_view unit_of(const DesignSpace& space, std::size_t parameter) {
+    return parameters::unit_of(space.parameters[parameter].key);
+}
+
+// "category": of the loudest phase, and each phase's own
+Json verdict_object(const DesignSpace& space, const DesignVerdict& verdict) {
+    Json phases = Json::object();
+    for (std::size_t k = 0; k < space.phases.size(); ++k)
+        phases[std::string(name_of<record::Phase>(record::phase_names, space.phases[k]))] =
+            sweep::word(verdict.phases[k]);
+    return {{"category", sweep::word(advice::overall(verdict))},
+            {"phases", std::move(phases)},
+            {"sticks", advice::is_quiet(verdict) && !advice::slips_quietly(verdict)}};
+}
+
+Json change_object(const DesignSpace& space, const ParameterMargin& margin,
+                   const std::optional<advice::VerdictChange>& change) {
+    if (!change) return nullptr;
+    Json object = {{"value", change->value},
+                   {"before", change->before},
+                   {"distance", std::abs(change->value - margin.value)},
+                   {"relative", std::abs(change->value - margin.value) / std::abs(margin.value)},
+                   {"share", std::abs(change->share - space.origin[margin.parameter])}};
+    object.update(verdict_object(space, change->beyond));
+    return object;
+}
+
+Json end_object(const advice::ScanSide& side) {
+    Json object = {{"value", side.last}, {"why", name_of<advice::ScanEnd>(advice::scan_end_names, side.end)}};
+    if (!side.reason.empty()) object["reason"] = side.reason;
+    return object;
+}
+
+Json scan_array(const ParameterMargin& margin) {
+    Json scan = Json::array();
+    for (const advice::ScanPoint& point : margin.scan)
+        scan.push_back({{"value", point.value}, {"category", sweep::word(advice::overall(point.verdict))}});
+    return scan;
+}
+
+Json margin_object(const DesignSpace& space, const ParameterMargin& margin) {
+    const advice::DesignParameter& parameter = space.parameters[margin.parameter];
+    return {{"key", parameter.key},
+            {"value", margin.value},
+            {"unit", unit_of(space, margin.parameter)},
+            {"from", parameter.from},
+            {"to", parameter.to},
+            {"scale", name_of<sweep::Scale>(sweep::scale_names, parameter.scale)},
+            {"free", std::find(space.free.begin(), space.free.end(), margin.parameter) != space.free.end()},
+            {"below", change_object(space, margin, margin.below.change)},
+            {"above", change_object(space, margin, margin.above.change)},
+            {"quiet_below", change_object(space, margin, margin.below.quiet)},
+            {"quiet_above", change_object(space, margin, margin.above.quiet)},
+            {"end_below", end_object(margin.below)},
+            {"end_above", end_object(margin.above)},
+            {"scan", scan_array(margin)}};
+}
+
+Json setting(const DesignSpace& space, std::size_t parameter, double from, double to) {
+    return {{"key", space.parameters[parameter].key}, {"from", from}, {"to", to}, {"unit", unit_of(space, parameter)}};
+}
+
+Json quieting_object(const DesignSpace& space, const DesignChange& change) {
+    Json set = Json::array();
+    for (const advice::ParameterChange& each : change.set)
+        set.push_back(setting(space, each.parameter, each.from, each.to));
+    Json verified = verdict_object(space, change.verdict);
+    verified["runs"] = change.runs;
+    verified["neighbourhood"] = advice::neighbourhood;
+    verified["starts"] = sweep::start_names();
+    return {{"set", std::move(set)},
+            {"distance", change.distance},
+            {"options", advice::settings_of(space, change)},
+            {"verified", std::move(verified)}};
+}
+
+Json nearest_object(const DesignSpace& space, const std::optional<advice::NearestDesign>& nearest) {
+    if (!nearest) return nullptr;
+    Json set = Json::array();
+    for (std::size_t k = 0; k < space.parameters.size(); ++k)
+        if (nearest->shares[k] != space.origin[k]) {
+            const parameters::Field& field = *parameters::find_field(space.parameters[k].key);
+            set.push_back(setting(space, k, parameters::get_quantity(space.base, field),
+                                  advice::value_at(space.parameters[k], nearest->shares[k])));
+        }
+    Json object = {{"set", std::move(set)}, {"distance", nearest->distance}};
+    object.update(verdict_object(space, nearest->verdict));
+    return object;
+}
+
+Json changes_array(const Advice& advice) {
+    Json changes = Json::array();
+    for (const DesignChange& change : advice.changes)
+        changes.push_back(quieting_object(advice.space, change));
+    return changes;
+}
+
+Json estimate_object(const advice::Estimate& estimate) {
+    return {{"share", estimate.share}, {"low", estimate.low}, {"high", estimate.high}};
+}
+
+Json chance_object(const std::optional<advice::Chance>& chance) {
+    if (!chance) return nullptr;
+    Json tolerances = Json::array();
+    for (const advice::Tolerance& each : chance->tolerances) {
+        tolerances.push_back({{"key", each.key},
+                              {"value", each.value},
+                              {"tolerance", each.tolerance},
+                              {"unit", parameters::unit_of(each.key)},
+                              {"spread", name_of<advice::Spread>(advice::spread_names, each.spread)}});
+    }
+    Json by_category = Json::object();
+    for (std::size_t k = 0; k < sweep::verdict_words.size(); ++k)
+        if (chance->by_verdict[k].share > 0.0)
+            by_category[std::string(sweep::verdict_words[k])] = estimate_object(chance->by_verdict[k]);
+    return {{"noise", chance->noise.share},
+            {"low", chance->noise.low},
+            {"high", chance->noise.high},
+            {"confidence", advice::confidence},
+            {"samples", chance->samples},
+            {"seed", chance->options.seed},
+            {"not_quiet", estimate_object(chance->not_quiet)},
+            {"by_category", std::move(by_category)},
+            {"tolerances", std::move(tolerances)}};
+}
+
+}  // namespace
+
+std::string advice_json(const Advice& advice) {
+    const DesignSpace& space = advice.space;
+    Json document = json_parts::opening("advice", space.base);
+    document["units"] = json_parts::case_units(space.base);
+    Json phases = Json::array();
+    for (const record::Phase phase : space.phases)
+        phases.push_back(name_of<record::Phase>(record::phase_names, phase));
+    document["phases"] = std::move(phases);
+    document["present"] = verdict_object(space, advice.present);
+    document["present"]["quiet"] = advice::is_quiet(advice.present);
+    document["present"]["message"] = advice.present.message;
+    document["margins"] = Json::array();
+    for (const ParameterMargin& margin : advice.margins)
+        document["margins"].push_back(margin_object(space, margin));
+    document["ranking"] = Json::array();
+    for (const std::size_t parameter : advice.ranking)
+        document["ranking"].push_back(space.parameters[parameter].key);
+    document["nearest"] = nearest_object(space, advice.nearest);
+    document["change"] =
+        advice.recommended ? quieting_object(space, advice.changes[*advice.recommended]) : Json(nullptr);
+    document["changes"] = changes_array(advice);
+    document["chance"] = chance_object(advice.chance);
+    document["runs"] = advice.runs;
+    return base::text_of(document);
+}
+
+}  // namespace stridor::io

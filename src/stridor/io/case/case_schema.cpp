@@ -1,0 +1,181 @@
+#include "stridor/io/case/case_schema.hpp"
+
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/starts.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <variant>
+
+namespace stridor::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using parameters::Case;
+using parameters::Choice;
+using parameters::Quantity;
+
+// does a file have to say it, whatever else it says?
+bool is_always_required(const parameters::Field& field) {
+    const parameters::Field& kind = *parameters::find_field("drive.kind");
+    const auto& choice = std::get<Choice>(kind.kind);
+    for (std::size_t index = 0; index < choice.names.size(); ++index) {
+        Case c;
+        choice.set(c, static_cast<int>(index));
+        if (!field.belongs(c)) return false;
+    }
+    return is_required(field);
+}
+
+std::string description(const parameters::Field& field) {
+    std::string text(field.sentence);
+    if (!field.symbol.empty()) text += " (" + std::string(field.symbol) + ")";
+    const std::string values = std::holds_alternative<Quantity>(field.kind) ? describe_values(field) : std::string();
+    return values.empty() ? text : text + "; " + values;
+}
+
+Json field_schema(const parameters::Field& field) {
+    Json schema{{"description", description(field)}};
+    if (const auto* quantity = std::get_if<Quantity>(&field.kind)) {
+        schema["type"] = {"number", "string"};
+        const bool is_open = quantity->range.low_end == parameters::Range::Low::open;
+        if (std::isfinite(quantity->range.low)) schema[is_open ? "exclusiveMinimum" : "minimum"] = quantity->range.low;
+        if (std::isfinite(quantity->range.high)) schema["maximum"] = quantity->range.high;
+        const Case defaults;
+        if (!is_required(field)) schema["default"] = quantity->get(defaults);
+    } else if (const auto* choice = std::get_if<Choice>(&field.kind)) {
+        schema["enum"] = choice->names;
+    } else {
+        schema["type"] = "string";
+    }
+    return schema;
+}
+
+// which further keys [drive] needs for each kind of drive
+Json drive_conditions() {
+    const auto& kinds = std::get<Choice>(parameters::find_field("drive.kind")->kind);
+    Json conditions = Json::array();
+    for (std::size_t index = 0; index < kinds.names.size(); ++index) {
+        Case c;
+        kinds.set(c, static_cast<int>(index));
+        Json needed = Json::array();
+        for (const parameters::Field& field : parameters::fields())
+            if (field.section == "drive" && field.belongs(c)) needed.push_back(field.name);
+        conditions.push_back({{"if", {{"properties", {{"kind", {{"const", kinds.names[index]}}}}}}},
+                              {"then", {{"required", std::move(needed)}}}});
+    }
+    return conditions;
+}
+
+Json section_schema() {
+    return {{"type", "object"},
+            {"additionalProperties", false},
+            {"required", Json::array()},
+            {"properties", Json::object()}};
+}
+
+Json list_schema(const std::string& about) {
+    return {{"description", about}, {"type", "array"}, {"minItems", 2}, {"items", {{"type", {"number", "string"}}}}};
+}
+
+// the lists beside temperature.value, under every name that means one property
+void add_temperature_lists(Json& section) {
+    section["required"] = {"value", "at"};
+    Json& properties = section["properties"];
+    properties["at"] = list_schema("temperatures at which the lists below have their values, rising; degC");
+    for (const std::string_view key : parameters::keys_over_temperature()) {
+        const parameters::Field& field = *parameters::find_field(key);
+        const Json list = list_schema(std::string(field.sentence) + ", at each temperature");
+        properties[std::string(parameters::short_name(field))] = list;
+        properties[std::string(field.symbol)] = list;
+        Json& nested = properties[std::string(field.section)];
+        if (nested.is_null()) nested = {{"type", "object"}, {"additionalProperties", false}};
+        nested["properties"][std::string(field.name)] = list;
+    }
+}
+
+bool may_follow_temperature(const parameters::Field& field) {
+    const auto keys = parameters::keys_over_temperature();
+    return std::find(keys.begin(), keys.end(), parameters::key_of(field)) != keys.end();
+}
+
+// what a file without [temperature] has to say besides
+Json without_temperature() {
+    Json sections = Json::object();
+    for (const std::string_view key : parameters::keys_over_temperature()) {
+        const parameters::Field& field = *parameters::find_field(key);
+        sections[std::string(field.section)]["required"].push_back(field.name);
+    }
+    return {{"properties", std::move(sections)}};
+}
+
+Json axis_schema() {
+    Json schema = section_schema();
+    schema["required"] = {"parameter", "from", "to", "points"};
+    schema["properties"] = {{"parameter", {{"enum", parameters::quantity_keys()}}},
+                            {"from", {{"type", {"number", "string"}}}},
+                            {"to", {{"type", {"number", "string"}}}},
+                            {"points", {{"type", "integer"}, {"minimum", 2}}},
+                            {"scale", {{"enum", sweep::scale_names}, {"default", "linear"}}}};
+    return schema;
+}
+
+Json chart_schema() {
+    Json quantities = Json::array({"category"});
+    for (const sweep::CellFigure& figure : sweep::cell_figures())
+        quantities.push_back(figure.name);
+    Json schema = section_schema();
+    schema["description"] = "a noise chart: two quantities as axes, one cell per pair of values and direction";
+    schema["required"] = {"x", "y"};
+    schema["properties"] = {
+        {"x", axis_schema()},
+        {"y", axis_schema()},
+        {"directions", {{"type", "array"}, {"minItems", 1}, {"items", {{"enum", parameters::direction_names}}}}},
+        {"quantities", {{"type", "array"}, {"items", {{"enum", std::move(quantities)}}}}},
+        {"refine", {{"type", "integer"}, {"minimum", 0}, {"maximum", sweep::most_refinement}, {"default", 0}}},
+        {"starts", {{"type", "array"}, {"items", {{"enum", sweep::start_names()}}}}}};
+    return schema;
+}
+
+}  // namespace
+
+std::string json_schema() {
+    Json document{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                  {"title", "Stridor case"},
+                  {"description", "A rubbing system, its drive, run and thresholds; with [chart] a noise chart"}};
+    document.update(section_schema());
+    Json& properties = document["properties"];
+    for (const parameters::Field& field : parameters::fields()) {
+        if (field.section.empty()) {
+            properties[std::string(field.name)] = field_schema(field);
+            continue;
+        }
+        const std::string name(field.section);
+        if (!properties.contains(name)) properties[name] = section_schema();
+        Json& section = properties[name];
+        section["properties"][std::string(field.name)] = field_schema(field);
+        if (is_always_required(field) && !may_follow_temperature(field)) section["required"].push_back(field.name);
+    }
+    for (const auto& [name, section] : properties.items())
+        if (section.contains("required") && !section["required"].empty()) document["required"].push_back(name);
+    add_temperature_lists(properties["temperature"]);
+    properties["drive"]["allOf"] = drive_conditions();
+    properties["chart"] = chart_schema();
+    // last: they move what stands before
+    document["if"] = {{"not", {{"required", Json::array({"temperature"})}}}};
+    document["then"] = without_temperature();
+    return document.dump(2);
+}
+
+}  // namespace stridor::io

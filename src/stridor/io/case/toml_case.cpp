@@ -1,0 +1,210 @@
+#include "stridor/io/case/toml_case.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/io/case/complaints.hpp"
+#include "stridor/io/case/toml_case_keys.hpp"
+#include "stridor/io/case/toml_temperature.hpp"
+#include "stridor/parameters/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace stridor::io {
+
+namespace {
+
+using parameters::Case;
+using parameters::Choice;
+using parameters::Field;
+using parameters::Quantity;
+
+std::string expected(const Field& field) {
+    if (const auto* quantity = std::get_if<Quantity>(&field.kind))
+        return quantity->unit == "1" ? std::string("expected a number")
+                                     : "expected a number in " + std::string(quantity->unit) +
+                                           ", or text with a unit such as \"1 " + std::string(quantity->unit) + "\"";
+    std::string names;
+    if (const auto* choice = std::get_if<Choice>(&field.kind))
+        for (const std::string_view name : choice->names)
+            names += (names.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+    return names.empty() ? std::string("expected text") : "expected one of " + names;
+}
+
+enum class Pass { choices, the_rest };
+enum class Layer { file, everything };
+
+// a list or table that stands for a value has complaints of its own for what is in it
+bool has_inner(const TomlDocument& document, const TomlEntry& entry) {
+    return std::holds_alternative<TomlTable>(entry.value) &&
+           std::any_of(document.entries.begin(), document.entries.end(),
+                       [&](const TomlEntry& other) { return other.key.starts_with(entry.key + "."); });
+}
+
+/// A document on its way to a case, with what is wrong with it so far.
+class CaseReading {
+public:
+    explicit CaseReading(const TomlDocument& document) : document_(&document) {}
+
+    /// Chooses the kinds, which decide what else belongs, and looks whether all keys are there and in their place.
+    void read_kinds() {
+        const std::vector<std::string> meant = check_known(*document_, complaints_);
+        unread_.insert(unread_.end(), meant.begin(), meant.end());
+        const std::vector<std::string> untold = read_temperature_table(*document_, c_, complaints_);
+        unread_.insert(unread_.end(), untold.begin(), untold.end());
+        of_file_.temperature = c_.temperature;
+        assign_all(of_file_, Pass::choices, Layer::file);
+        assign_all(c_, Pass::choices, Layer::everything);
+        const std::vector<std::string> missing = check_complete(c_, *document_, unread_, complaints_);
+        unread_.insert(unread_.end(), missing.begin(), missing.end());
+        if (knows_kinds()) check_belonging(of_file_, c_, *document_, complaints_);
+    }
+
+    void read_values() {
+        assign_all(c_, Pass::the_rest, Layer::everything);
+        // a window nobody wrote is the default one or the whole run, whichever is shorter
+        if (document_->find("run.window") == nullptr) c_.run.window = std::min(c_.run.window, c_.run.duration);
+    }
+
+    /// What contradicts each other, as far as it is known.
+    void check_findings() {
+        for (const parameters::Finding& finding : parameters::findings(c_)) {
+            if (!is_sound(finding)) continue;
+            const TomlEntry* entry = document_->find(finding.key);
+            if (entry == nullptr) entry = find_temperature_list(*document_, finding.key);
+            complaints_.add({ErrorKind::input, finding.problem,
+                             entry != nullptr ? entry->value_place : base::Place{document_->name, 0, 0, ""}});
+        }
+    }
+
+    const Case& of_file() const { return of_file_; }
+    Case& result() { return c_; }
+    const Complaints& complaints() const { return complaints_; }
+
+private:
+    void assign_all(Case& c, Pass pass, Layer layer) {
+        for (const TomlEntry& entry : document_->entries) {
+            const Field* field = parameters::find_field(entry.key);
+            if (field == nullptr || (layer == Layer::file && entry.origin != TomlOrigin::file)) continue;
+            const bool is_choice = std::holds_alternative<Choice>(field->kind);
+            const bool decides = layer == Layer::file || document_->find(entry.key) == &entry;
+            if (!decides || is_choice != (pass == Pass::choices)) continue;
+            if (!has_inner(*document_, entry) && complaints_.keep([&] { assign(c, *field, entry); })) continue;
+            unread_.push_back(entry.key);
+            // what follows the temperature is not known without it
+            if (field->section == "temperature")
+                for (const parameters::TemperatureColumn& column : c.temperature.columns)
+                    unread_.push_back(column.key);
+        }
+    }
+
+    bool is_unread(std::string_view key) const {
+        return std::find(unread_.begin(), unread_.end(), key) != unread_.end();
+    }
+
+    bool knows_kinds() const {
+        return std::none_of(unread_.begin(), unread_.end(), [](const std::string& key) {
+            const Field* field = parameters::find_field(key);
+            return field != nullptr && std::holds_alternative<Choice>(field->kind);
+        });
+    }
+
+    // does it rest on values that were read?
+    bool is_sound(const parameters::Finding& finding) const {
+        if (finding.others.empty()) return complaints_.empty();
+        return !is_unread(finding.key) && std::none_of(finding.others.begin(), finding.others.end(),
+                                                       [&](std::string_view key) { return is_unread(key); });
+    }
+
+    const TomlDocument* document_;
+    Complaints complaints_;
+    std::vector<std::string> unread_;  // keys whose values are not known
+    Case of_file_;                     // the kinds that the file chooses
+    Case c_;
+};
+
+void read_samples(Case& c, const TomlDocument& document, const SamplesReader& samples) {
+    if (c.drive.kind != parameters::DriveKind::sampled) return;
+    const TomlEntry* entry = document.find("drive.file");
+    const std::filesystem::path folder =
+        entry->origin == TomlOrigin::file ? std::filesystem::path(document.name).parent_path() : "";
+    try {
+        recordings::SampledMotion motion = samples((folder / c.drive.file).string());
+        c.drive.times = std::move(motion.times);
+        c.drive.velocities = std::move(motion.velocities);
+    } catch (const Error& error) {
+        // what is wrong in the table has a place of its own there
+        if (error.place()) throw;
+        throw located(error, "drive.file", entry->value_place);
+    }
+}
+
+}  // namespace
+
+bool is_required(const parameters::Field& field) {
+    constexpr std::array<std::string_view, 5> sections{"joint", "plate", "contact", "temperature", "drive"};
+    const bool is_law = field.section == "contact" && std::holds_alternative<Choice>(field.kind);  // has a usual one
+    return std::find(sections.begin(), sections.end(), field.section) != sections.end() && !is_law;
+}
+
+void assign(Case& c, const Field& field, const TomlEntry& entry) {
+    try {
+        if (const auto* text = std::get_if<std::string>(&entry.value))
+            return parameters::set_from_text(c, field, *text);
+        const auto* number = std::get_if<double>(&entry.value);
+        const bool takes_number = std::holds_alternative<Quantity>(field.kind);
+        if (number != nullptr && takes_number) return parameters::set_quantity(c, field, *number);
+    } catch (const Error& error) {
+        throw located(error, entry.key, entry.value_place);
+    }
+    throw Error(ErrorKind::input, {entry.key + " is " + std::string(type_name(entry.value)), expected(field), ""},
+                entry.value_place);
+}
+
+std::vector<base::Complaint> case_warnings(const TomlDocument& document) {
+    CaseReading reading(document);
+    reading.read_kinds();
+    std::vector<base::Complaint> warnings;
+    for (const TomlEntry& entry : document.entries) {
+        const Field* field = parameters::find_field(entry.key);
+        if (field == nullptr || !is_idle(reading.of_file(), *field, entry)) continue;
+        warnings.push_back({{entry.key + " means nothing for this case and is left out",
+                             "it belongs to " + parameters::home_of(reading.of_file(), *field), ""},
+                            entry.key_place});
+    }
+    return warnings;
+}
+
+parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples) {
+    CaseReading reading(document);
+    reading.read_kinds();
+    reading.read_values();
+    reading.complaints().throw_any();
+    read_samples(reading.result(), document, samples);
+    return reading.result();
+}
+
+parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples) {
+    CaseReading reading(document);
+    reading.read_kinds();
+    reading.read_values();
+    // what a sampled drive moves is known only when its file is read
+    if (reading.complaints().empty()) read_samples(reading.result(), document, samples);
+    reading.check_findings();
+    reading.complaints().throw_any();
+    return reading.result();
+}
+
+parameters::Case read_case(const TomlSource& source) {
+    return read_case(parse_toml(source), recordings::read_sampled_file);
+}
+
+parameters::Case read_case(const std::string& path, std::vector<std::string> overrides) {
+    return read_case(load_toml(path, std::move(overrides)));
+}
+
+}  // namespace stridor::io

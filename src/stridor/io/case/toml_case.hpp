@@ -1,0 +1,49 @@
+#pragma once
+
+#include "stridor/io/case/toml_document.hpp"
+#include "stridor/parameters/case.hpp"
+#include "stridor/parameters/field.hpp"
+#include "stridor/recordings/table/sampled_csv.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace stridor::io {
+
+/// Gives the motion of a sampled drive by the path of its file: the only way by which reading a case reaches another
+/// file. Whoever reads for somebody who may name no files hands over one that opens none.
+using SamplesReader = std::function<recordings::SampledMotion(const std::string& path)>;
+
+/// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
+///
+/// Everything in [joint], [plate], [contact] and [drive] that belongs to the case must be there, except contact.impact
+/// and what follows the temperature (`read_temperature_table`); the rest has defaults. Overrides win; a key of the file
+/// that an override made meaningless (drive.amplitude after `--set drive.kind=constant`) is left out, and so is one
+/// that a change of the kind in the file left behind (`case_warnings`). A section [chart] is not looked at. A sampled
+/// drive's CSV is looked for beside the file (given by an override: in the current folder).
+/// Throws `Error` (input) with all that is wrong, each with file, line, column and source line, for anything else than
+/// a case that can be simulated.
+parameters::Case read_case(const TomlSource& source);
+
+/// The same of a document that is parsed already.
+parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples);
+
+/// The same from a file; "-" is standard input.
+parameters::Case read_case(const std::string& path, std::vector<std::string> overrides = {});
+
+/// The case a chart starts from, out of a document that is parsed already. Whether its values fit together is left to
+/// the chart, whose axes replace two of them.
+parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples);
+
+/// What reading a case leaves out and its user should know: keys that mean nothing for the kinds the file chooses, and
+/// have a value that `stridor init` writes (with any other they are errors).
+std::vector<base::Complaint> case_warnings(const TomlDocument& document);
+
+/// Puts the value of one entry into a case. Throws `Error` (input) with the entry's place.
+void assign(parameters::Case& c, const parameters::Field& field, const TomlEntry& entry);
+
+/// Must a file say this, whenever it belongs to the case?
+bool is_required(const parameters::Field& field);
+
+}  // namespace stridor::io

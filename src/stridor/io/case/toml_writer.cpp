@@ -1,0 +1,206 @@
+#include "stridor/io/case/toml_writer.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/sweep/starts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <sstream>
+#include <string_view>
+#include <variant>
+
+namespace stridor::io {
+
+namespace {
+
+using parameters::Case;
+using parameters::Choice;
+using parameters::Field;
+using parameters::Quantity;
+
+// a basic string: quotes, backslashes and control characters escaped
+std::string quoted(std::string_view text) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string result = "\"";
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            result += '\\';
+            result += c;
+        } else if (code < 0x20U || code == 0x7FU) {
+            result += "\\u00";
+            result += digits[code >> 4U];
+            result += digits[code & 15U];
+        } else {
+            result += c;
+        }
+    }
+    return result + "\"";
+}
+
+// 1e7 for "1e+07", as people write it
+std::string number_text(double value) {
+    std::string text = base::shortest(value);
+    const std::size_t exponent = text.find('e');
+    if (exponent == std::string::npos) return text;
+    const std::size_t first_digit = text.find_first_not_of("+-0", exponent + 1);
+    const std::string sign = text[exponent + 1] == '-' ? "-" : "";
+    return text.substr(0, exponent + 1) + sign + text.substr(std::min(first_digit, text.size() - 1));
+}
+
+std::string quantity_text(double value, std::string_view unit) {
+    const std::string number = number_text(value);
+    return unit == "1" ? number : quoted(number + " " + std::string(unit));
+}
+
+std::string value_of(const Case& c, const Field& field) {
+    if (parameters::damping_ratio(c, field)) return quoted(parameters::value_text(c, field));
+    if (const auto* quantity = std::get_if<Quantity>(&field.kind))
+        return quantity_text(quantity->get(c), quantity->unit);
+    return quoted(parameters::value_text(c, field));
+}
+
+std::string range_text(const parameters::Range& range) {
+    const std::string low =
+        (range.low_end == parameters::Range::Low::open ? "above " : "at least ") + base::shortest(range.low);
+    if (std::isinf(range.low) && std::isinf(range.high)) return {};
+    if (std::isinf(range.high)) return low;
+    return base::shortest(range.low) + " to " + base::shortest(range.high);
+}
+
+std::string names_text(std::span<const std::string_view> names) {
+    std::string text;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const bool is_last = k + 1 == names.size();
+        text += (k == 0 ? "" : is_last ? " or " : ", ") + quoted(names[k]);
+    }
+    return text;
+}
+
+// `when`: the choice that gives it a meaning, if this case does not
+std::string comment(const Field& field, const std::string& when = {}) {
+    std::string text = (when.empty() ? "# " : "# with " + when + ": ") + std::string(field.sentence);
+    if (!field.symbol.empty()) text += " (" + std::string(field.symbol) + ")";
+    const std::string values = describe_values(field);
+    const bool is_quantity = std::holds_alternative<Quantity>(field.kind);
+    if (std::holds_alternative<parameters::Text>(field.kind) || values.empty()) return text + "\n";
+    return text + (is_quantity ? " [" + values + "]" : ": " + values) + "\n";
+}
+
+std::string heading(const TomlOptions& options) {
+    std::string text;
+    std::istringstream lines(options.heading);
+    for (std::string line; std::getline(lines, line);)
+        text += line.empty() ? "#\n" : "# " + line + "\n";
+    return text.empty() ? text : text + "\n";
+}
+
+std::string axis_text(const sweep::Axis& axis) {
+    const Field* field = parameters::find_field(axis.parameter);
+    const auto* quantity = field == nullptr ? nullptr : std::get_if<Quantity>(&field->kind);
+    const std::string_view unit = quantity == nullptr ? "1" : quantity->unit;
+    return "{ parameter = " + quoted(axis.parameter) + ", from = " + quantity_text(axis.from, unit) +
+           ", to = " + quantity_text(axis.to, unit) + ", points = " + std::to_string(axis.points) +
+           ", scale = " + quoted(sweep::scale_names[static_cast<std::size_t>(axis.scale)]) + " }";
+}
+
+template <typename Items, typename Name>
+std::string list_text(const Items& items, Name name) {
+    std::string text;
+    for (const auto& item : items)
+        text += (text.empty() ? "" : ", ") + quoted(name(item));
+    return "[" + text + "]";
+}
+
+// the table below temperature.value
+std::string table_lines(const Case& c, const TomlOptions& options) {
+    const std::string about = options.comments == Comments::full
+                                  ? "# what follows the temperature: its values at these, linear between them\n"
+                                  : "";
+    const auto line = [](std::string_view key, std::string_view unit, const std::vector<double>& values) {
+        std::string list;
+        for (const double value : values)
+            list += (list.empty() ? "" : ", ") + quantity_text(value, unit);
+        return std::string(key) + " = [" + list + "]\n";
+    };
+    std::string text = about + line("at", "degC", c.temperature.at);
+    for (const parameters::TemperatureColumn& column : c.temperature.columns)
+        text += column.holds == parameters::TemperatureColumn::Holds::damping_ratio
+                    ? column.key + " = " + list_text(parameters::value_texts(column), std::identity{}) + "\n"
+                    : line(column.key, parameters::unit_of(column.key), column.values);
+    return text;
+}
+
+// does a file of this case have a line for it, be it as a comment?
+bool has_line(const Case& c, const Field& field, const TomlOptions& options) {
+    if (parameters::temperature_column(c, parameters::key_of(field)) != nullptr) return false;
+    if (options.comments == Comments::full) return field.belongs(c) || !parameters::home_of(c, field).empty();
+    return field.belongs(c) && !parameters::goes_without_saying(c, field);
+}
+
+}  // namespace
+
+std::string describe_values(const parameters::Field& field) {
+    if (const auto* quantity = std::get_if<Quantity>(&field.kind)) {
+        const std::string range = range_text(quantity->range);
+        if (quantity->unit == "1") return range;
+        return std::string(quantity->unit) + (range.empty() ? "" : ", " + range);
+    }
+    if (const auto* choice = std::get_if<Choice>(&field.kind)) return names_text(choice->names);
+    return "text";
+}
+
+std::string toml_line(const Case& c, const Field& field) {
+    const bool is_unknown_file = parameters::names_file(field) && parameters::value_text(c, field).empty();
+    return std::string(field.name) + " = " + (is_unknown_file ? quoted("velocity.csv") : value_of(c, field));
+}
+
+std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
+    std::string text = heading(options);
+    std::string_view section;
+    for (const Field& field : parameters::fields()) {
+        if (!has_line(c, field, options)) continue;
+        const bool is_used = field.belongs(c);
+        if (field.section != section) text += (text.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
+        section = field.section;
+        if (options.comments == Comments::full) text += comment(field, is_used ? "" : parameters::home_of(c, field));
+        text += (is_used ? "" : "#") + toml_line(c, field) + "\n";
+        if (section == "temperature") text += table_lines(c, options);
+    }
+    return text;
+}
+
+std::string study_toml(const sweep::Study& study, const TomlOptions& options) {
+    const auto say = [&](std::string_view sentence) {
+        return options.comments == Comments::full ? "# " + std::string(sentence) + "\n" : std::string();
+    };
+    std::string text = case_toml(study.base, options) + "\n[chart]\n";
+    text += say("the axes: any quantity above; ends in its unit, both included; scale \"linear\" or \"log\"");
+    text += "x = " + axis_text(study.x) + "\n";
+    if (!sweep::has_one_axis(study)) text += "y = " + axis_text(study.y) + "\n";
+    text += say("which way the plate moves: going is V > 0, coming V < 0");
+    text += "directions = " +
+            list_text(study.directions,
+                      [](parameters::Direction direction) {
+                          return parameters::direction_names[static_cast<std::size_t>(direction)];
+                      }) +
+            "\n";
+    text += say("what to draw: \"category\" or any figure of a cell, such as \"separation\" or \"frequency\"");
+    text += "quantities = " + list_text(study.quantities, [](const std::string& name) { return name; }) + "\n";
+    if (!sweep::has_one_axis(study)) {
+        text +=
+            say("0 computes every cell; 1 to 6 begin with every 2nd to 64th point and halve that where cells differ");
+        text += "refine = " + std::to_string(study.refine) + "\n";
+    }
+    text += say("each cell is run from all of these instead of run.initial, and shows the loudest");
+    if (study.starts.empty()) return text + say("starts = " + list_text(sweep::start_names(), std::identity{}));
+    return text + "starts = " +
+           list_text(study.starts,
+                     [](parameters::Initial start) { return sweep::start_names()[static_cast<std::size_t>(start)]; }) +
+           "\n";
+}
+
+}  // namespace stridor::io

@@ -1,0 +1,200 @@
+#include "stridor/io/simulation/json_simulation.hpp"
+
+#include "stridor/io/json_parts.hpp"
+
+#include <utility>
+
+namespace stridor::io {
+
+namespace {
+
+using namespace json_parts;
+using parameters::Case;
+
+Json rates_object(const analysis::Rates& rates) {
+    return {{"slip", rates.slip}, {"stick", rates.stick}, {"separation", rates.separation}};
+}
+
+Json level_object(const analysis::Level& level) {
+    return {{"rms", level.rms}, {"peak", level.peak}, {"level", level.decibels}, {"peak_level", level.peak_decibels}};
+}
+
+Json verdict_object(const classification::Verdict& verdict) {
+    const analysis::Evidence& evidence = verdict.evidence;
+    const analysis::Alternation& alternation = evidence.alternation;
+    return {{"category", classification::name(verdict.category)},
+            {"quiet_because", quiet_word(verdict.quiet)},
+            {"rates", rates_object(evidence.rates)},
+            {"judged_rates", rates_object(evidence.judged_rates)},
+            {"regularity", alternation.regularity},
+            {"repetition", alternation.repetition},
+            {"variation", alternation.variation},
+            {"mismatch", alternation.mismatch},
+            {"intervals", alternation.intervals},
+            {"releases", evidence.releases},
+            {"lag", alternation.lag},
+            {"beat",
+             {{"from", name_of(model::contact_state_names, alternation.from)},
+              {"to", name_of(model::contact_state_names, alternation.to)}}},
+            {"period", alternation.period},
+            {"frequency", alternation.frequency},
+            {"levels",
+             {{"joint", level_object(evidence.levels.joint)},
+              {"plate", level_object(evidence.levels.plate)},
+              {"reference", "1e-9 m/s"}}},
+            {"margins", margins_array(verdict.margins)},
+            {"reasons", verdict.reasons}};
+}
+
+Json phase_object(const Case& c, const classification::Verdict& verdict) {
+    const analysis::Evidence& evidence = verdict.evidence;
+    return {{"phase", name_of(record::phase_names, evidence.phase)},
+            {"window",
+             {{"from", c.run.duration - c.run.window},
+              {"to", c.run.duration},
+              {"duration", evidence.window_time},
+              {"judged", evidence.judged_time}}},
+            {"verdict", verdict_object(verdict)}};
+}
+
+Json energy_object(const integration::EnergyBalance& energy) {
+    return {{"stored", energy.stored},
+            {"preload_work", energy.preload_work},
+            {"drive_work", energy.drive_work},
+            {"dashpot_loss", energy.dashpot_loss},
+            {"friction_loss", energy.friction_loss},
+            {"impact_loss", energy.impact_loss},
+            {"residual", energy.residual},
+            {"relative_residual", energy.relative_residual()}};
+}
+
+Json simulation_units(const Case& c) {
+    Json units = case_units(c);
+    units.update(Json{{"engine.step", "s"},
+                      {"engine.step_limit", "s"},
+                      {"outcome.time", "s"},
+                      {"outcome.silence.time", "s"},
+                      {"outcome.silence.normal_force", "N"},
+                      {"outcome.silence.slip_velocity", "m/s"},
+                      {"outcome.limit_cycle.time", "s"},
+                      {"outcome.limit_cycle.period", "s"},
+                      {"outcome.limit_cycle.residual", "1"},
+                      {"outcome.ending.since", "s"},
+                      {"outcome.ending.release", "s"},
+                      {"energy", "J"},
+                      {"energy.relative_residual", "1"},
+                      {"phases.window", "s"},
+                      {"phases.verdict.rates", "1"},
+                      {"phases.verdict.judged_rates", "1"},
+                      {"phases.verdict.regularity", "1"},
+                      {"phases.verdict.repetition", "1"},
+                      {"phases.verdict.mismatch", "1"},
+                      {"phases.verdict.variation", "1"},
+                      {"phases.verdict.period", "s"},
+                      {"phases.verdict.frequency", "Hz"},
+                      {"phases.verdict.levels.rms", "m/s"},
+                      {"phases.verdict.levels.peak", "m/s"},
+                      {"phases.verdict.levels.level", "dB re 1e-9 m/s"},
+                      {"phases.verdict.levels.peak_level", "dB re 1e-9 m/s"},
+                      {"phases.verdict.margins", "1"}});
+    return units;
+}
+
+Json stability_object(const analysis::SlidingStability& stability) {
+    Json modes = Json::array();
+    for (const analysis::Eigenmode& mode : stability.modes)
+        modes.push_back({{"growth", mode.growth}, {"frequency", mode.frequency}});
+    return {{"kind", name_of(analysis::stability_names, stability.kind)},
+            {"growth", stability.growth},
+            {"frequency", stability.frequency},
+            {"normal_force", stability.normal_force},
+            {"modes", std::move(modes)}};
+}
+
+Json direction_object(const analysis::DirectionScan& direction) {
+    Json object{{"direction", name_of(parameters::direction_names, direction.direction)}};
+    object.update(stability_object(direction.here));
+    Json points = Json::array();
+    for (const analysis::StabilityPoint& point : direction.path.points) {
+        Json entry{{"value", point.value}};
+        entry.update(stability_object(point.stability));
+        points.push_back(std::move(entry));
+    }
+    Json boundaries = Json::array();
+    for (const analysis::StabilityBoundary& boundary : direction.path.boundaries)
+        boundaries.push_back({{"value", boundary.value},
+                              {"below", name_of(analysis::stability_names, boundary.below)},
+                              {"above", name_of(analysis::stability_names, boundary.above)},
+                              {"frequency", boundary.frequency}});
+    object["points"] = std::move(points);
+    object["boundaries"] = std::move(boundaries);
+    return object;
+}
+
+// the same names stand at `directions`, in their `points` and in their `modes`
+Json stability_units() {
+    return {{"directions.growth", "1/s"},         {"directions.frequency", "Hz"},
+            {"directions.normal_force", "N"},     {"directions.modes.growth", "1/s"},
+            {"directions.modes.frequency", "Hz"}, {"directions.boundaries.frequency", "Hz"}};
+}
+
+Json outcome_object(const integration::Motion& motion) {
+    Json object{{"reason", name_of(integration::reason_names, motion.outcome.reason)}, {"time", motion.outcome.time}};
+    if (motion.silence)
+        object["silence"] = {{"time", motion.silence->time},
+                             {"normal_force", motion.silence->normal_force},
+                             {"slip_velocity", motion.silence->slip_velocity}};
+    if (motion.cycle)
+        object["limit_cycle"] = {{"time", motion.cycle->time},
+                                 {"period", motion.cycle->period},
+                                 {"residual", motion.cycle->residual},
+                                 {"events", motion.cycle->events}};
+    if (motion.record.phases.empty()) return object;
+    const record::Ending& ending = motion.record.phases.front().ending;
+    object["ending"] = {{"state", name_of(model::contact_state_names, ending.state)},
+                        {"since", ending.since},
+                        {"future", name_of(record::future_names, ending.outlook.future)},
+                        {"release", ending.outlook.release}};
+    return object;
+}
+
+Json engine_object(const parameters::Case& c, const integration::Cost& cost) {
+    const auto text = [&](const char* key) { return parameters::value_text(c, *parameters::find_field(key)); };
+    Json object{{"name", text("run.engine")}, {"impact", text("contact.impact")}, {"steps", cost.steps}};
+    if (c.run.engine == parameters::Engine::beta_2)
+        object.update(Json{{"step", c.run.step}, {"beta_2", c.run.beta_2}, {"step_limit", cost.step_limit}});
+    return object;
+}
+
+}  // namespace
+
+std::string case_json(const parameters::Case& c) {
+    return base::text_of(case_object(c));
+}
+
+std::string simulation_json(const parameters::Case& c, const integration::Motion& motion, const integration::Cost& cost,
+                            std::span<const classification::Verdict> verdicts) {
+    Json document = opening("simulation", c);
+    document["engine"] = engine_object(c, cost);
+    document["outcome"] = outcome_object(motion);
+    document["energy"] = energy_object(motion.energy);
+    document["phases"] = Json::array();
+    for (const classification::Verdict& verdict : verdicts)
+        document["phases"].push_back(phase_object(c, verdict));
+    document["units"] = simulation_units(c);
+    return base::text_of(document);
+}
+
+std::string stability_json(const analysis::StabilityScan& scan) {
+    Json document = opening("stability", scan.base);
+    if (!scan.key.empty()) document["over"] = {{"parameter", scan.key}, {"unit", scan.unit}};
+    document["directions"] = Json::array();
+    for (const analysis::DirectionScan& direction : scan.directions)
+        document["directions"].push_back(direction_object(direction));
+    Json units = case_units(scan.base);
+    units.update(stability_units());
+    document["units"] = std::move(units);
+    return base::text_of(document);
+}
+
+}  // namespace stridor::io

@@ -1,0 +1,257 @@
+#include "stridor/io/sound/hearing_report.hpp"
+
+#include "stridor/base/csv_text.hpp"
+#include "stridor/base/version.hpp"
+#include "stridor/io/json_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace stridor::io {
+
+namespace {
+
+using base::Json;
+using base::csv_text::Column;
+using classification::Category;
+using classification::Confusion;
+using hearing::Half;
+using hearing::HeardSound;
+using json_parts::name_of;
+using sound::SoundFeatures;
+
+// figures of a sound that the rules look at
+struct SoundFigure {
+    std::string_view name;
+    std::string_view unit;
+    double SoundFeatures::*member;
+};
+
+constexpr std::array<SoundFigure, 13> sound_figures{{
+    {"ear_clearness", "dB", &SoundFeatures::clearness},
+    {"ear_frequency", "Hz", &SoundFeatures::frequency},
+    {"ear_tonality", "1", &SoundFeatures::tonality},
+    {"ear_regularity", "1", &SoundFeatures::regularity},
+    {"ear_repetition", "1", &SoundFeatures::repetition},
+    {"ear_repetition_frequency", "Hz", &SoundFeatures::repetition_frequency},
+    {"ear_movement", "1", &SoundFeatures::movement},
+    {"ear_trend", "dB/s", &SoundFeatures::trend},
+    {"ear_unsteadiness", "dB", &SoundFeatures::unsteadiness},
+    {"ear_rest", "1", &SoundFeatures::rest},
+    {"ear_kurtosis", "1", &SoundFeatures::kurtosis},
+    {"ear_impulse_interval", "s", &SoundFeatures::impulse_interval},
+    {"ear_impulse_periodicity", "1", &SoundFeatures::impulse_periodicity},
+}};
+
+std::string_view word(Category category) {
+    return classification::name(category);
+}
+
+std::string_view word(parameters::Direction direction) {
+    return name_of(parameters::direction_names, direction);
+}
+
+Json table_object(const Confusion& table) {
+    Json counts = Json::object();
+    Json shares = Json::object();
+    for (std::size_t truth = 0; truth < table.counts.size(); ++truth) {
+        const std::string name(classification::category_names[truth]);
+        for (std::size_t heard = 0; heard < table.counts.size(); ++heard)
+            counts[name][std::string(classification::category_names[heard])] = table.counts[truth][heard];
+        shares[name] = classification::agreement_on(table, static_cast<Category>(truth));
+    }
+    shares.erase(std::string(word(Category::undecided)));
+    const Confusion decided = classification::decided(table);
+    return {
+        {"sounds", classification::total(table)},          {"decided", classification::total(decided)},
+        {"agreement", classification::agreement(decided)}, {"mean_agreement", classification::mean_agreement(decided)},
+        {"agreement_by_category", std::move(shares)},      {"counts", std::move(counts)}};
+}
+
+template <typename Tables>
+Json tables_object(const Tables& of) {
+    return {{"all", table_object(of(Half::both))},
+            {"even", table_object(of(Half::even))},
+            {"odd", table_object(of(Half::odd))}};
+}
+
+Json sound_object(const HeardSound& sound) {
+    const bool is_done = sound.cell.status == sweep::Status::done;
+    return {{"status", name_of(sweep::status_names, sound.cell.status)},
+            {"contact_states", is_done ? Json(word(sound.cell.category)) : Json()},
+            {"by_ear", is_done ? Json(word(sound.heard)) : Json()},
+            {"reason", sound.reason}};
+}
+
+Json chart_object(const HeardChart& chart) {
+    Json directions = Json::array();
+    for (const parameters::Direction direction : chart.study.directions)
+        directions.push_back(word(direction));
+    std::size_t failed = 0;
+    for (const HeardSound& sound : chart.sounds)
+        failed += sound.cell.status == sweep::Status::done ? 0 : 1;
+    const bool is_file = chart.set == PlaneSet::file;
+    return {{"file", is_file ? Json(chart.name) : Json()},
+            {"plane", is_file ? Json() : Json(chart.name)},
+            {"set", name_of(plane_set_names, chart.set)},
+            {"case", json_parts::case_object(chart.study.base)},
+            {"x", json_parts::axis_object(chart.study.x)},
+            {"y", json_parts::axis_object(chart.study.y)},
+            {"directions", std::move(directions)},
+            {"cells", chart.sounds.size()},
+            {"failed", failed},
+            {"tables", tables_object([&](Half half) { return hearing::confusion(chart.sounds, half); })}};
+}
+
+Json sets_object(const HearingReport& report) {
+    Json sets = Json::object();
+    for (const PlaneSet set : sets_of(report))
+        sets[std::string(name_of(plane_set_names, set))] = table_object(confusion(report, set));
+    return sets;
+}
+
+Json perturbations_array(const HearingReport& report) {
+    Json array = Json::array();
+    for (std::size_t k = 0; k < hearing::perturbations().size(); ++k)
+        array.push_back(
+            {{"name", hearing::perturbations()[k].name}, {"table", table_object(perturbed_confusion(report, k))}});
+    return array;
+}
+
+Json recording_object(const HeardRecording& recording) {
+    Json accepted = Json::array();
+    for (const Category category : recording.expectation.categories)
+        accepted.push_back(word(category));
+    return {{"file", recording.expectation.file}, {"expected", recording.expectation.words},
+            {"accepted", std::move(accepted)},    {"by_ear", word(recording.heard)},
+            {"is_right", is_right(recording)},    {"reason", recording.reason}};
+}
+
+std::vector<Column> columns() {
+    std::vector<Column> columns{{"chart"},  {"index"},          {"x"},      {"y"},     {"direction"},
+                                {"status"}, {"contact_states"}, {"by_ear"}, {"agrees"}};
+    for (const sweep::CellFigure& figure : sweep::cell_figures())
+        columns.push_back({std::string(figure.name), std::string(figure.unit)});
+    for (const SoundFigure& figure : sound_figures)
+        columns.push_back({std::string(figure.name), std::string(figure.unit)});
+    for (const hearing::Perturbation& perturbation : hearing::perturbations())
+        columns.push_back({std::string(perturbation.name)});
+    columns.push_back({"reason"});
+    columns.push_back({"plane"});
+    return columns;
+}
+
+void add_row(base::csv_text::Table& table, const HeardSound& sound, const std::string& plane) {
+    const bool is_done = sound.cell.status == sweep::Status::done;
+    table.word(name_of(sweep::status_names, sound.cell.status));
+    table.word(is_done ? word(sound.cell.category) : "");
+    table.word(is_done ? word(sound.heard) : "");
+    table.word(!is_done ? "" : sound.cell.category == sound.heard ? "1" : "0");
+    for (const sweep::CellFigure& figure : sweep::cell_figures())
+        table.number(sound.cell.*figure.member);
+    for (const SoundFigure& figure : sound_figures)
+        if (is_done)
+            table.number(sound.features.*figure.member);
+        else
+            table.word("");
+    for (std::size_t k = 0; k < hearing::perturbations().size(); ++k)
+        table.word(sound.perturbed.empty() ? "" : word(sound.perturbed[k]));
+    table.word(is_done ? sound.reason : sound.cell.message);
+    table.word(plane);
+    table.end_row();
+}
+
+}  // namespace
+
+Confusion confusion(const HearingReport& report, Half half) {
+    Confusion table;
+    for (const HeardChart& chart : report.charts)
+        table = classification::sum(table, hearing::confusion(chart.sounds, half));
+    return table;
+}
+
+Confusion confusion(const HearingReport& report, PlaneSet set) {
+    Confusion table;
+    for (const HeardChart& chart : report.charts)
+        if (chart.set == set) table = classification::sum(table, hearing::confusion(chart.sounds));
+    return table;
+}
+
+std::vector<PlaneSet> sets_of(const HearingReport& report) {
+    std::vector<PlaneSet> sets;
+    for (std::size_t k = 0; k < plane_set_names.size(); ++k) {
+        const auto set = static_cast<PlaneSet>(k);
+        const auto is_of_it = [&](const HeardChart& chart) { return chart.set == set; };
+        if (std::any_of(report.charts.begin(), report.charts.end(), is_of_it)) sets.push_back(set);
+    }
+    return sets;
+}
+
+Confusion perturbed_confusion(const HearingReport& report, std::optional<std::size_t> perturbation) {
+    Confusion table;
+    for (const HeardChart& chart : report.charts)
+        table = classification::sum(table, hearing::perturbed_confusion(chart.sounds, perturbation));
+    return table;
+}
+
+bool is_right(const HeardRecording& recording) {
+    const std::vector<Category>& accepted = recording.expectation.categories;
+    return std::find(accepted.begin(), accepted.end(), recording.heard) != accepted.end();
+}
+
+std::string hearing_json(const HearingReport& report) {
+    Json document{{"schema", "stridor.evaluate/1"}, {"version", base::version()}, {"commit", base::commit()}};
+    Json cases = Json::array();
+    for (const HeardCase& heard : report.cases)
+        cases.push_back({{"case", heard.name},
+                         {"going", sound_object(heard.phases[0])},
+                         {"coming", sound_object(heard.phases[1])},
+                         {"whole", {{"by_ear", word(heard.whole)}, {"reason", heard.reason}}}});
+    document["table_1"] = std::move(cases);
+    if (!report.charts.empty()) {
+        Json charts = Json::array();
+        for (const HeardChart& chart : report.charts)
+            charts.push_back(chart_object(chart));
+        document["charts"] = std::move(charts);
+        document["tables"] = tables_object([&](Half half) { return confusion(report, half); });
+        document["sets"] = sets_object(report);
+        document["perturb_every"] = report.options.perturb_every;
+        if (report.options.perturb_every > 0) {
+            document["unperturbed"] = table_object(perturbed_confusion(report, std::nullopt));
+            document["perturbed"] = perturbations_array(report);
+        }
+    }
+    Json recordings = Json::array();
+    for (const HeardRecording& recording : report.recordings)
+        recordings.push_back(recording_object(recording));
+    document["recordings"] = std::move(recordings);
+    document["thresholds"] = json_parts::thresholds_object(report.options.settings.thresholds);
+    return base::text_of(document);
+}
+
+std::string hearing_csv(const HearingReport& report) {
+    base::csv_text::Facts facts = base::csv_text::origin("evaluate");
+    for (std::size_t k = 0; k < report.charts.size(); ++k) {
+        const sweep::Study& study = report.charts[k].study;
+        facts.emplace_back("chart_" + std::to_string(k + 1),
+                           study.base.title + "; x: " + study.x.parameter + ", y: " + study.y.parameter);
+    }
+    base::csv_text::Table table(facts, columns());
+    std::string text = table.take();
+    for (std::size_t k = 0; k < report.charts.size(); ++k)
+        for (const HeardSound& sound : report.charts[k].sounds) {
+            const sweep::Study& study = report.charts[k].study;
+            const sweep::CellPlace place = sweep::place_of(study, sound.index);
+            table.number(static_cast<double>(k + 1));
+            table.number(static_cast<double>(sound.index));
+            table.number(sweep::value_at(study.x, place.ix));
+            table.number(sweep::value_at(study.y, place.iy));
+            table.word(word(study.directions[place.direction]));
+            add_row(table, sound, report.charts[k].name);
+            text += table.take();
+        }
+    return text;
+}
+
+}  // namespace stridor::io

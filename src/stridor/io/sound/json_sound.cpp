@@ -1,0 +1,205 @@
+#include "stridor/io/sound/json_sound.hpp"
+
+#include "stridor/base/version.hpp"
+#include "stridor/io/json_parts.hpp"
+#include "stridor/signal/bands.hpp"
+
+#include <utility>
+
+namespace stridor::io {
+
+namespace {
+
+using base::Json;
+using base::text_of;
+using sound::SoundAnalysis;
+using sound::SoundFeatures;
+
+Json opening(const char* schema, const SoundReport& report) {
+    return {
+        {"schema", schema},        {"version", base::version()}, {"commit", base::commit()},     {"file", report.file},
+        {"format", report.format}, {"notes", report.notes},      {"channel", report.loudest + 1}};
+}
+
+Json features_object(const SoundFeatures& f, double reference) {
+    return {{"level", signal::level_of(f.mean_square, reference)},
+            {"clearness", f.clearness},
+            {"frequency", f.frequency},
+            {"prominence", f.prominence},
+            {"tonality", f.tonality},
+            {"regularity", f.regularity},
+            {"repetition", f.repetition},
+            {"repetition_frequency", f.repetition_frequency},
+            {"movement", f.movement},
+            {"trend", f.trend},
+            {"unsteadiness", f.unsteadiness},
+            {"abruptness", f.abruptness},
+            {"rest", f.rest},
+            {"kurtosis", f.kurtosis},
+            {"crest", f.crest},
+            {"impulses", f.impulses},
+            {"impulse_interval", f.impulse_interval},
+            {"impulse_periodicity", f.impulse_periodicity}};
+}
+
+Json segment_object(const classification::SoundSegment& segment, double reference) {
+    return {{"from", segment.from},
+            {"to", segment.to},
+            {"category", classification::name(segment.verdict.category)},
+            {"level", signal::level_of(segment.mean_square, reference)},
+            {"impulses", segment.impulses.size()},
+            {"impulse_interval", segment.impulse_interval},
+            {"impulse_regularity", segment.impulse_regularity},
+            {"loudest_stretch",
+             {{"from", segment.verdict.features.from},
+              {"duration", segment.verdict.features.duration},
+              {"features", features_object(segment.verdict.features, reference)}}},
+            {"margins", json_parts::margins_array(segment.verdict.margins)},
+            {"reasons", segment.verdict.reasons}};
+}
+
+Json verdict_object(const classification::RecordingVerdict& verdict, double reference) {
+    Json shares = Json::object();
+    for (std::size_t k = 0; k < verdict.shares.size(); ++k)
+        shares[std::string(classification::category_names[k])] = verdict.shares[k];
+    Json segments = Json::array();
+    for (const classification::SoundSegment& segment : verdict.segments)
+        segments.push_back(segment_object(segment, reference));
+    return {{"category", classification::name(verdict.category)},
+            {"shares", std::move(shares)},
+            {"reasons", verdict.reasons},
+            {"segments", std::move(segments)}};
+}
+
+Json channel_opening(const SoundAnalysis& analysis) {
+    return {{"name", analysis.name},
+            {"unit", analysis.unit},
+            {"level_unit", signal::level_unit(analysis.unit)},
+            {"rate", analysis.rate},
+            {"duration", analysis.duration}};
+}
+
+Json units_object() {
+    Json units{{"rate", "Hz"},       {"duration", "s"},         {"from", "s"},
+               {"to", "s"},          {"frequency", "Hz"},       {"clearness", "dB"},
+               {"prominence", "dB"}, {"trend", "dB/s"},         {"unsteadiness", "dB"},
+               {"abruptness", "dB"}, {"impulse_interval", "s"}, {"repetition_frequency", "Hz"}};
+    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
+        units["thresholds." + std::string(threshold.name)] = threshold.unit;
+    return units;
+}
+
+Json bands_array(const std::vector<signal::Band>& bands, double reference) {
+    Json array = Json::array();
+    for (const signal::Band& band : bands)
+        array.push_back({{"centre", band.nominal},
+                         {"low", band.low},
+                         {"high", band.high},
+                         {"level", signal::level_of(band.mean_square, reference)}});
+    return array;
+}
+
+Json spectrum_object(const SoundAnalysis& analysis, double reference) {
+    Json levels = Json::array();
+    for (const double square : signal::line_squares(analysis.spectrum))
+        levels.push_back(signal::level_of(square, reference));
+    Json peaks = Json::array();
+    for (const signal::SpectrumPeak& peak : signal::strongest_peaks(analysis.spectrum))
+        peaks.push_back({{"frequency", peak.frequency},
+                         {"level", signal::level_of(peak.mean_square, reference)},
+                         {"prominence", peak.prominence}});
+    return {{"spacing", analysis.spectrum.spacing},
+            {"noise_bandwidth", analysis.spectrum.bandwidth},
+            {"frames", analysis.spectrum.frames},
+            {"window", "hann"},
+            {"peaks", std::move(peaks)},
+            {"levels", std::move(levels)}};
+}
+
+Json named_bands(const SoundAnalysis& analysis, double reference) {
+    const signal::Spectrum weighted = signal::a_weighted(analysis.spectrum);
+    Json array = Json::array();
+    for (const signal::NamedBand& band : signal::named_bands)
+        array.push_back(
+            {{"name", band.name},
+             {"source", band.source},
+             {"low", band.low},
+             {"high", band.high},
+             {"level",
+              signal::level_of(signal::mean_square_between(analysis.spectrum, band.low, band.high), reference)},
+             {"level_a", signal::level_of(signal::mean_square_between(weighted, band.low, band.high), reference)}});
+    return array;
+}
+
+Json quality_object(const SoundAnalysis& analysis, double reference) {
+    const sound::SoundQuality& q = *analysis.quality;
+    Json thirds = Json::array();
+    for (std::size_t k = 0; k < signal::third_octave_count; ++k)
+        if (sound::holds_third_octave(analysis.rate, k))
+            thirds.push_back({{"centre", signal::third_octave_names[k]},
+                              {"level", signal::level_of(q.third_octaves[k], reference)}});
+    return {{"field", sound::sound_field_names[static_cast<std::size_t>(q.field)]},
+            {"loudness", q.loudness},
+            {"loudness_level", sound::loudness_level(q.loudness)},
+            {"loudness_5", q.loudness_5},
+            {"loudness_10", q.loudness_10},
+            {"greatest_loudness", q.greatest_loudness},
+            {"sharpness", q.sharpness},
+            {"third_octaves", std::move(thirds)}};
+}
+
+Json levels_object(const SoundAnalysis& analysis, double reference) {
+    const signal::Spectrum weighted = signal::a_weighted(analysis.spectrum);
+    const double limit = 0.5 * analysis.rate;
+    return {{"mean", signal::level_of(analysis.mean_square, reference)},
+            {"mean_a", signal::level_of(signal::mean_square_between(weighted, 0.0, limit), reference)},
+            {"greatest_fast", analysis.level.greatest},
+            {"greatest_frame_a", signal::level_of(analysis.greatest_weighted, reference)},
+            {"peak", analysis.peak},
+            {"history", {{"interval", analysis.level.interval}, {"levels", analysis.level.decibels}}}};
+}
+
+}  // namespace
+
+std::string classify_json(const SoundReport& report) {
+    Json document = opening("stridor.classify/1", report);
+    document["category"] = classification::name(report.verdicts[report.loudest].category);
+    Json channels = Json::array();
+    for (std::size_t k = 0; k < report.channels.size(); ++k) {
+        Json channel = channel_opening(report.channels[k]);
+        channel["verdict"] = verdict_object(report.verdicts[k], signal::reference_of(report.channels[k].unit));
+        channels.push_back(std::move(channel));
+    }
+    document["channels"] = std::move(channels);
+    document["thresholds"] = json_parts::thresholds_object(report.thresholds);
+    document["units"] = units_object();
+    return text_of(document);
+}
+
+std::string analyse_json(const SoundReport& report) {
+    Json document = opening("stridor.analyse/1", report);
+    Json channels = Json::array();
+    for (std::size_t k = 0; k < report.channels.size(); ++k) {
+        const SoundAnalysis& analysis = report.channels[k];
+        const double reference = signal::reference_of(analysis.unit);
+        Json channel = channel_opening(analysis);
+        channel["levels"] = levels_object(analysis, reference);
+        channel["spectrum"] = spectrum_object(analysis, reference);
+        channel["octaves"] = bands_array(signal::bands(analysis.spectrum, signal::BandWidth::octave), reference);
+        channel["third_octaves"] =
+            bands_array(signal::bands(analysis.spectrum, signal::BandWidth::third_octave), reference);
+        channel["named_bands"] = named_bands(analysis, reference);
+        if (analysis.quality) channel["sound_quality"] = quality_object(analysis, reference);
+        channel["verdict"] = verdict_object(report.verdicts[k], reference);
+        channels.push_back(std::move(channel));
+    }
+    document["channels"] = std::move(channels);
+    document["units"] = units_object();
+    for (const char* key : {"loudness", "loudness_5", "loudness_10", "greatest_loudness"})
+        document["units"][key] = "sone";
+    document["units"]["loudness_level"] = "phon";
+    document["units"]["sharpness"] = "acum";
+    return text_of(document);
+}
+
+}  // namespace stridor::io

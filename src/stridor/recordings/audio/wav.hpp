@@ -1,0 +1,48 @@
+#pragma once
+
+#include "stridor/recordings/calibration.hpp"
+#include "stridor/signal/signal.hpp"
+#include "stridor/signal/source.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace stridor::recordings {
+
+/// The longest coding history that other programs still read [bytes].
+inline constexpr std::size_t longest_history = 15'000;
+
+/// Before the case (TOML) that a simulated sound came from, in the coding history of its file.
+inline constexpr const char* case_mark = "# case of stridor\n";
+
+enum class WavSamples { pcm_16, pcm_24, float_32 };
+
+struct WavOptions {
+    WavSamples samples = WavSamples::pcm_24;
+    std::vector<FullScale> full_scales{};  // what 1 stands for, of every channel or one each; empty: 1 of its unit
+    std::string description{};             // goes into the bext text before the calibration; 256 bytes hold both
+    std::string history{};  // how the sound came to be: bext's coding history; at most `longest_history` bytes
+};
+
+/// What became of the samples.
+struct WavWritten {
+    std::uint64_t frames = 0;
+    std::uint64_t clipped = 0;  // [1] samples beyond full scale, cut to it (whole numbers only)
+};
+
+/// Writes a WAV file (RF64 beyond 4 GiB), a calibration into its bext chunk, and NAME.wav.json beside it where the WAV
+/// cannot say everything: names, units, full scales, a rate that is no whole number.
+///
+/// A sample x becomes x / full scale; in whole numbers the nearest one to that times 2^15 or 2^23, so that samples
+/// which came from such a file go back bit for bit. The same source gives the same bytes. An old sidecar never stands
+/// beside a new recording. Throws `Error` (input) for full scales that do not fit the channels in number or unit, and
+/// for samples that are not finite.
+WavWritten write_wav(const std::string& path, signal::Source& source, const WavOptions& options = {});
+
+/// A short sound as the bytes of a WAV file, 16 bits a sample, with its calibration in the bext chunk.
+/// Throws as `write_wav` does.
+std::string wav_bytes(const signal::Signal& signal, const FullScale& scale);
+
+}  // namespace stridor::recordings

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "stridor/base/error.hpp"
+#include "stridor/recordings/bytes.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::recordings {
+
+/// A line of a text.
+struct Line {
+    std::string_view text;     // without its end; valid until the next one is read
+    int number = 0;            // [1] counted from where reading began
+    std::uint64_t offset = 0;  // [bytes] of its first character
+};
+
+/// Where in a file a line, and in it a character, stands.
+base::Place place_of(const std::string& file, const Line& line, int column);
+
+/// The lines of a long text, one after the other; ends may be LF, CR LF or CR.
+///
+/// It holds one block of the text, and refuses lines of more than `longest` bytes: no table has them, other files do.
+class LineReader {
+public:
+    static constexpr std::size_t longest = 1U << 16U;  // [bytes]
+
+    /// Reads from `offset` on, whose line has the number `number`; `name` is the file's, for messages.
+    LineReader(std::shared_ptr<const Bytes> bytes, std::string name, std::uint64_t offset = 0, int number = 1);
+
+    /// The next line; nothing at the end. Throws `Error` (input) for a line that is too long.
+    std::optional<Line> next();
+
+    /// Where the next line begins, and its number.
+    std::uint64_t offset() const { return start_ + begin_; }
+    int number() const { return number_; }
+
+    const std::string& name() const { return name_; }
+
+private:
+    bool fill();
+
+    std::shared_ptr<const Bytes> bytes_;
+    std::string name_;
+    std::vector<char> block_;
+    std::uint64_t start_;    // [bytes] where the block begins in the text
+    std::size_t begin_ = 0;  // [bytes] of the next line in the block
+    std::size_t end_ = 0;    // [bytes] filled of the block
+    int number_;
+};
+
+}  // namespace stridor::recordings

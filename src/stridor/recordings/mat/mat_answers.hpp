@@ -1,0 +1,69 @@
+#pragma once
+
+// What a process that reads a MAT file answers to the one that asked it, byte by byte. Private to this folder.
+//
+//   -> Opened, then so many times VariableHead and a name
+//   <- so many columns: std::uint64_t, then Column each
+//   -> std::uint32_t 1, then the columns' numbers as doubles, shape [frame][column]; or 0 where they cannot be read
+//   <- the next columns, and so on
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace stridor::recordings::mat {
+
+inline constexpr std::uint32_t most_variables = 4096;  // in a file
+inline constexpr std::uint32_t longest_name = 255;     // [bytes]; MATLAB's own are up to 63
+
+/// What a variable holds. Only numbers can be samples.
+enum class Kind : std::uint32_t {
+    doubles,
+    singles,
+    integers,
+    truth_values,
+    complex,
+    sparse,
+    text,
+    cells,
+    structure,
+    several_dimensions,
+    nothing,
+    object,
+    count
+};
+
+struct Opened {
+    std::uint32_t is_open = 0;
+    std::uint32_t variables = 0;
+};
+
+struct VariableHead {
+    Kind kind = Kind::object;
+    std::uint32_t name_length = 0;  // [bytes]
+    std::uint64_t rows = 0;
+    std::uint64_t columns = 0;
+    double value = 0.0;  // of a single number
+};
+
+/// One channel of a variable.
+struct Column {
+    std::uint64_t variable = 0;  // from 0, as the file lists them
+    std::uint64_t index = 0;     // from 0
+    std::uint64_t is_flat = 0;   // its rows are the channels, and its columns the instants
+    friend bool operator==(const Column&, const Column&) = default;
+};
+
+/// Who answers.
+class Answers {
+public:
+    virtual ~Answers() = default;
+    virtual void send(std::span<const std::byte> bytes) = 0;
+    /// Fills the bytes; false where there are no more.
+    virtual bool receive(std::span<std::byte> into) = 0;
+    /// Why there are no more: "it crashed (signal 11)".
+    virtual std::string ending() = 0;
+};
+
+}  // namespace stridor::recordings::mat

@@ -1,0 +1,52 @@
+#pragma once
+
+// Which variables of a MAT file are the channels of a recording. Private to this folder.
+
+#include "stridor/recordings/mat/mat_answers.hpp"
+#include "stridor/signal/source.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stridor::recordings::mat {
+
+struct Variable {
+    std::string name;
+    Kind kind = Kind::object;
+    std::uint64_t rows = 0;
+    std::uint64_t columns = 0;
+    double value = 0.0;  // of a single number
+};
+
+/// What the user knows better than the file.
+struct Wishes {
+    std::optional<double> rate{};  // [Hz]
+    std::string channel{};         // its variable is read even where others are of another length
+};
+
+/// What is to be read.
+struct Choice {
+    std::vector<Column> columns{};            // of the channels
+    std::vector<signal::Channel> channels{};  // their names
+    std::uint64_t frames = 0;
+    std::optional<double> rate{};   // [Hz]; nothing where the times must tell it
+    std::optional<Column> time{};   // [s]
+    std::string time_name{};        // "t", "data(1)"
+    bool has_single_times = false;  // of seven digits
+    std::vector<std::string> notes{};
+    std::vector<std::pair<std::string, std::string>> metadata{};  // other single numbers
+};
+
+/// Chooses the channels: all vectors of numbers of one length, and the columns of matrices, NAME(1) to NAME(n). The
+/// longer side of a matrix is its time, a square's its rows.
+///
+/// The rate is a single number called `fs`, `sample_rate` or the like, or one over `dt`; the times are a vector called
+/// `t` or `time` in seconds, or the first column of a matrix that is alone and without a rate. Where there are times,
+/// what is as long as they are is chosen. Throws `Error` (input) with what there is where nothing or no one length can
+/// be chosen, and where there is neither a rate nor times.
+Choice choose(const std::vector<Variable>& variables, const Wishes& wishes, const std::string& file);
+
+}  // namespace stridor::recordings::mat

@@ -1,0 +1,186 @@
+#include "stridor/recordings/mat/matio_answers.hpp"
+
+#include "stridor/recordings/mat/mat_answers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+namespace stridor::recordings {
+
+namespace {
+
+using base::ConfinedProcess;
+
+/// A variable of the file; `info` lives as long as the process.
+struct Found {
+    matvar_t* info = nullptr;
+    mat::VariableHead head{};
+    bool is_loaded = false;
+};
+
+mat::Kind kind_of(const matvar_t& info) {
+    if (info.class_type == MAT_C_SPARSE) return mat::Kind::sparse;
+    if (info.class_type == MAT_C_CHAR) return mat::Kind::text;
+    if (info.class_type == MAT_C_CELL) return mat::Kind::cells;
+    if (info.class_type == MAT_C_STRUCT) return mat::Kind::structure;
+    const bool is_number = info.class_type >= MAT_C_DOUBLE && info.class_type <= MAT_C_UINT64;
+    if (!is_number) return mat::Kind::object;
+    if (info.isComplex != 0) return mat::Kind::complex;
+    if (info.isLogical != 0) return mat::Kind::truth_values;
+    if (info.class_type == MAT_C_DOUBLE) return mat::Kind::doubles;
+    return info.class_type == MAT_C_SINGLE ? mat::Kind::singles : mat::Kind::integers;
+}
+
+// a dimension of one does not count, but two are always there
+mat::VariableHead head_of(const matvar_t& info) {
+    mat::VariableHead head;
+    head.kind = kind_of(info);
+    std::vector<std::uint64_t> sizes(info.dims, info.dims + std::max(info.rank, 0));
+    for (std::size_t k = sizes.size(); k > 0 && sizes.size() > 2; --k)
+        if (sizes[k - 1] == 1) sizes.erase(sizes.begin() + static_cast<std::ptrdiff_t>(k - 1));
+    if (sizes.size() > 2)
+        head.kind = mat::Kind::several_dimensions;
+    else if (sizes.size() < 2 || sizes[0] == 0 || sizes[1] == 0)
+        head.kind = mat::Kind::nothing;
+    else {
+        head.rows = sizes[0];
+        head.columns = sizes[1];
+    }
+    head.name_length = static_cast<std::uint32_t>(
+        info.name == nullptr ? 0 : std::min<std::size_t>(std::strlen(info.name), mat::longest_name));
+    return head;
+}
+
+template <typename Number>
+double number_at(const matvar_t& info, std::size_t index) {
+    Number number{};
+    std::memcpy(&number, static_cast<const char*>(info.data) + index * sizeof number, sizeof number);
+    return static_cast<double>(number);
+}
+
+double value_at(const matvar_t& info, std::size_t index) {
+    switch (info.class_type) {
+        case MAT_C_DOUBLE:
+            return number_at<double>(info, index);
+        case MAT_C_SINGLE:
+            return number_at<float>(info, index);
+        case MAT_C_INT8:
+            return number_at<std::int8_t>(info, index);
+        case MAT_C_UINT8:
+            return number_at<std::uint8_t>(info, index);
+        case MAT_C_INT16:
+            return number_at<std::int16_t>(info, index);
+        case MAT_C_UINT16:
+            return number_at<std::uint16_t>(info, index);
+        case MAT_C_INT32:
+            return number_at<std::int32_t>(info, index);
+        case MAT_C_UINT32:
+            return number_at<std::uint32_t>(info, index);
+        case MAT_C_INT64:
+            return number_at<std::int64_t>(info, index);
+        default:
+            return number_at<std::uint64_t>(info, index);
+    }
+}
+
+std::size_t size_of(const matvar_t& info) {
+    constexpr std::array<std::size_t, 10> sizes{8, 4, 1, 1, 2, 2, 4, 4, 8, 8};  // from MAT_C_DOUBLE on
+    return sizes.at(static_cast<std::size_t>(info.class_type - MAT_C_DOUBLE));
+}
+
+bool is_number(mat::Kind kind) {
+    return kind == mat::Kind::doubles || kind == mat::Kind::singles || kind == mat::Kind::integers;
+}
+
+bool load(const Matio& matio, mat_t* file, Found& found) {
+    if (found.is_loaded) return true;
+    if (!is_number(found.head.kind) || matio.Mat_VarReadDataAll(file, found.info) != 0) return false;
+    const std::uint64_t bytes = found.head.rows * found.head.columns * size_of(*found.info);
+    found.is_loaded = found.info->data != nullptr && found.info->nbytes >= bytes;
+    return found.is_loaded;
+}
+
+template <typename Plain>
+void send(const ConfinedProcess::Channel& channel, const Plain& plain) {
+    channel.send(std::as_bytes(std::span(&plain, 1)));
+}
+
+template <typename Plain>
+bool receive(const ConfinedProcess::Channel& channel, Plain& plain) {
+    return channel.receive(std::as_writable_bytes(std::span(&plain, 1)));
+}
+
+std::vector<Found> list(const Matio& matio, mat_t* file) {
+    std::vector<Found> all;
+    while (all.size() <= mat::most_variables) {
+        matvar_t* info = matio.Mat_VarReadNextInfo(file);
+        if (info == nullptr) break;
+        all.push_back({info, head_of(*info)});
+    }
+    return all;
+}
+
+// the numbers of some columns, row by row; all of them are loaded and equally long
+void send_columns(const ConfinedProcess::Channel& channel, const std::vector<Found>& all,
+                  const std::vector<mat::Column>& columns) {
+    constexpr std::size_t block_size = 8192;
+    struct Walk {
+        const matvar_t* info;
+        std::size_t next;
+        std::size_t step;
+    };
+    std::vector<Walk> walks;
+    for (const mat::Column& column : columns) {
+        const Found& found = all[column.variable];
+        const std::size_t rows = found.head.rows;
+        if (column.is_flat != 0)
+            walks.push_back({found.info, column.index, rows});
+        else
+            walks.push_back({found.info, column.index * rows, 1});
+    }
+    const mat::VariableHead& head = all[columns.front().variable].head;
+    const std::uint64_t frames = columns.front().is_flat != 0 ? head.columns : head.rows;
+    std::vector<double> block;
+    block.reserve(block_size + walks.size());
+    for (std::uint64_t frame = 0; frame < frames; ++frame) {
+        for (Walk& walk : walks) {
+            block.push_back(value_at(*walk.info, walk.next));
+            walk.next += walk.step;
+        }
+        if (block.size() < block_size && frame + 1 < frames) continue;
+        channel.send(std::as_bytes(std::span(block)));
+        block.clear();
+    }
+}
+
+}  // namespace
+
+void answer_with_matio(const Matio& matio, const ConfinedProcess::Channel& channel) {
+    mat_t* file = matio.Mat_Open(ConfinedProcess::file_path, MAT_ACC_RDONLY);
+    if (file == nullptr) return send(channel, mat::Opened{});
+    std::vector<Found> all = list(matio, file);
+    send(channel, mat::Opened{1, static_cast<std::uint32_t>(all.size())});
+    for (Found& found : all) {
+        const bool is_single = is_number(found.head.kind) && found.head.rows == 1 && found.head.columns == 1;
+        // what cannot be read is no number that anybody may use
+        if (is_single && !load(matio, file, found)) found.head.kind = mat::Kind::object;
+        if (found.is_loaded) found.head.value = value_at(*found.info, 0);
+        send(channel, found.head);
+        channel.send(std::as_bytes(std::span(found.info->name, found.head.name_length)));
+    }
+    std::uint64_t count = 0;
+    while (receive(channel, count)) {
+        std::vector<mat::Column> columns(count);
+        if (!channel.receive(std::as_writable_bytes(std::span(columns)))) return;
+        const bool is_read = std::all_of(columns.begin(), columns.end(), [&](const mat::Column& column) {
+            return load(matio, file, all.at(column.variable));
+        });
+        send(channel, std::uint32_t{is_read});
+        if (is_read) send_columns(channel, all, columns);
+    }
+}
+
+}  // namespace stridor::recordings

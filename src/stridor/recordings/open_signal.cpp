@@ -1,0 +1,242 @@
+#include "stridor/recordings/open_signal.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/recordings/audio/audio.hpp"
+#include "stridor/recordings/audio/compressed_audio.hpp"
+#include "stridor/recordings/mat/mat.hpp"
+#include "stridor/recordings/mat/mat_choice.hpp"
+#include "stridor/recordings/recording_files.hpp"
+#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/sidecar.hpp"
+#include "stridor/recordings/table/signal_csv.hpp"
+#include "stridor/recordings/uff58/uff58.hpp"
+#include "stridor/signal/channel_name.hpp"
+#include "stridor/storage/atomic_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+
+namespace stridor::recordings {
+
+namespace {
+
+constexpr std::size_t sniffed = 4096;               // [bytes]
+constexpr std::size_t longest_sidecar = 1U << 20U;  // [bytes]
+
+bool is_text(std::string_view beginning) {
+    return std::none_of(beginning.begin(), beginning.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte < 32 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != '\v';
+    });
+}
+
+/// A format of measurements that is known by its mark and not read.
+struct Foreign {
+    std::string_view mark;
+    std::string_view name;
+    std::string_view way_out;
+};
+
+constexpr std::array foreign_formats{
+    Foreign{"TDSm", "a TDMS file of LabVIEW or DIAdem",
+            "Export it as CSV from there, or with Python's npTDMS: "
+            "TdmsFile(\"IN.tdms\").as_dataframe(time_index=True).to_csv(\"OUT.csv\", index_label=\"time\")"},
+    Foreign{"MDF     ", "an MDF file", "Export it as CSV from the program that wrote it."},
+    Foreign{"\x89HDF\r\n\x1a\n", "an HDF5 file",
+            "Write its time and samples as CSV, with the columns \"time [s]\" and \"NAME [UNIT]\"."}};
+
+void refuse_foreign(std::string_view beginning, const std::string& name) {
+    for (const Foreign& foreign : foreign_formats)
+        if (beginning.starts_with(foreign.mark))
+            throw refusal(name, "this is " + std::string(foreign.name), "Stridor does not read it",
+                          std::string(foreign.way_out));
+}
+
+RawSignal open_raw(const SignalInput& input, const OpenOptions& options) {
+    const std::string beginning = text_at(*input.bytes, 0, sniffed);
+    if (beginning.empty()) throw refusal(input.name, "the file is empty");
+    const bool is_utf16 = beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF");
+    if (is_audio(beginning) && !is_utf16) return open_audio(input);
+    if (is_compressed_audio(beginning)) return open_compressed_audio(input);
+    if (is_uff(beginning)) return open_uff58(input, options.dataset);
+    if (is_mat(beginning)) return open_mat(input, {options.rate, options.channel_name});
+    refuse_foreign(beginning, input.name);
+    if (is_text(beginning) && has_sound_name(input.name))
+        throw refusal(input.name, "this is text and no sound", "a sound file begins with the mark of its format",
+                      "If it is a table, give it a name that ends in .csv.");
+    if (is_text(beginning) || is_utf16) return open_signal_csv(input, options.rate);
+    throw refusal(input.name, "the format of the file is not known",
+                  "it is no sound file, no table, no UFF and no MAT file", "Convert it to WAV, CSV or UFF 58 first.");
+}
+
+std::string label(const signal::Channel& channel, std::size_t index) {
+    return channel.name.empty() ? "channel " + std::to_string(index + 1) : "channel \"" + channel.name + "\"";
+}
+
+/// Gathers from every origin what a recording's channels are in.
+class Calibrator {
+public:
+    Calibrator(const RawSignal& raw, const OpenOptions& options, const std::optional<Sidecar>& sidecar)
+        : raw_(raw),
+          options_(options),
+          sidecar_(sidecar),
+          described_(calibration_in(raw.description)) {}
+
+    void apply(signal::Layout& layout, SignalFacts& facts) const {
+        for (std::size_t k = 0; k < layout.channels.size(); ++k) {
+            signal::Channel& channel = layout.channels[k];
+            const std::string written = channel.unit;
+            const auto [scale, origin] = calibration(k, written);
+            const bool is_known = origin != Calibration::file || is_known_unit(written);
+            if (!is_known)
+                facts.notes.push_back("the unit \"" + written + "\" of " + label(channel, k) +
+                                      " is not known; its numbers are kept as they are");
+            channel.unit = scale.unit;
+            facts.full_scales.push_back(scale);
+            facts.calibrations.push_back(origin);
+        }
+        const bool is_doubtful = !described_ && mentions_level(raw_.description);
+        if (is_doubtful)
+            facts.notes.push_back("the description speaks of dBFS, but not as in \"0dBFS = 109.7 dBSPL\": \"" +
+                                  raw_.description + "\"");
+    }
+
+private:
+    static bool mentions_level(std::string_view text) {
+        return text.find("dBFS") != std::string_view::npos || text.find("dbfs") != std::string_view::npos;
+    }
+
+    std::pair<FullScale, Calibration> calibration(std::size_t k, const std::string& written) const {
+        const std::vector<FullScale>& given = options_.full_scales;
+        if (!given.empty()) return {given[given.size() == 1 ? 0 : k], Calibration::option};
+        const bool has_sidecar = sidecar_ && k < sidecar_->channels.size() && sidecar_->channels[k].full_scale;
+        if (has_sidecar) return {*sidecar_->channels[k].full_scale, Calibration::sidecar};
+        if (described_) return {*described_, Calibration::description};
+        const FullScale unit = unit_of_label(written);
+        return {unit, unit.unit == signal::full_scale ? Calibration::none : Calibration::file};
+    }
+
+    const RawSignal& raw_;
+    const OpenOptions& options_;
+    const std::optional<Sidecar>& sidecar_;
+    std::optional<FullScale> described_;
+};
+
+void apply_sidecar(const Sidecar& sidecar, signal::Layout& layout, const std::string& name) {
+    if (!sidecar.channels.empty() && sidecar.channels.size() != layout.channels.size())
+        throw refusal(name, "the sidecar names " + std::to_string(sidecar.channels.size()) + " channels",
+                      "the recording has " + std::to_string(layout.channels.size()));
+    for (std::size_t k = 0; k < sidecar.channels.size(); ++k)
+        if (sidecar.channels[k].name) layout.channels[k].name = *sidecar.channels[k].name;
+    if (!sidecar.rate) return;
+    const bool agrees = std::abs(*sidecar.rate - layout.rate) <= 1.0;
+    if (!agrees)
+        throw refusal(name, "the sidecar gives a rate of " + base::shortest(*sidecar.rate) + " Hz",
+                      "the recording has " + base::shortest(layout.rate) + " Hz", "Is it of another recording?");
+    layout.rate = *sidecar.rate;
+}
+
+// "channel 1" is what writers call a channel without a name
+void drop_made_up_names(signal::Layout& layout) {
+    for (std::size_t k = 0; k < layout.channels.size(); ++k)
+        if (layout.channels[k].name == "channel " + std::to_string(k + 1)) layout.channels[k].name.clear();
+}
+
+void check_options(const OpenOptions& options, const signal::Layout& layout, const std::string& name) {
+    const std::size_t width = layout.channels.size();
+    const std::size_t given = options.full_scales.size();
+    if (given > 1 && given != width)
+        throw refusal(name, std::to_string(given) + " full scales are given",
+                      "the recording has " + std::to_string(width) + " channels", "Give one for all or one for each.");
+    if (options.channel && (*options.channel < 1 || *options.channel > width))
+        throw refusal(name, "there is no channel " + std::to_string(*options.channel),
+                      "the recording has " + std::to_string(width));
+}
+
+// from 1
+std::optional<std::size_t> channel_of(const OpenOptions& options, const signal::Layout& layout,
+                                      const std::string& name) {
+    if (options.channel_name.empty()) return options.channel;
+    try {
+        return signal::channel_named(layout, options.channel_name) + 1;
+    } catch (const Error& error) {
+        throw Error(error.kind(), error.problem(), base::Place{name, 0, 0, ""});
+    }
+}
+
+std::optional<std::string> sidecar_text(const std::string& path) {
+    if (path == storage::standard_input) return std::nullopt;
+    const std::string beside = sidecar_path(path);
+    std::error_code code;
+    if (!std::filesystem::is_regular_file(beside, code)) return std::nullopt;
+    const auto bytes = open_bytes(beside);
+    if (bytes->size() > longest_sidecar) throw refusal(beside, "the sidecar is too long", "1 MiB is read at most");
+    return text_at(*bytes, 0, longest_sidecar);
+}
+
+}  // namespace
+
+SignalFile::SignalFile(RawSignal raw, signal::Layout layout, SignalFacts facts, std::optional<std::size_t> channel)
+    : raw_(std::move(raw)),
+      layout_(std::move(layout)),
+      facts_(std::move(facts)) {
+    for (std::size_t k = 0; k < layout_.channels.size(); ++k)
+        if (!channel || *channel == k + 1) picked_.push_back(k);
+    if (!channel) return;
+    const std::size_t only = picked_.front();
+    layout_.channels = {layout_.channels[only]};
+    facts_.full_scales = {facts_.full_scales[only]};
+    facts_.calibrations = {facts_.calibrations[only]};
+}
+
+double SignalFile::sample(std::size_t index, std::size_t channel) const {
+    const double value = block_[index] * facts_.full_scales[channel].value;
+    if (std::isfinite(value)) return value;
+    const std::uint64_t frame = frames_ + index / raw_.source->layout().channels.size();
+    throw refusal(facts_.name, "the sample of frame " + std::to_string(frame) + " is not a finite number",
+                  "it is " + base::shortest(block_[index]) + " in " + label(layout_.channels[channel], channel), "");
+}
+
+std::size_t SignalFile::read(std::span<double> frames) {
+    const std::size_t width = picked_.size();
+    const std::size_t file_width = raw_.source->layout().channels.size();
+    STRIDOR_EXPECT(frames.size() % width == 0);
+    block_.resize(frames.size() / width * file_width);
+    const std::size_t count = raw_.source->read(block_);
+    for (std::size_t frame = 0; frame < count; ++frame)
+        for (std::size_t k = 0; k < width; ++k)
+            frames[frame * width + k] = sample(frame * file_width + picked_[k], k);
+    frames_ += count;
+    return count;
+}
+
+SignalInput open_input(const std::string& path) {
+    return {open_bytes(path), path == storage::standard_input ? "standard input" : path, sidecar_text(path)};
+}
+
+std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOptions& options) {
+    RawSignal raw = open_raw(input, options);
+    signal::Layout layout = raw.source->layout();
+    drop_made_up_names(layout);
+    std::optional<Sidecar> sidecar;
+    if (input.sidecar) sidecar = parse_sidecar(*input.sidecar, sidecar_path(input.name));
+    SignalFacts facts{input.name, raw.format, {}, {}, raw.notes, raw.metadata};
+    if (sidecar) {
+        apply_sidecar(*sidecar, layout, sidecar_path(input.name));
+        facts.metadata.insert(facts.metadata.end(), sidecar->metadata.begin(), sidecar->metadata.end());
+    }
+    check_options(options, layout, input.name);
+    Calibrator(raw, options, sidecar).apply(layout, facts);
+    const std::optional<std::size_t> channel = channel_of(options, layout, input.name);
+    return std::make_unique<SignalFile>(std::move(raw), std::move(layout), std::move(facts), channel);
+}
+
+std::unique_ptr<SignalFile> open_signal(const std::string& path, const OpenOptions& options) {
+    return open_signal(open_input(path), options);
+}
+
+}  // namespace stridor::recordings

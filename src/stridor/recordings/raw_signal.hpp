@@ -1,0 +1,30 @@
+#pragma once
+
+#include "stridor/recordings/bytes.hpp"
+#include "stridor/signal/source.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stridor::recordings {
+
+/// What one format's reader makes of a file: the numbers as they stand in it. `open_signal` gives them their units.
+struct RawSignal {
+    std::unique_ptr<signal::Source> source{};  // units: the file's own words, empty where it has none
+    std::string format{};                      // "WAV (Microsoft), Signed 24 bit PCM"
+    std::string description{};                 // free text that may hold a calibration; may be empty
+    std::vector<std::string> notes{};          // what the user should know of how it was read
+    std::vector<std::pair<std::string, std::string>> metadata{};  // what else the file says of itself
+};
+
+/// A file that is to be read.
+struct SignalInput {
+    std::shared_ptr<const Bytes> bytes;
+    std::string name{};                    // for messages
+    std::optional<std::string> sidecar{};  // text of the JSON file beside it
+};
+
+}  // namespace stridor::recordings

@@ -1,0 +1,333 @@
+#include "stridor/recordings/uff58/uff58_header.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/recordings/line_reader.hpp"
+#include "stridor/recordings/rate.hpp"
+#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/table/csv_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <tuple>
+#include <utility>
+
+namespace stridor::recordings::uff58 {
+
+namespace {
+
+constexpr std::size_t header_lines = 11;
+constexpr std::size_t most_histories = 4096;
+constexpr double highest_rate = 1e9;  // [Hz]
+
+using Cards = std::array<std::string, header_lines>;
+
+/// What the line of the dataset's number says.
+struct Opening {
+    bool is_58 = false;
+    Form form = Form::ascii;
+    std::optional<std::uint64_t> bytes;  // [bytes] of binary values, where it says so
+};
+
+std::optional<long long> whole(std::string_view text) {
+    text = base::trimmed(text);
+    long long number = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_whole = code == std::errc{} && end == text.data() + text.size();
+    return is_whole ? std::optional(number) : std::nullopt;
+}
+
+std::string_view columns(std::string_view line, std::size_t from, std::size_t length) {
+    return from < line.size() ? line.substr(from, length) : std::string_view();
+}
+
+// the fields of a card by its columns; by its words where the columns were not kept
+std::vector<std::string_view> fields_of(std::string_view card, const std::vector<std::size_t>& widths) {
+    std::vector<std::string_view> by_words = words(card);
+    if (by_words.size() == widths.size()) return by_words;  // how wide they are does not matter then
+    std::vector<std::string_view> fields;
+    std::size_t from = 0;
+    for (const std::size_t width : widths) {
+        fields.push_back(base::trimmed(columns(card, from, width)));
+        from += width;
+    }
+    return fields;
+}
+
+std::string meaningful(std::string_view text) {
+    const std::string found(base::trimmed(text));
+    return csv_table::lower(found) == "none" ? "" : found;
+}
+
+Opening opening_of(const Line& line, const std::string& file) {
+    const std::vector<std::string_view> fields = words(line.text);
+    Opening opening;
+    if (fields.empty()) return opening;
+    opening.is_58 = fields[0] == "58" || fields[0] == "58b" || fields[0] == "58B";
+    if (!opening.is_58 || fields[0] == "58") {
+        // "58 b": some write the letter apart
+        const bool is_apart = opening.is_58 && fields.size() > 1 && (fields[1] == "b" || fields[1] == "B");
+        if (!is_apart) return opening;
+    }
+    const std::size_t first = fields[0] == "58" ? 2 : 1;
+    const auto number = [&](std::size_t k) {
+        return first + k < fields.size() ? whole(fields[first + k]) : std::nullopt;
+    };
+    const base::Place place = place_of(file, line, 1);
+    if (number(0) != 1 && number(0) != 2)
+        throw refusal(place, "dataset 58b has an unknown byte order",
+                      "1 (little endian) or 2 (big endian) is expected");
+    opening.form = number(0) == 1 ? Form::little_endian : Form::big_endian;
+    if (number(1).value_or(2) != 2)
+        throw refusal(place, "dataset 58b has numbers of VMS or IBM format", "IEEE 754 (2) is read");
+    if (const auto bytes = number(3); bytes && *bytes > 0) opening.bytes = static_cast<std::uint64_t>(*bytes);
+    return opening;
+}
+
+// "Acceleration         m/s^2", the two labels of records 8 to 11
+std::pair<std::string, std::string> labels_of(std::string_view card) {
+    constexpr std::size_t numbers_width = 25;
+    constexpr std::size_t label_width = 21;  // with the blank before it
+    bool has_columns = true;
+    for (const auto& [from, length] : {std::pair<std::size_t, std::size_t>{0, 10}, {10, 5}, {15, 5}, {20, 5}})
+        has_columns = has_columns && whole(columns(card, from, length)).has_value();
+    std::string_view rest = columns(card, numbers_width, card.size());
+    if (!has_columns) {
+        const std::vector<std::string_view> parts = words(card);
+        if (parts.size() < 5) return {};
+        rest = card.substr(static_cast<std::size_t>(parts[4].data() - card.data()));
+    }
+    const bool is_cut = rest.size() > label_width && rest[label_width - 1] != ' ' && rest[label_width] != ' ';
+    if (has_columns && !is_cut)
+        return {meaningful(columns(rest, 0, label_width)), meaningful(columns(rest, label_width, label_width))};
+    // the columns were not kept: two blanks part the labels, or the last word is the unit
+    const std::string_view text = base::trimmed(rest);
+    std::size_t gap = text.find("  ");
+    if (gap == std::string_view::npos) gap = text.rfind(' ');
+    if (gap == std::string_view::npos) return {meaningful(text), ""};
+    return {meaningful(text.substr(0, gap)), meaningful(text.substr(gap))};
+}
+
+// "rate: 48000 Hz" in one of the five lines of free text
+std::optional<double> written_rate(const std::array<std::string, 5>& id) {
+    for (const std::string& line : id) {
+        const std::size_t at = csv_table::lower(line).find("rate:");
+        if (at == std::string::npos) continue;
+        const std::vector<std::string_view> parts = words(std::string_view(line).substr(at + 5));
+        if (parts.size() < 2 || csv_table::lower(parts[1]) != "hz") continue;
+        const std::optional<double> rate = fortran_number(parts[0]);
+        if (rate && std::isfinite(*rate) && *rate > 0.0) return rate;
+    }
+    return std::nullopt;
+}
+
+SnappedRate rate_of(std::string_view step_numeral, const std::array<std::string, 5>& id, const base::Place& place) {
+    const std::optional<double> step = fortran_number(step_numeral);
+    const bool is_step = step && *step >= 1.0 / highest_rate && std::isfinite(*step) && *step <= 1e9;
+    if (!is_step)
+        throw refusal(place, "the time step \"" + std::string(step_numeral) + "\" is no step", "it must be positive");
+    const std::optional<double> written = written_rate(id);
+    // an ID line that is meant for other data does not agree with the step
+    if (written && std::abs(*written * *step - 1.0) <= 6e-6) return {*written};
+    return snapped_rate(*step, step_tolerance(step_numeral));
+}
+
+Dataset read_header(const Cards& cards, Form form, const LineReader& lines) {
+    const base::Place place{lines.name(), lines.number() - 5, 0, cards[6]};
+    Dataset dataset;
+    dataset.form = form;
+    std::copy_n(cards.begin(), dataset.id.size(), dataset.id.begin());
+    for (std::string& line : dataset.id)
+        line = meaningful(line);
+    const std::vector<std::string_view> data = fields_of(cards[6], {10, 10, 10, 13, 13, 13});
+    const auto ordinate = whole(data[0]);
+    const auto count = whole(data[1]);
+    const auto spacing = whole(data[2]);
+    if (!ordinate || !count || !spacing)
+        throw refusal(place, "the form of the data cannot be read", "record 7 of dataset 58 holds three whole numbers");
+    if (*spacing == 0)
+        throw refusal(place, "the time history has an uneven step", "only even ones are read", "Resample it first.");
+    if (*ordinate != real_single && *ordinate != real_double)
+        throw refusal(place, "the time history holds data of type " + std::string(data[0]),
+                      "real numbers (2 or 4) are read");
+    if (*count <= 0) throw refusal(place, "the time history holds no values");
+    dataset.ordinate = static_cast<int>(*ordinate);
+    dataset.count = static_cast<std::uint64_t>(*count);
+    dataset.start = fortran_number(data[3]).value_or(0.0);
+    const SnappedRate rate = rate_of(data[4], dataset.id, place);
+    dataset.rate = rate.rate;
+    dataset.rate_note = rate.note;
+    std::tie(dataset.label, dataset.unit) = labels_of(cards[8]);
+    const std::vector<std::string_view> response = words(columns(cards[5], 31, 24));
+    if (response.size() == 2) dataset.response = std::string(response[0]) + ":" + std::string(response[1]);
+    dataset.data_offset = lines.offset();
+    dataset.data_line = lines.number();
+    return dataset;
+}
+
+// type of the function and of its abscissa: is it one over time?
+bool is_history(const Cards& cards) {
+    const std::vector<std::string_view> function = words(cards[5]);
+    const std::vector<std::string_view> abscissa = words(cards[7]);
+    std::optional<long long> type = function.empty() ? std::nullopt : whole(function[0]);
+    if (!type || *type > 99999) type = whole(columns(cards[5], 0, 5));
+    const std::optional<long long> axis = abscissa.empty() ? std::nullopt : whole(abscissa[0]);
+    return type == time_response || (type == general_function && axis == time_abscissa);
+}
+
+bool has_mark_at(const SignalInput& input, std::uint64_t offset) {
+    const std::string text = text_at(*input.bytes, offset, 16);
+    const std::string_view content = base::trimmed(text);
+    return content.starts_with("-1") || (offset >= input.bytes->size() && content.empty());
+}
+
+std::uint64_t width_of(int ordinate) {
+    return ordinate == real_double ? 8 : 4;
+}
+
+// where the values of a binary dataset end; `claimed` is the number of bytes that its first line gives
+std::uint64_t binary_end(const SignalInput& input, const Dataset& dataset, std::optional<std::uint64_t> claimed) {
+    const base::Place place{input.name, dataset.data_line, 0, ""};
+    const std::uint64_t left = input.bytes->size() - dataset.data_offset;
+    const std::uint64_t width = width_of(dataset.ordinate);
+    if (dataset.count > left / width)
+        throw refusal(place, "the time history is cut off",
+                      "its header speaks of " + std::to_string(dataset.count) + " values, " +
+                          std::to_string(left / width) + " are there");
+    const std::uint64_t needed = dataset.count * width;
+    if (!claimed || *claimed == needed) return dataset.data_offset + needed;
+    if (*claimed > needed && *claimed <= left) return dataset.data_offset + *claimed;  // filled up
+    // a wrong number of bytes is forgiven where the values end as they should
+    if (has_mark_at(input, dataset.data_offset + needed)) return dataset.data_offset + needed;
+    throw refusal(place, "the header contradicts itself",
+                  std::to_string(dataset.count) + " values take " + std::to_string(needed) + " bytes, not " +
+                      std::to_string(*claimed));
+}
+
+/// Goes through a file from mark to mark.
+class Walk {
+public:
+    explicit Walk(const SignalInput& input) : input_(input), lines_(input.bytes, input.name) {}
+
+    Contents contents() && {
+        while (find_mark()) {
+            const std::optional<Line> line = lines_.next();
+            if (!line) break;
+            // two marks in a row: the first one ended what had no beginning
+            if (is_mark(line->text)) {
+                const std::optional<Line> next = lines_.next();
+                if (!next) break;
+                read_block(opening_of(*next, input_.name));
+                continue;
+            }
+            read_block(opening_of(*line, input_.name));
+        }
+        return std::move(contents_);
+    }
+
+private:
+    bool find_mark() {
+        while (const auto line = lines_.next())
+            if (is_mark(line->text)) return true;
+        return false;
+    }
+
+    void read_block(const Opening& opening) {
+        if (!opening.is_58) {
+            ++contents_.left_out;
+            find_mark();
+            return;
+        }
+        Cards cards;
+        for (std::string& card : cards) {
+            const std::optional<Line> line = lines_.next();
+            if (!line || is_mark(line->text))
+                throw refusal({input_.name, lines_.number() - 1, 0, ""}, "the header of dataset 58 is cut off",
+                              "it has 11 lines");
+            card = std::string(line->text.substr(0, 1000));
+        }
+        const bool is_wanted = is_history(cards);
+        if (!is_wanted) ++contents_.left_out;
+        if (opening.form == Form::ascii && !is_wanted) {
+            find_mark();
+            return;
+        }
+        if (!is_wanted) return skip_binary(opening);
+        take(read_header(cards, opening.form, lines_), opening);
+    }
+
+    // a binary function that is not over time: its values may look like anything
+    void skip_binary(const Opening& opening) {
+        const std::uint64_t left = input_.bytes->size() - lines_.offset();
+        const std::uint64_t length = std::min(opening.bytes.value_or(0), left);
+        lines_ = LineReader(input_.bytes, input_.name, lines_.offset() + length, lines_.number());
+        find_mark();
+    }
+
+    void take(Dataset dataset, const Opening& opening) {
+        if (contents_.histories.size() >= most_histories)
+            throw refusal({input_.name, dataset.data_line, 0, ""},
+                          "the file holds more than " + std::to_string(most_histories) + " time histories");
+        dataset.number = static_cast<int>(contents_.histories.size()) + 1;
+        if (dataset.form == Form::ascii) {
+            // a value takes at least a digit and what parts it from the next
+            const std::uint64_t left = input_.bytes->size() - dataset.data_offset;
+            if (dataset.count > (left + 1) / 2)
+                throw refusal({input_.name, dataset.data_line, 0, ""}, "the time history is cut off",
+                              "its header speaks of " + std::to_string(dataset.count) + " values, " +
+                                  std::to_string(left) + " bytes are left");
+        } else {
+            const std::uint64_t end = binary_end(input_, dataset, opening.bytes);
+            lines_ = LineReader(input_.bytes, input_.name, end, lines_.number());
+        }
+        contents_.histories.push_back(std::move(dataset));
+        find_mark();
+    }
+
+    SignalInput input_;
+    LineReader lines_;
+    Contents contents_;
+};
+
+}  // namespace
+
+bool is_mark(std::string_view line) {
+    // a value of -1 stands further right
+    return base::trimmed(line) == "-1" && line.find("-1") <= 4;
+}
+
+std::vector<std::string_view> words(std::string_view line) {
+    constexpr std::string_view blanks = " \t\r";
+    std::vector<std::string_view> found;
+    for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
+        found.push_back(line.substr(at, end - at));
+        at = line.find_first_not_of(blanks, end);
+    }
+    return found;
+}
+
+std::optional<double> fortran_number(std::string_view text) {
+    text = base::trimmed(text);
+    if (text.starts_with('+')) text.remove_prefix(1);
+    constexpr std::size_t longest = 60;
+    if (text.empty() || text.size() > longest || text.starts_with('+')) return std::nullopt;
+    std::string numeral(text);
+    std::replace_if(
+        numeral.begin(), numeral.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');
+    // an exponent of three digits leaves no room for its letter
+    const std::size_t sign = numeral.find_first_of("+-", 1);
+    const bool lacks_letter = sign != std::string::npos && numeral.find_first_of("eE") == std::string::npos;
+    if (lacks_letter) numeral.insert(sign, 1, 'E');
+    double number = 0.0;
+    const auto [end, code] = std::from_chars(numeral.data(), numeral.data() + numeral.size(), number);
+    if (code == std::errc::invalid_argument || end != numeral.data() + numeral.size()) return std::nullopt;
+    return code == std::errc::result_out_of_range ? std::strtod(numeral.c_str(), nullptr) : number;
+}
+
+Contents find_datasets(const SignalInput& input) {
+    return Walk(input).contents();
+}
+
+}  // namespace stridor::recordings::uff58

@@ -1,0 +1,65 @@
+#pragma once
+
+// Datasets 58 and 58b of the Universal File Format: finding them in a file, and their headers. Private to this folder.
+
+#include "stridor/recordings/raw_signal.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::recordings::uff58 {
+
+enum class Form { ascii, little_endian, big_endian };
+
+/// Type of a function (record 6, field 1).
+inline constexpr int general_function = 0;
+inline constexpr int time_response = 1;
+
+/// Type of an abscissa (record 8, field 1).
+inline constexpr int time_abscissa = 17;
+
+/// Type of an ordinate (record 7, field 1).
+inline constexpr int real_single = 2;
+inline constexpr int real_double = 4;
+
+/// One function of the file.
+struct Dataset {
+    Form form = Form::ascii;
+    int number = 1;  // [1] of all time histories of the file
+    std::array<std::string, 5> id{};
+    std::string response;  // node and direction, "12:3"
+    std::string label;     // of the ordinate's axis; may be empty
+    std::string unit;      // its label; may be empty
+    int ordinate = real_single;
+    std::uint64_t count = 0;        // [1] values
+    double start = 0.0;             // [s] of the first value
+    double rate = 0.0;              // [Hz]
+    std::string rate_note;          // to the user; may be empty
+    std::uint64_t data_offset = 0;  // [bytes]
+    int data_line = 1;              // [1] of the first line of values
+};
+
+/// What was found in a file.
+struct Contents {
+    std::vector<Dataset> histories;  // functions over time
+    std::size_t left_out = 0;        // other datasets and functions
+};
+
+/// Walks through a file. Throws `Error` (input) with file and line for a header that cannot be understood, for time
+/// histories of uneven step or complex values, and for counts of values that the file cannot hold.
+Contents find_datasets(const SignalInput& input);
+
+/// A number as Fortran prints it: "1.5D-05", "-.5E+3", "1.0-105"; nothing for any other text.
+std::optional<double> fortran_number(std::string_view text);
+
+/// Is this line the mark between datasets, "    -1"?
+bool is_mark(std::string_view line);
+
+/// Splits at blanks.
+std::vector<std::string_view> words(std::string_view line);
+
+}  // namespace stridor::recordings::uff58

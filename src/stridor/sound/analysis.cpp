@@ -1,0 +1,254 @@
+#include "stridor/sound/analysis.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/signal/bands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace stridor::sound {
+
+namespace {
+
+constexpr double frame_time = 0.085;  // [s] of the spectra
+constexpr std::size_t most_extents = 4096;
+constexpr std::size_t block_frames = 1U << 16U;
+
+// the waveform's extremes; when they become too many, neighbours are joined
+class Outline {
+public:
+    explicit Outline(double rate)
+        : rate_(rate),
+          stride_(std::max<std::size_t>(1, static_cast<std::size_t>(rate / 500.0))) {}
+
+    void push(std::span<const double> samples) {
+        for (const double x : samples) {
+            current_ = {std::min(current_.low, x), std::max(current_.high, x)};
+            if (++filled_ == stride_) keep();
+        }
+    }
+
+    Waveform waveform() const { return {static_cast<double>(stride_) / rate_, extents_}; }
+
+private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    void keep() {
+        extents_.push_back(current_);
+        current_ = {infinity, -infinity};
+        filled_ = 0;
+        if (extents_.size() < most_extents) return;
+        for (std::size_t k = 0; 2 * k < most_extents; ++k)
+            extents_[k] = {std::min(extents_[2 * k].low, extents_[2 * k + 1].low),
+                           std::max(extents_[2 * k].high, extents_[2 * k + 1].high)};
+        extents_.resize(most_extents / 2);
+        stride_ *= 2;
+    }
+
+    double rate_;
+    std::size_t stride_;
+    std::size_t filled_ = 0;
+    Extent current_{infinity, -infinity};
+    std::vector<Extent> extents_{};
+};
+
+}  // namespace
+
+struct ChannelOverview::State {
+    State(double the_rate, signal::Channel the_channel)
+        : channel(std::move(the_channel)),
+          rate(the_rate),
+          size(signal::power_of_two_near(frame_time, the_rate)),
+          meter(the_rate, signal::reference_of(channel.unit)),
+          outline(the_rate),
+          graph(the_rate / static_cast<double>(size), 0.5 * static_cast<double>(size) / the_rate, size / 2 + 1),
+          average(the_rate, {size, signal::Window::hann}, [this](std::span<const double> density) { take(density); }) {
+        for (std::size_t k = 0; k <= size / 2; ++k)
+            weights.push_back(signal::a_weighting(static_cast<double>(k) * average.spacing()) * average.spacing());
+    }
+
+    void take(std::span<const double> density) {
+        graph.push(density);
+        double weighted = 0.0;
+        for (std::size_t k = 0; k < density.size(); ++k)
+            weighted += weights[k] * density[k];
+        greatest_weighted = std::max(greatest_weighted, weighted);
+    }
+
+    signal::Channel channel;
+    double rate;
+    std::size_t size;
+    signal::LevelMeter meter;
+    Outline outline;
+    signal::Spectrograph graph;
+    std::vector<double> weights{};
+    double greatest_weighted = 0.0;
+    signal::Welch average;
+    std::uint64_t count = 0;
+    double squares = 0.0;
+    double peak = 0.0;
+};
+
+ChannelOverview::ChannelOverview(double rate, signal::Channel channel)
+    : state_(std::make_unique<State>(rate, std::move(channel))) {}
+ChannelOverview::~ChannelOverview() = default;
+ChannelOverview::ChannelOverview(ChannelOverview&&) noexcept = default;
+ChannelOverview& ChannelOverview::operator=(ChannelOverview&&) noexcept = default;
+
+void ChannelOverview::push(std::span<const double> samples) {
+    State& s = *state_;
+    for (const double x : samples) {
+        s.squares += x * x;
+        s.peak = std::max(s.peak, std::abs(x));
+    }
+    s.count += samples.size();
+    s.meter.push(samples);
+    s.outline.push(samples);
+    s.average.push(samples);
+}
+
+SoundAnalysis ChannelOverview::finish() {
+    State& s = *state_;
+    SoundAnalysis result;
+    result.name = s.channel.name;
+    result.unit = s.channel.unit;
+    result.rate = s.rate;
+    result.duration = static_cast<double>(s.count) / s.rate;
+    result.mean_square = s.count == 0 ? 0.0 : s.squares / static_cast<double>(s.count);
+    result.peak = s.peak;
+    result.level = s.meter.history();
+    result.spectrum = s.average.spectrum();
+    result.spectrum.unit = s.channel.unit;
+    result.spectrogram = s.graph.spectrogram();
+    result.spectrogram.unit = s.channel.unit;
+    result.greatest_weighted = s.greatest_weighted;
+    result.waveform = s.outline.waveform();
+    return result;
+}
+
+namespace {
+
+void check(const signal::Layout& layout) {
+    constexpr double lowest = 1000.0;  // [Hz] below there is no sound to hear
+    constexpr double highest = 1e7;    // [Hz] above there is no such recorder
+    constexpr std::size_t most = 64;   // channels, a few megabytes each
+    if (!(layout.rate >= lowest && layout.rate <= highest))
+        throw Error(ErrorKind::input, {"a rate of " + base::shortest(layout.rate) + " Hz is none of a sound",
+                                       "it must lie between 1000 Hz and 10 MHz", "Is it given in Hz?"});
+    if (layout.channels.empty() || layout.channels.size() > most)
+        throw Error(ErrorKind::input, {"the recording has " + std::to_string(layout.channels.size()) + " channels",
+                                       "from 1 to 64 can be analysed at a time", "Choose one of them."});
+}
+
+using Channels = std::vector<std::vector<double>>;  // [unit] shape [channel][frame]
+
+// a recording block by block, channel by channel, of finite samples only
+class BlockReader {
+public:
+    explicit BlockReader(signal::Source& source)
+        : source_(source),
+          width_(source.layout().channels.size()),
+          block_(block_frames * width_) {}
+
+    // how many frames there were: 0 at the end
+    std::size_t read(Channels& channels) {
+        const std::size_t count = source_.read(block_);
+        channels.resize(width_);
+        for (std::size_t channel = 0; channel < width_; ++channel) {
+            channels[channel].resize(count);
+            for (std::size_t frame = 0; frame < count; ++frame) {
+                const double x = block_[frame * width_ + channel];
+                if (!std::isfinite(x)) refuse(x, done_ + frame + 1);
+                channels[channel][frame] = x;
+            }
+        }
+        done_ += count;
+        return count;
+    }
+
+private:
+    [[noreturn]] static void refuse(double x, std::uint64_t sample) {
+        throw Error(ErrorKind::input,
+                    {"sample " + std::to_string(sample) + " is " + base::shortest(x), "a sound has finite samples only",
+                     "Was it written by another program with an error?"});
+    }
+
+    signal::Source& source_;
+    std::size_t width_;
+    std::vector<double> block_;
+    std::uint64_t done_ = 0;
+};
+
+}  // namespace
+
+void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work) {
+    for (std::size_t k = 0; k < count; ++k)
+        work(k);
+}
+
+std::vector<SoundAnalysis> analyse(signal::Source& source, const Progress& progress, const Runner& run,
+                                   std::optional<SoundField> field) {
+    const signal::Layout layout = source.layout();
+    check(layout);
+    const std::size_t width = layout.channels.size();
+    std::vector<StretchFinder> finders;
+    std::vector<ChannelOverview> overviews;
+    for (const signal::Channel& channel : layout.channels) {
+        finders.emplace_back(layout.rate);
+        overviews.emplace_back(layout.rate, channel);
+    }
+    std::vector<SoundQualityMeter> meters;
+    std::vector<std::size_t> metered;  // their channels
+    for (std::size_t channel = 0; field && channel < width; ++channel) {
+        if (layout.channels[channel].unit != "Pa") continue;
+        meters.emplace_back(layout.rate, *field);
+        metered.push_back(channel);
+    }
+    const std::size_t described = 2 * width;
+    const std::size_t listened = described + meters.size();
+    BlockReader reader(source);
+    Channels here;
+    Channels next;
+    std::uint64_t done = 0;
+    if (reader.read(here) == 0)
+        throw Error(ErrorKind::input, {"the recording holds no samples", "there is nothing to analyse", ""});
+    while (!here.front().empty()) {
+        // the dearest pieces first, and the next block is read beside them
+        run(listened + 1, [&](std::size_t piece) {
+            if (piece < width)
+                finders[piece].push(here[piece]);
+            else if (piece < described)
+                overviews[piece - width].push(here[piece - width]);
+            else if (piece < listened)
+                meters[piece - described].push(here[metered[piece - described]]);
+            else
+                reader.read(next);
+        });
+        done += here.front().size();
+        if (progress) progress(done);
+        std::swap(here, next);
+    }
+    std::vector<SoundAnalysis> results;
+    for (std::size_t channel = 0; channel < width; ++channel) {
+        results.push_back(overviews[channel].finish());
+        results.back().stretches = finders[channel].finish();
+    }
+    for (std::size_t k = 0; k < meters.size(); ++k)
+        results[metered[k]].quality = meters[k].finish();
+    return results;
+}
+
+std::size_t loudest(std::span<const SoundAnalysis> channels) {
+    const auto square = [](const SoundAnalysis& channel) {
+        const double reference = signal::reference_of(channel.unit);
+        return channel.mean_square / (reference * reference);
+    };
+    const auto found = std::max_element(channels.begin(), channels.end(),
+                                        [&](const auto& a, const auto& b) { return square(a) < square(b); });
+    return static_cast<std::size_t>(found - channels.begin());
+}
+
+}  // namespace stridor::sound

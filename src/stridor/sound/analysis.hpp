@@ -1,0 +1,88 @@
+#pragma once
+
+#include "stridor/signal/level.hpp"
+#include "stridor/signal/source.hpp"
+#include "stridor/signal/spectrogram.hpp"
+#include "stridor/signal/spectrum.hpp"
+#include "stridor/sound/quality.hpp"
+#include "stridor/sound/stretches.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace stridor::sound {
+
+/// A smallest and a largest sample: what a drawn waveform needs of a moment.
+struct Extent {
+    double low = 0.0;   // [unit]
+    double high = 0.0;  // [unit]
+};
+
+/// The shape of a waveform over equal moments.
+struct Waveform {
+    double interval = 0.0;  // [s]
+    std::vector<Extent> extents{};
+};
+
+/// All that is found in one channel of a recording.
+struct SoundAnalysis {
+    std::string name{};                     // of the channel; may be empty
+    std::string unit = signal::full_scale;  // of its samples
+    double rate = 0.0;                      // [Hz]
+    double duration = 0.0;                  // [s]
+    double mean_square = 0.0;               // [unit²] of all samples
+    double peak = 0.0;                      // [unit] largest magnitude
+    double greatest_weighted = 0.0;         // [unit²] greatest A-weighted mean square of any frame
+    signal::LevelHistory level{};           // [dB re `reference_of(unit)`] fast
+    signal::Spectrum spectrum{};
+    signal::Spectrogram spectrogram{};
+    Waveform waveform{};
+    std::vector<SoundStretch> stretches{};  // one after the other, in time
+    std::optional<SoundQuality> quality{};  // of a channel in Pa, if asked for
+};
+
+/// Describes one channel as a whole as its samples come: levels, spectra, waveform. What it keeps does not grow.
+class ChannelOverview {
+public:
+    ChannelOverview(double rate, signal::Channel channel);
+    ~ChannelOverview();
+    ChannelOverview(ChannelOverview&&) noexcept;
+    ChannelOverview& operator=(ChannelOverview&&) noexcept;
+
+    void push(std::span<const double> samples);
+
+    /// Ends the recording; the stretches are left to `StretchFinder`.
+    SoundAnalysis finish();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Called as a recording is read, with the frames that are done.
+using Progress = std::function<void(std::uint64_t frames)>;
+
+/// Does the pieces of work 0 ... count - 1, which do not touch each other, and returns when all are done:
+/// the place to bring threads.
+using Runner = std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
+void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// Reads a recording to its end and analyses all channels; shape [channel]. The stretches and the overview of each
+/// channel are pieces of work for `run`, and so is reading on. With a `field` the channels in Pa get their sound
+/// quality, heard in it.
+///
+/// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite
+/// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.
+std::vector<SoundAnalysis> analyse(signal::Source& source, const Progress& progress = {},
+                                   const Runner& run = one_after_the_other, std::optional<SoundField> field = {});
+
+/// The channel with the greatest level, of equals the first: channels may have different units, so that their levels
+/// are compared and not their samples. There is at least one.
+std::size_t loudest(std::span<const SoundAnalysis> channels);
+
+}  // namespace stridor::sound

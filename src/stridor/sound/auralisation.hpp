@@ -1,0 +1,89 @@
+#pragma once
+
+#include "stridor/record/schedule.hpp"
+#include "stridor/record/trace.hpp"
+#include "stridor/signal/band_limit.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace stridor::sound {
+
+/// Where and how a motion is listened to.
+struct Pickup {
+    std::size_t dof = 0;  // [1] degree of freedom; the rubbing system's are x1, y1, y2
+    signal::MotionQuantity quantity = signal::MotionQuantity::velocity;
+};
+
+/// A stretch of time that is heard.
+struct Stretch {
+    double from = 0.0;  // [s]
+    double to = 0.0;    // [s]
+};
+
+/// Trace samples per sample of a sound.
+inline constexpr int trace_density = 16;
+
+/// How a motion becomes a sound.
+struct AuralisationSettings {
+    Pickup pickup{};
+    double rate = 48000.0;             // [Hz] of the sound
+    double high_pass = 20.0;           // [Hz] what is slower, as the drive's own motion, is left out; 0: nothing is
+    double fade = 5e-3;                // [s] at both ends of each stretch, at most half of it
+    std::vector<Stretch> stretches{};  // in order, heard one after the other; empty: everything, without fades
+    int density = trace_density;       // [1] trace samples per sample of the sound, at least 4
+};
+
+/// The gain at an instant [s] of a stretch that is faded in and out over `fade` [s], at most half of it; 0 outside.
+double fade_gain(const Stretch& stretch, double fade, double time);
+
+/// The stretches of a run that belong to a direction: its going or its coming phases, whole or only what the verdict is
+/// made from. Everything judged or counted of a run with a constant drive, which has one phase only.
+std::vector<Stretch> stretches_of(const record::Schedule& schedule, record::Phase phase, record::Use least);
+
+/// "m/s" or "m/s^2".
+std::string unit_of(signal::MotionQuantity quantity);
+
+/// Makes a sound of a run's trace, block by block: band-limited (`BandLimiter`), without what is too slow to be heard,
+/// cut to the stretches asked for, each faded in and out.
+///
+/// The sound is the motion itself in m/s or m/s^2, never a sound pressure: that needs a model of radiation.
+class Auralisation {
+public:
+    explicit Auralisation(AuralisationSettings settings);
+
+    /// The trace that is needed of a run that lasts `duration` [s]; `taker` is handed each block of the sound. Call
+    /// `finish` after the run, and keep this object where it is until then.
+    record::TraceRequest request(double duration, std::function<void(std::span<const double>)> taker);
+
+    /// Takes the next block of the trace and returns the part of the sound [m/s or m/s^2] that it completes.
+    std::vector<double> add(const record::Trace& trace);
+
+    /// The rest of the sound.
+    std::vector<double> finish();
+
+private:
+    std::vector<double> heard(std::vector<double> motion);
+    double gain_at(double time);
+
+    AuralisationSettings settings_;
+    std::optional<signal::BandLimiter> limiter_;
+    double first_ = 0.0;       // [s] instant of the first sample
+    std::uint64_t count_ = 0;  // samples so far, before the cuts
+    std::size_t stretch_ = 0;
+    bool has_begun_ = false;
+    double memory_[2] = {};  // of the high pass
+};
+
+/// The sound of a whole trace, sampled as `Auralisation::request` asks.
+signal::Signal auralise(const record::Trace& trace, const AuralisationSettings& settings);
+
+/// The largest magnitude of samples.
+double peak(std::span<const double> samples);
+
+}  // namespace stridor::sound

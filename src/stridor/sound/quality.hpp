@@ -1,0 +1,44 @@
+#pragma once
+
+#include "stridor/signal/third_octave_filters.hpp"
+#include "stridor/sound/loudness.hpp"
+
+#include <memory>
+#include <span>
+
+namespace stridor::sound {
+
+/// What a listener makes of a sound whose pressure is known.
+struct SoundQuality {
+    SoundField field = SoundField::free;
+    double loudness = 0.0;                 // [sone] of the mean spectrum, as if it were stationary (ISO 532-1, 5)
+    double greatest_loudness = 0.0;        // [sone] largest of the loudness over time (ISO 532-1, 6)
+    double loudness_5 = 0.0;               // [sone] N5, exceeded in 5 % of the time
+    double loudness_10 = 0.0;              // [sone] N10
+    double sharpness = 0.0;                // [acum] of the mean spectrum (DIN 45692)
+    signal::ThirdOctaves third_octaves{};  // [Pa²] mean squares, by the filters; 0 beyond half the rate
+};
+
+/// Describes a sound pressure as it comes; what it keeps does not grow. Rates other than 48 kHz are changed to it.
+class SoundQualityMeter {
+public:
+    /// Throws what `rate_ratio` throws.
+    SoundQualityMeter(double rate, SoundField field);
+    ~SoundQualityMeter();
+    SoundQualityMeter(SoundQualityMeter&&) noexcept;
+    SoundQualityMeter& operator=(SoundQualityMeter&&) noexcept;
+
+    void push(std::span<const double> pressures);  // [Pa]
+
+    /// Ends the sound.
+    SoundQuality finish();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Does a third-octave band lie wholly below half the rate [Hz]?
+bool holds_third_octave(double rate, std::size_t band);
+
+}  // namespace stridor::sound

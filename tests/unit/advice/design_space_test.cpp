@@ -1,0 +1,152 @@
+#include "stridor/advice/design_space.hpp"
+
+#include "stridor/parameters/paper_cases.hpp"
+#include "support/error_text.hpp"
+#include "support/property.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace stridor::advice {
+namespace {
+
+using parameters::Case;
+using parameters::DriveKind;
+using support::Thrown;
+using support::thrown_by;
+
+const Case squeal = parameters::paper_case(parameters::PaperCase::squeal);
+
+Case constant_drive(double velocity) {
+    Case c = squeal;
+    c.drive.kind = DriveKind::constant;
+    c.drive.velocity = velocity;
+    return c;
+}
+
+DesignParameter only_parameter(const Case& c, const AskedRange& asked) {
+    return design_space(c, std::span(&asked, 1)).parameters.front();
+}
+
+Thrown refusal(const Case& c, const std::vector<AskedRange>& asked) {
+    const Thrown thrown = thrown_by([&] { design_space(c, asked); });
+    EXPECT_EQ(thrown.kind, ErrorKind::input);
+    return thrown;
+}
+
+RC_GTEST_PROP(DesignParameter, TurnsSharesIntoValuesAndBack, ()) {
+    const double low = *support::number_between(0.001, 10.0);
+    const double factor = *support::number_between(1.5, 1000.0);
+    const bool is_logarithmic = *rc::gen::arbitrary<bool>();
+    const bool is_negative = *rc::gen::arbitrary<bool>();
+    DesignParameter parameter{"contact.preload", low, low * factor,
+                              is_logarithmic ? sweep::Scale::logarithmic : sweep::Scale::linear};
+    if (is_negative) {
+        parameter.from = -low * factor;
+        parameter.to = -low;
+    }
+    const double share = *support::number_between(0.0, 1.0);
+    const double value = value_at(parameter, share);
+    RC_ASSERT(value >= parameter.from && value <= parameter.to);
+    RC_ASSERT(std::abs(share_of(parameter, value) - share) < 1e-9);
+    RC_ASSERT(value_at(parameter, 0.0) == parameter.from);
+    RC_ASSERT(value_at(parameter, 1.0) == parameter.to);
+}
+
+TEST(DesignParameter, HasEqualRatiosOnALogarithmicScale) {
+    const DesignParameter parameter{"contact.preload", 1.0, 10000.0, sweep::Scale::logarithmic};
+    EXPECT_NEAR(value_at(parameter, 0.25), 10.0, 1e-12);
+    EXPECT_NEAR(value_at(parameter, 0.5), 100.0, 1e-11);
+    EXPECT_NEAR(share_of(parameter, 1000.0), 0.75, 1e-15);
+}
+
+TEST(DesignSpace, HoldsWhatADesignerVaries) {
+    const DesignSpace space = design_space(squeal);
+    std::vector<std::string> keys;
+    for (const DesignParameter& parameter : space.parameters)
+        keys.push_back(parameter.key);
+    EXPECT_NE(std::find(keys.begin(), keys.end(), "joint.incidence_angle"), keys.end());
+    EXPECT_NE(std::find(keys.begin(), keys.end(), "drive.amplitude"), keys.end());
+    EXPECT_EQ(std::find(keys.begin(), keys.end(), "drive.velocity"), keys.end());
+    EXPECT_EQ(std::find(keys.begin(), keys.end(), "run.duration"), keys.end());
+    EXPECT_EQ(space.origin.size(), keys.size());
+    EXPECT_EQ(space.phases, (std::vector{record::Phase::going, record::Phase::coming}));
+    EXPECT_EQ(design_space(constant_drive(0.1)).phases, std::vector{record::Phase::all});
+}
+
+TEST(DesignSpace, LeavesTheDriveAloneUnlessAskedForIt) {
+    const DesignSpace space = design_space(squeal);
+    for (const std::size_t k : space.free)
+        EXPECT_FALSE(space.parameters[k].key.starts_with("drive.")) << space.parameters[k].key;
+    const std::vector<AskedRange> asked{{"drive.amplitude"}};
+    EXPECT_EQ(design_space(squeal, asked).free, std::vector<std::size_t>{0});
+}
+
+TEST(DesignSpace, KeepsTheBitsOfWhatStays) {
+    const DesignSpace space = design_space(squeal);
+    EXPECT_EQ(parameters::canonical_text(design_at(space, space.origin)), parameters::canonical_text(squeal));
+    Shares shares = space.origin;
+    shares.front() = 0.0;
+    const Case changed = design_at(space, shares);
+    EXPECT_EQ(changed.joint.mass, space.parameters.front().from);
+    EXPECT_EQ(changed.contact.preload, squeal.contact.preload);
+}
+
+TEST(DesignSpace, IsWidenedToHoldTheCase) {
+    Case c = squeal;
+    c.contact.preload = 9000.0;
+    EXPECT_EQ(only_parameter(c, {"contact.preload"}).to, 9000.0);
+    EXPECT_EQ(only_parameter(c, {"contact.preload", 1.0, 2.0}).to, 9000.0);
+    c.plate.damping = 0.0;
+    const DesignParameter damping = only_parameter(c, {"plate.damping"});
+    EXPECT_EQ(damping.from, 0.0);
+    EXPECT_EQ(damping.scale, sweep::Scale::linear);  // zero has no logarithm
+}
+
+TEST(DesignSpace, KeepsTheSignOfAVelocity) {
+    const DesignParameter velocity = only_parameter(constant_drive(-0.1), {"drive.velocity"});
+    EXPECT_EQ(velocity.from, -1.0);
+    EXPECT_EQ(velocity.to, -0.01);
+    EXPECT_NEAR(value_at(velocity, 0.5), -0.1, 1e-15);
+    EXPECT_LT(value_at(velocity, 0.3), value_at(velocity, 0.4));
+}
+
+TEST(DesignSpace, AcceptsRangesOfSettings) {
+    const DesignParameter slip = only_parameter(squeal, {"verdict.quiet_slip", 0.9, 0.99});
+    EXPECT_EQ(slip.from, 0.9);
+    EXPECT_EQ(slip.to, 0.99);
+    EXPECT_TRUE(refusal(squeal, {{"verdict.quiet_slip"}}).says("has no usual range"));
+}
+
+TEST(QuantityNamed, TakesShortNamesAndSymbolsThatMeanOneThing) {
+    EXPECT_EQ(parameters::key_of(quantity_named(squeal, "preload")), "contact.preload");
+    EXPECT_EQ(parameters::key_of(quantity_named(squeal, "mu_d")), "contact.kinetic_friction");
+    EXPECT_EQ(parameters::key_of(quantity_named(squeal, "amplitude")), "drive.amplitude");
+    EXPECT_EQ(parameters::key_of(quantity_named(constant_drive(0.1), "velocity")), "drive.velocity");
+}
+
+TEST(QuantityNamed, SaysWhatItCannotTake) {
+    EXPECT_TRUE(refusal(squeal, {{"mass"}}).says("joint.mass or plate.mass"));
+    EXPECT_TRUE(refusal(squeal, {{"prelod"}}).says("Did you mean contact.preload?"));
+    EXPECT_TRUE(refusal(squeal, {{"drive.velocity"}}).says("changes nothing"));
+    EXPECT_TRUE(refusal(squeal, {{"velocity"}}).says("changes nothing"));
+    EXPECT_TRUE(refusal(squeal, {{"drive.kind"}}).says("is no quantity"));
+    EXPECT_TRUE(refusal(squeal, {{""}}).says("is no key of a case"));
+}
+
+TEST(DesignSpace, RefusesRangesThatAreNone) {
+    EXPECT_TRUE(refusal(squeal, {{"preload", 50.0, 5.0}}).says("Swap them?"));
+    EXPECT_TRUE(refusal(squeal, {{"preload", 5.0, 5.0}}).says("is no range"));
+    EXPECT_TRUE(refusal(squeal, {{"preload", -5.0, 5.0}}).says("above 0 N"));
+    EXPECT_TRUE(refusal(squeal, {{"preload"}, {"contact.preload"}}).says("asked for twice"));
+    Case c = squeal;
+    c.contact.kinetic_friction = 0.9;
+    EXPECT_TRUE(refusal(c, {}).says("exceeds mu_s"));
+}
+
+}  // namespace
+}  // namespace stridor::advice

@@ -1,0 +1,58 @@
+#include "stridor/hearing/heard_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <limits>
+
+namespace stridor::hearing {
+namespace {
+
+TEST(HeardText, GivesBackACellSound) {
+    CellSound sound{42, sweep::Status::done, "", classification::Category::squeal, classification::Category::squeak,
+                    {}};
+    sound.profile.features.frequency = 428.5;
+    sound.profile.features.impulses = 3;
+    sound.profile.features.clearness = std::numeric_limits<double>::infinity();
+    sound.profile.impulse_regularity = 0.25;
+    const std::optional<CellSound> back = unpacked_cell_sound(packed(sound));
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->index, 42U);
+    EXPECT_EQ(back->contact, sound.contact);
+    EXPECT_EQ(back->heard, sound.heard);
+    EXPECT_EQ(std::memcmp(&back->profile, &sound.profile, sizeof(sound.profile)), 0);
+}
+
+TEST(HeardText, GivesBackHeardSounds) {
+    std::array<HeardSound, 2> sounds;
+    sounds[0].index = 5;
+    sounds[0].cell.status = sweep::Status::done;
+    sounds[0].cell.category = classification::Category::creak;
+    sounds[0].cell.frequency = 12.5;
+    sounds[0].reason = "a reason: with\nsigns";
+    sounds[0].perturbed.assign(perturbations().size(), classification::Category::none);
+    sounds[1].cell.status = sweep::Status::invalid;
+    sounds[1].cell.message = "mu_d exceeds mu_s";
+    const std::string text = packed(sounds);
+    const std::optional<std::vector<HeardSound>> back = unpacked_heard_sounds(text);
+    ASSERT_TRUE(back);
+    ASSERT_EQ(back->size(), 2U);
+    EXPECT_EQ(packed(*back), text);
+    EXPECT_EQ((*back)[0].cell.frequency, 12.5);
+    EXPECT_EQ((*back)[0].reason, sounds[0].reason);
+    EXPECT_EQ((*back)[0].perturbed.size(), perturbations().size());
+    EXPECT_EQ((*back)[1].cell.message, "mu_d exceeds mu_s");
+}
+
+TEST(HeardText, TakesNothingElse) {
+    const std::string text = packed(std::array<HeardSound, 1>{});
+    EXPECT_FALSE(unpacked_heard_sounds(text + "1:1"));
+    EXPECT_FALSE(unpacked_heard_sounds(text.substr(0, text.size() - 3)));
+    EXPECT_FALSE(unpacked_heard_sounds("1:9"));
+    EXPECT_FALSE(unpacked_cell_sound("1:01:9"));
+    EXPECT_FALSE(unpacked_cell_sound(""));
+}
+
+}  // namespace
+}  // namespace stridor::hearing

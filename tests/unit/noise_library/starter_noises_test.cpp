@@ -1,0 +1,60 @@
+// The starter library is what it promises: many systems, valid cases, and sounds that differ.
+
+#include "stridor/noise_library/starter_noises.hpp"
+
+#include "stridor/parameters/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+namespace stridor::noise_library {
+namespace {
+
+TEST(StarterNoises, AreAtLeastFortyOnTwentySystems) {
+    std::set<std::string_view> systems;
+    for (const StarterNoise& noise : starter_noises())
+        systems.insert(noise.system);
+    EXPECT_GE(starter_noises().size(), 40U);
+    EXPECT_GE(systems.size(), 20U);
+}
+
+TEST(StarterNoises, AreValidCasesUnderNamesOfTheirOwn) {
+    std::set<std::string> titles;
+    for (const StarterNoise& noise : starter_noises()) {
+        EXPECT_TRUE(parameters::findings(noise.c).empty()) << noise.c.title;
+        EXPECT_TRUE(titles.insert(noise.c.title).second) << noise.c.title;
+        for (const std::string_view words : {noise.parts, noise.materials, noise.operation})
+            EXPECT_FALSE(words.empty()) << noise.c.title;
+        EXPECT_GE(noise.humidity, 0.0);
+        EXPECT_LE(noise.humidity, 100.0);
+    }
+}
+
+// a name counts within its system, so those of one system stand together
+TEST(StarterNoises, StandTogetherBySystem) {
+    std::set<std::string_view> done;
+    std::string_view current;
+    for (const StarterNoise& noise : starter_noises()) {
+        if (noise.system == current) continue;
+        EXPECT_TRUE(done.insert(noise.system).second) << noise.system;
+        current = noise.system;
+    }
+}
+
+TEST(StarterNoises, HaveASystemUnderSeveralPreloadsAndNothingElseChanged) {
+    std::map<double, parameters::Case> seals;
+    for (const StarterNoise& noise : starter_noises())
+        if (noise.system == "seal") seals[noise.c.contact.preload] = noise.c;
+    EXPECT_GE(seals.size(), 5U);
+    for (const auto& [preload, c] : seals) {
+        EXPECT_EQ(c.contact.kinetic_friction, seals.begin()->second.contact.kinetic_friction);
+        EXPECT_EQ(c.drive.velocity, seals.begin()->second.drive.velocity);
+    }
+}
+
+}  // namespace
+}  // namespace stridor::noise_library

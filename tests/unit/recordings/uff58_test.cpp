@@ -1,0 +1,166 @@
+#include "stridor/recordings/uff58/uff58.hpp"
+
+#include "signal_support.hpp"
+#include "stridor/recordings/uff58/uff58_header.hpp"
+#include "stridor/storage/atomic_file.hpp"
+#include "support/counter_random.hpp"
+#include "support/expected_error.hpp"
+#include "support/scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stridor::recordings {
+
+using support::error_of;
+using support::expect_error;
+using support::replaced;
+using support::ScratchFolder;
+namespace {
+
+using signal::Signal;
+
+constexpr int fixture_frames = 64;
+
+double ramp(int k) {
+    return (k - 32) * 0.25;
+}
+
+TEST(Uff58, ReadsDExponents) {
+    const auto file = open_signal(fixture("uff58_d_exponents.uff"));
+    EXPECT_EQ(file->layout().rate, 48000.0);
+    EXPECT_EQ(file->facts().notes, (std::vector<std::string>{"the step 2.08333e-05 s was taken for 48000 Hz"}));
+    const std::vector<Signal> found = signal::read_all(*file);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].unit, "m/s^2");
+    ASSERT_EQ(found[0].samples.size(), 64U);
+    for (int k = 0; k < fixture_frames; ++k)
+        EXPECT_EQ(found[0].samples[static_cast<std::size_t>(k)], ramp(k));
+}
+
+TEST(Uff58, ReadsAHeaderOfOddWidthAndNumbersThatTouch) {
+    const std::vector<Signal> found = all_of(fixture("uff58_odd_width.uff"));
+    EXPECT_EQ(found[0].rate, 51200.0);
+    EXPECT_EQ(found[0].unit, "m/s^2");
+    for (int k = 0; k < fixture_frames; ++k)
+        EXPECT_EQ(found[0].samples[static_cast<std::size_t>(k)], (-1000.0 - ramp(k)) * 9.80665);
+}
+
+TEST(Uff58, ReadsBigEndianChannelsAmongOtherDatasets) {
+    const auto file = open_signal(fixture("uff58b_big_endian.uff"));
+    EXPECT_EQ(file->layout().rate, 44100.0);
+    EXPECT_EQ(file->layout().channels[1].name, "second");
+    const std::vector<Signal> found = signal::read_all(*file);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[1].unit, "m/s");
+    for (int k = 0; k < fixture_frames; ++k)
+        EXPECT_EQ(found[1].samples[static_cast<std::size_t>(k)], -ramp(k) * 1e-3);
+}
+
+TEST(Uff58, ReadsNumbersAsFortranPrintsThem) {
+    EXPECT_EQ(uff58::fortran_number("1.5D-05"), 1.5e-5);
+    EXPECT_EQ(uff58::fortran_number(" -.5E+3 "), -500.0);
+    EXPECT_EQ(uff58::fortran_number("+1.d2"), 100.0);
+    EXPECT_EQ(uff58::fortran_number("1.0-105"), 1e-105);
+    EXPECT_EQ(uff58::fortran_number("-1.0+105"), -1e105);
+    for (const char* text : {"", "-", "1.0E", "****", "1.0 2.0", "1.0E+00-1.0E+00", "0x10", "++1"})
+        EXPECT_FALSE(uff58::fortran_number(text)) << text;
+}
+
+Signal noise(double rate, const std::string& unit, std::uint64_t seed) {
+    support::CounterRandom random(seed);
+    Signal signal{rate, unit, {}};
+    for (int k = 0; k < 20001; ++k)
+        signal.samples.push_back(random.between(-1.0, 1.0) * random.decades(1e-8, 1e8));
+    return signal;
+}
+
+TEST(WriteUff58, GivesBackEveryBitInItsBinaryForm) {
+    const ScratchFolder scratch;
+    for (const double rate : {44100.0, 51200.0, 48000.5, 1000.0 / 3.0}) {
+        const Signal a = noise(rate, "m/s^2", 1), b = noise(rate, "FS", 2);
+        EXPECT_EQ(write_uff58((scratch / "a.uff").string(), *signal::source_of({a, b}), Uff58Form::binary), 20001U);
+        const auto file = open_signal((scratch / "a.uff").string());
+        EXPECT_EQ(file->facts().notes.size(), 0U);
+        const std::vector<Signal> back = signal::read_all(*file);
+        ASSERT_EQ(back.size(), 2U);
+        EXPECT_EQ(back[0].rate, rate);
+        EXPECT_EQ(back[0].unit, "m/s^2");
+        EXPECT_EQ(back[0].samples, a.samples);
+        EXPECT_EQ(back[1].unit, "FS");
+        EXPECT_EQ(back[1].samples, b.samples);
+    }
+}
+
+TEST(WriteUff58, GivesBackThirteenDigitsInItsAsciiForm) {
+    const ScratchFolder scratch;
+    const Signal a = noise(44100.0, "Pa", 1);
+    write_uff58((scratch / "a.uff").string(), *signal::source_of({a}), Uff58Form::ascii);
+    const std::vector<Signal> back = all_of((scratch / "a.uff").string());
+    EXPECT_EQ(back[0].rate, 44100.0);
+    ASSERT_EQ(back[0].samples.size(), a.samples.size());
+    for (std::size_t k = 0; k < a.samples.size(); ++k)
+        ASSERT_NEAR(back[0].samples[k], a.samples[k], 0.51e-12 * std::abs(a.samples[k]));
+}
+
+TEST(WriteUff58, KeepsToTheColumnsOfItsCards) {
+    const ScratchFolder scratch;
+    write_uff58((scratch / "a.uff").string(),
+                *signal::source_of({Signal{48000.0, "Pa", {1.0, -1e-300, 2.0, 3.0, 4.0}}}), Uff58Form::ascii);
+    const std::string text = storage::read_file((scratch / "a.uff").string());
+    EXPECT_TRUE(text.starts_with("    -1\n    58\n"));
+    EXPECT_TRUE(text.ends_with("\n    -1\n"));
+    EXPECT_NE(text.find("\n         4         5         1  0.00000E+00  2.08333E-05  0.00000E+00\n"),
+              std::string::npos);
+    EXPECT_NE(text.find("\n  1.000000000000E+00-1.000000000000E-300  2.000000000000E+00"), std::string::npos) << text;
+}
+
+std::string written(const Signal& signal, Uff58Form form) {
+    const ScratchFolder scratch;
+    write_uff58((scratch / "a.uff").string(), *signal::source_of({signal}), form);
+    return storage::read_file((scratch / "a.uff").string());
+}
+
+TEST(Uff58, LetsTheUserChooseAmongHistoriesThatDiffer) {
+    const std::string both = written({48000.0, "N", {1.0, 2.0}}, Uff58Form::ascii) +
+                             written({100.0, "m", {3.0, 4.0, 5.0}}, Uff58Form::binary);
+    expect_error(error_of([&] { open_signal(input_of(both)); }), "1: 2 values at 48000 Hz, 2: 3 values at 100 Hz", "f");
+    OpenOptions options;
+    options.dataset = 2;
+    EXPECT_EQ(all_of(input_of(both), options)[0].samples, (std::vector<double>{3.0, 4.0, 5.0}));
+    options.dataset = 3;
+    EXPECT_TRUE(error_of([&] { open_signal(input_of(both), options); }));
+}
+
+TEST(Uff58, RefusesWhatItCannotRead) {
+    const std::string ascii = written({48000.0, "N", {1.0, 2.0, 3.0, 4.0, 5.0}}, Uff58Form::ascii);
+    const std::string binary = written({48000.0, "N", {1.0, 2.0}}, Uff58Form::binary);
+    const auto refusal = [](const std::string& text) { return error_of([&] { all_of(input_of(text, "d.uff")); }); };
+    expect_error(refusal(replaced(ascii, "         5         1", "         5         0")), "uneven step", "d.uff:9");
+    expect_error(refusal(replaced(ascii, "         4         5", "         6         5")), "data of type 6", "d.uff:9");
+    expect_error(refusal(replaced(ascii, "         5         1", "         0         1")), "holds no values",
+                 "d.uff:9");
+    expect_error(refusal(replaced(ascii, "         5         1", "         6         1")),
+                 "it ends after 5 of 6 values", "d.uff:16");
+    expect_error(refusal(replaced(ascii, "         5         1", "         4         1")),
+                 "goes on after its last value", "d.uff:15:1");
+    expect_error(refusal(replaced(ascii, "         5         1", "3000000000         1")), "is cut off", "d.uff:14");
+    expect_error(refusal(replaced(ascii, "2.08333E-05", "0.00000E+00")), "is no step", "d.uff:9");
+    expect_error(refusal(replaced(ascii, "2.000000000000E+00", "2.0OOOOOOOOOOOE+00")), "is not a number",
+                 "d.uff:14:21");
+    expect_error(refusal(ascii.substr(0, 300)), "the header of dataset 58 is cut off", "d.uff:6");
+    expect_error(refusal(replaced(binary, "         2         1", "3000000000         1")), "is cut off", "d.uff:14");
+    expect_error(refusal(replaced(binary, "58b     1     2", "58b     3     2")), "unknown byte order", "d.uff:2:1");
+    expect_error(refusal(replaced(binary, "58b     1     2", "58b     1     1")), "VMS or IBM", "d.uff:2:1");
+    expect_error(refusal("    -1\n   151\nx\n    -1\n"), "holds no time history", "d.uff");
+}
+
+TEST(Uff58, ForgivesAWrongNumberOfBytesWhereTheValuesEndWell) {
+    const std::string binary = written({48000.0, "N", {1.0, 2.0}}, Uff58Form::binary);
+    EXPECT_EQ(all_of(input_of(replaced(binary, "          16", "           2")))[0].samples,
+              (std::vector<double>{1.0, 2.0}));
+}
+
+}  // namespace
+}  // namespace stridor::recordings
