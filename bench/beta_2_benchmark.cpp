@@ -55,7 +55,7 @@ std::size_t size_of(const record::Record& record) {
     std::size_t bytes = sizeof(record) + record.phases.capacity() * sizeof(record::Tally);
     for (const record::Tally& tally : record.phases) {
         bytes += tally.vibration.capacity() * sizeof(record::Vibration);
-        for (const record::Instants& instants : tally.changes)
+        for (const record::Instants& instants : tally.contacts.front().changes)
             bytes += instants.times.capacity() * sizeof(double);
     }
     return bytes;

@@ -21,7 +21,7 @@ int main() {
 
         std::cout << c.title << '\n';
         for (const stridor::record::Tally& tally : motion.record.phases) {
-            const auto figures = stridor::analysis::evidence(tally);
+            const auto figures = stridor::analysis::evidence(tally, 0);
             const auto verdict = stridor::classification::classify(figures, c.verdict);
             std::cout << "  " << std::setw(7) << std::left
                       << stridor::record::phase_names[static_cast<std::size_t>(tally.phase)] << std::setw(10)

@@ -51,7 +51,7 @@ int main() {
 
     const integration::Motion motion = integration::integrate_exact(structure, belt, {parameters::Initial::stuck, 0.0},
                                                                     {}, record::Recorder(schedule, {}, dofs));
-    const double computed = analysis::rates(motion.record.phases.front().time).stick;
+    const double computed = analysis::rates(motion.record.phases.front().contacts.front().time).stick;
     const double exact = lambda / (lambda + std::numbers::pi - std::atan(lambda));
     std::cout << "stick share " << computed << ", closed form " << exact << '\n';
     return std::abs(computed - exact) < 1e-12 ? 0 : 1;

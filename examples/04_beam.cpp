@@ -32,7 +32,7 @@ int main() {
         const integration::Motion motion =
             integration::integrate_beta_2(model::cantilever(beam, modes), surface, {parameters::Initial::stuck, 0.0},
                                           {1e-6, 0.5}, record::Recorder(schedule, {}, modes + 1));
-        const auto rates = analysis::rates(motion.record.phases.front().time);
+        const auto rates = analysis::rates(motion.record.phases.front().contacts.front().time);
         const double unexplained = std::abs(motion.energy.relative_residual());
         std::cout << std::setw(5) << modes << "  " << rates.slip << "  " << rates.stick << "       " << rates.separation
                   << (unexplained < 1e-9 ? "   less than 1e-9" : "   more than 1e-9") << '\n';

@@ -286,8 +286,9 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const MotionOption
     rendering.sound->rewind();
     set_detail(sound, *rendering.sound, detail);
     sound.contact.verdicts = classification::classify_phases(rendering.record.phases, simulated.c.verdict);
-    sound.contact.history = heard_history(rendering.record.history, settings.stretches, sound.detail.from,
-                                          sound.detail.from + signal::duration(sound.detail.signal));
+    for (const record::ContactHistory& history : rendering.record.histories)
+        sound.contact.histories.push_back(heard_history(history, settings.stretches, sound.detail.from,
+                                                        sound.detail.from + signal::duration(sound.detail.signal)));
     return sound;
 }
 

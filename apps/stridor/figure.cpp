@@ -47,7 +47,7 @@ drawing::Scene states_scene(const std::vector<NamedCase>& cases, const drawing::
                             const std::stop_token& stop) {
     std::vector<figures::StatesOfCase> states;
     for (const auto& [name, c] : cases)
-        states.push_back({name, c, recorded(c, {}, stop).history});
+        states.push_back({name, c, recorded(c, {}, stop).histories});
     return figures::contact_states(states, time);
 }
 

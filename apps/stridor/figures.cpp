@@ -19,9 +19,9 @@ namespace {
 // long enough for a few dozen changes of state of a squeal
 constexpr double zoom_length = 20e-3;  // [s]
 
-std::optional<drawing::Range> zoom_range(const parameters::Case& c, const record::ContactHistory& history,
+std::optional<drawing::Range> zoom_range(const parameters::Case& c, std::span<const record::ContactHistory> histories,
                                          const std::string& zoom) {
-    if (zoom.empty()) return figures::busiest_stretch(c, history, zoom_length);
+    if (zoom.empty()) return figures::busiest_stretch(c, histories, zoom_length);
     const std::size_t colon = zoom.find(':');
     if (colon == std::string::npos)
         throw Error(ErrorKind::input,
@@ -47,7 +47,7 @@ void draw_both(const drawing::Scene& scene, const std::filesystem::path& stem) {
 
 drawing::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom) {
     figures::TimeHistoryOptions options;
-    options.zoom = zoom_range(c, record.history, zoom);
+    options.zoom = zoom_range(c, record.histories, zoom);
     return figures::time_history(c, record, options);
 }
 

@@ -206,7 +206,7 @@ void require_result(const integration::Motion& motion, const parameters::Case& c
 
 void write_records(const SimulateOptions& options, const parameters::Case& c, const integration::Motion& motion,
                    double interval) {
-    if (!options.history.empty()) write_output(options.history, io::history_csv(c, motion.record.history));
+    if (!options.history.empty()) write_output(options.history, io::history_csv(c, motion.record.histories));
     if (options.trace.ends_with(".nc"))
         io::write_trace_netcdf(options.trace, c, motion.record);
     else if (!options.trace.empty())

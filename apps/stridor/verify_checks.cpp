@@ -126,7 +126,7 @@ double belt_stick_fraction(double lambda, parameters::Engine engine) {
     const double cycle = (2.0 * lambda + 2.0 * (std::numbers::pi - std::atan(lambda))) / w0;
     const integration::Motion motion =
         run_belt(belt, constant_drive(velocity), engine, whole_run(2.0 * cycle, 10.0 * cycle));
-    return analysis::rates(motion.record.phases.at(0).time).stick;
+    return analysis::rates(motion.record.phases.at(0).contacts.at(0).time).stick;
 }
 
 std::vector<Check> belt_checks() {
@@ -224,7 +224,7 @@ void add_table_1_checks(std::vector<Check>& checks, const ExpectedRates& expecte
     const bool is_exact = engine == parameters::Engine::exact;
     const double tolerance = is_exact ? 1e-6 : 1.25 * expected.beta_2_error;
     for (const record::Tally& tally : integration::simulate(c).record.phases) {
-        const analysis::Rates rates = analysis::rates(tally.time);
+        const analysis::Rates rates = analysis::rates(tally.contacts.at(0).time);
         const bool is_going = tally.phase == record::Phase::going;
         const std::array<double, 3>& values = is_going ? expected.going : expected.coming;
         const auto add = [&](const char* share, double value, double computed) {
@@ -260,7 +260,7 @@ std::vector<Check> constant_drive_checks() {
         c.drive = constant_drive(-0.1257);
         c.run.initial = parameters::Initial::stuck;
         c.run.duration = 2.0;
-        const analysis::Evidence evidence = analysis::evidence(integration::simulate(c).record.phases.at(0));
+        const analysis::Evidence evidence = analysis::evidence(integration::simulate(c).record.phases.at(0), 0);
         checks.push_back({fmt::format("stick share, V = -0.1257, F = {:g} N", expected.preload), expected.stick,
                           evidence.rates.stick, 2e-6});
         checks.push_back({"its period [s]", expected.period, evidence.alternation.period, 1e-7 * expected.period});

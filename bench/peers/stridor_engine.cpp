@@ -17,8 +17,8 @@ std::function<record::ContactHistory(const parameters::Case&)> stridor_engine(vo
             throw std::runtime_error(
                 std::string(integration::reason_names[static_cast<std::size_t>(motion.outcome.reason)]));
         // what is settled stays so
-        motion.record.history.back().to = c.run.duration;
-        return std::move(motion.record.history);
+        motion.record.histories.front().back().to = c.run.duration;
+        return std::move(motion.record.histories.front());
     };
 }
 

@@ -73,20 +73,20 @@ bool same_sequence(const record::ContactHistory& a, const record::ContactHistory
 bool same_times(const record::Record& a, const record::Record& b) {
     return std::equal(a.phases.begin(), a.phases.end(), b.phases.begin(), b.phases.end(),
                       [](const record::Tally& x, const record::Tally& y) {
-                          return x.time == y.time && x.judged_time == y.judged_time;
+                          return x.contacts.front().time == y.contacts.front().time &&
+                                 x.contacts.front().judged_time == y.contacts.front().judged_time;
                       });
 }
 
 bool same_trace(const record::Trace& a, const record::Trace& b) {
     return a.time == b.time && a.displacement == b.displacement && a.velocity == b.velocity &&
-           a.acceleration == b.acceleration && a.normal_force == b.normal_force &&
-           a.friction_force == b.friction_force && a.gap == b.gap && a.state == b.state;
+           a.acceleration == b.acceleration && a.contacts == b.contacts;
 }
 
 std::vector<classification::Category> categories(const Case& c, const record::Record& record) {
     std::vector<classification::Category> all;
     for (const record::Tally& tally : record.phases)
-        all.push_back(classification::classify(analysis::evidence(tally), c.verdict).category);
+        all.push_back(classification::classify(analysis::evidence(tally, 0), c.verdict).category);
     return all;
 }
 
@@ -99,14 +99,14 @@ TEST_P(EngineContract, StaysAtRestWhenNothingMoves) {
     c.run.duration = c.run.window = 0.02;
     const Motion motion = integration::simulate(c, everything(c));
     EXPECT_EQ(motion.outcome.reason, Reason::completed);
-    ASSERT_EQ(motion.record.history.size(), 1U);
-    EXPECT_EQ(motion.record.history.front().state, ContactState::stick);
+    ASSERT_EQ(motion.record.histories.front().size(), 1U);
+    EXPECT_EQ(motion.record.histories.front().front().state, ContactState::stick);
     // forces of 20 N at rounding, against 1e6 N/m: 20 1e-16 / 1e6
     for (const std::vector<double>& displacement : motion.record.trace.displacement)
         for (const double u : displacement)
             ASSERT_LT(std::abs(u), 1e-20);
     // (F - F) / h^2 in a scheme with steps: displacements of 1e-21 m times m / h^2
-    for (const double N : motion.record.trace.normal_force)
+    for (const double N : motion.record.trace.contacts.front().normal_force)
         ASSERT_NEAR(N, 20.0, 1e-8);
 }
 
@@ -116,10 +116,10 @@ TEST_P(EngineContract, ObeysCoulombAndUnilateralContactAtEveryInstant) {
         const record::Trace& trace = motion.record.trace;
         ASSERT_GT(trace.time.size(), 1000U);
         for (std::size_t k = 0; k < trace.time.size(); ++k) {
-            const double N = trace.normal_force[k];
-            const double T = std::abs(trace.friction_force[k]);
+            const double N = trace.contacts.front().normal_force[k];
+            const double T = std::abs(trace.contacts.front().friction_force[k]);
             const double rounding = 1e-14 * N;
-            switch (trace.state[k]) {
+            switch (trace.contacts.front().state[k]) {
                 case ContactState::stick:
                     ASSERT_LE(T, c.contact.static_friction * N + rounding);
                     break;
@@ -151,7 +151,7 @@ TEST_P(EngineContract, BalancesItsEnergy) {
 TEST_P(EngineContract, RecordsAHistoryThatTilesTheRun) {
     for (const Case& c : noisy_cases(GetParam())) {
         const Motion motion = integration::simulate(c, everything(c));
-        const record::ContactHistory& history = motion.record.history;
+        const record::ContactHistory& history = motion.record.histories.front();
         ASSERT_FALSE(history.empty());
         EXPECT_EQ(history.front().from, 0.0);
         EXPECT_NEAR(history.back().to, c.run.duration, c.run.step);
@@ -164,7 +164,8 @@ TEST_P(EngineContract, RecordsAHistoryThatTilesTheRun) {
             ASSERT_NE(history[k].state, history[k - 1].state);
         }
         for (std::size_t k = 0; k < time.size(); ++k)
-            EXPECT_NEAR(time[k], motion.record.phases.front().time[k], 1e-12);  // sums in another order
+            EXPECT_NEAR(time[k], motion.record.phases.front().contacts.front().time[k],
+                        1e-12);  // sums in another order
     }
 }
 
@@ -190,7 +191,7 @@ TEST_P(EngineContract, IsNotRunBeyondItsStepLimit) {
     const Motion motion = integration::simulate(c, everything(c));
     EXPECT_EQ(motion.outcome.reason, Reason::step_limit);
     EXPECT_EQ(motion.outcome.time, 0.0);
-    EXPECT_TRUE(motion.record.history.empty());
+    EXPECT_TRUE(motion.record.histories.front().empty());
     EXPECT_FALSE(integration::has_result(motion.outcome));
 }
 
@@ -213,7 +214,7 @@ TEST_P(EngineContract, RepeatsItselfBitForBit) {
         const Case c = with(GetParam(), support::any_sinusoidal_case());
         const Motion first = integration::simulate(c, everything(c));
         const Motion second = integration::simulate(c, everything(c));
-        RC_ASSERT(same_history(first.record.history, second.record.history));
+        RC_ASSERT(same_history(first.record.histories.front(), second.record.histories.front()));
         RC_ASSERT(same_trace(first.record.trace, second.record.trace));
         RC_ASSERT(first.energy.residual == second.energy.residual);
     });
@@ -239,13 +240,13 @@ TEST_P(EngineContract, MovesAlikeHoweverItIsWatched) {
         c.run.duration = c.run.window = 0.03;
         const Motion whole = integration::simulate(c, {KeepHistory::yes, {}});
         const Motion traced = integration::simulate(c, {KeepHistory::yes, {0.0007, 0.021, 1.3e-5}});
-        RC_ASSERT(same_history(whole.record.history, traced.record.history));
+        RC_ASSERT(same_history(whole.record.histories.front(), traced.record.histories.front()));
         RC_ASSERT(same_times(whole.record, traced.record));
         RC_ASSERT(whole.energy.residual == traced.energy.residual);
         c.run.window = *support::number_between(0.021, 0.03);
         c.verdict.settling = *support::number_between(0.0, 0.5);
         const Motion cut = integration::simulate(c, {KeepHistory::yes, {}});
-        RC_ASSERT(same_history(whole.record.history, cut.record.history));
+        RC_ASSERT(same_history(whole.record.histories.front(), cut.record.histories.front()));
         RC_ASSERT(whole.energy.stored == cut.energy.stored);
     });
 }
@@ -263,7 +264,7 @@ TEST_P(EngineContract, SamplesAlikeHoweverLongTheTrace) {
         ASSERT_NE(same, all.time.end());
         const auto place = static_cast<std::size_t>(same - all.time.begin());
         ASSERT_EQ(part.displacement[0][k], all.displacement[0][place]);
-        ASSERT_EQ(part.normal_force[k], all.normal_force[place]);
+        ASSERT_EQ(part.contacts.front().normal_force[k], all.contacts.front().normal_force[place]);
     }
 }
 
@@ -277,11 +278,12 @@ TEST_P(EngineContract, MirrorsBitForBit) {
         const Motion here = integration::simulate(c, everything(c));
         const Motion there = integration::simulate(mirrored, everything(mirrored));
         RC_ASSERT(same_times(here.record, there.record));
-        RC_ASSERT(same_sequence(here.record.history, there.record.history));
+        RC_ASSERT(same_sequence(here.record.histories.front(), there.record.histories.front()));
         RC_ASSERT(there.record.trace.displacement[0] == scaled(here.record.trace.displacement[0], -1.0));
         RC_ASSERT(there.record.trace.displacement[1] == here.record.trace.displacement[1]);
-        RC_ASSERT(there.record.trace.normal_force == here.record.trace.normal_force);
-        RC_ASSERT(there.record.trace.friction_force == scaled(here.record.trace.friction_force, -1.0));
+        RC_ASSERT(there.record.trace.contacts.front().normal_force == here.record.trace.contacts.front().normal_force);
+        RC_ASSERT(there.record.trace.contacts.front().friction_force ==
+                  scaled(here.record.trace.contacts.front().friction_force, -1.0));
     });
 }
 
@@ -298,10 +300,11 @@ TEST_P(EngineContract, ScalesWithPreloadAndDriveBitForBit) {
         const Motion here = integration::simulate(c, everything(c));
         const Motion there = integration::simulate(larger, everything(larger));
         RC_ASSERT(same_times(here.record, there.record));
-        RC_ASSERT(same_sequence(here.record.history, there.record.history));
+        RC_ASSERT(same_sequence(here.record.histories.front(), there.record.histories.front()));
         for (std::size_t dof = 0; dof < 3; ++dof)
             RC_ASSERT(there.record.trace.displacement[dof] == scaled(here.record.trace.displacement[dof], factor));
-        RC_ASSERT(there.record.trace.normal_force == scaled(here.record.trace.normal_force, factor));
+        RC_ASSERT(there.record.trace.contacts.front().normal_force ==
+                  scaled(here.record.trace.contacts.front().normal_force, factor));
         RC_ASSERT(categories(c, here.record) == categories(larger, there.record));
     });
 }
@@ -313,8 +316,8 @@ TEST_P(EngineContract, UprightJointIsPressedByThePreloadAlone) {
     c.drive.kind = parameters::DriveKind::constant;
     c.run.duration = c.run.window = 0.05;
     const Motion motion = integration::simulate(c, everything(c));
-    EXPECT_EQ(motion.record.phases.front().time[model::index_of(ContactState::separation)], 0.0);
-    for (const double N : motion.record.trace.normal_force)
+    EXPECT_EQ(motion.record.phases.front().contacts.front().time[model::index_of(ContactState::separation)], 0.0);
+    for (const double N : motion.record.trace.contacts.front().normal_force)
         ASSERT_NEAR(N, 200.0, 1e-6);  // displacements of 1e-19 m times m / h^2
 }
 

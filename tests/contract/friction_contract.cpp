@@ -54,13 +54,13 @@ TEST_P(FrictionContract, IsItsOwnEqualAndNoOther) {
 // The engines know no law: in the motion that they compute the law's own numbers stand.
 void expect_law_in_motion(const model::FrictionLaw& law, const record::Trace& trace) {
     for (std::size_t k = 0; k < trace.time.size(); ++k) {
-        const double N = trace.normal_force[k], T = trace.friction_force[k];
+        const double N = trace.contacts.front().normal_force[k], T = trace.contacts.front().friction_force[k];
         const double w = trace.velocity[0][k] - trace.surface_velocity[k];
         const double slipping = slip_ratio(law, model::slip_of(w)) * N;
         const double limit = stick_limit(law, model::slip_against(T)) * N;
-        if (trace.state[k] == model::ContactState::slip && std::abs(w) > 1e-6) {
+        if (trace.contacts.front().state[k] == model::ContactState::slip && std::abs(w) > 1e-6) {
             EXPECT_NEAR(T, slipping, 1e-9) << trace.time[k];
-        } else if (trace.state[k] == model::ContactState::stick) {
+        } else if (trace.contacts.front().state[k] == model::ContactState::stick) {
             EXPECT_LE(std::abs(T), limit + 1e-9) << trace.time[k];
         }
     }

@@ -31,9 +31,9 @@ using parameters::ImpactKind;
 using parameters::PaperCase;
 
 void add(Values& values, const record::Tally& tally) {
-    values.add("time", tally.time);
-    values.add("judged_time", tally.judged_time);
-    for (const record::Instants& instants : tally.changes) {
+    values.add("time", tally.contacts.front().time);
+    values.add("judged_time", tally.contacts.front().judged_time);
+    for (const record::Instants& instants : tally.contacts.front().changes) {
         values.add("changes", instants.count);
         values.add("instant", instants.times);
     }
@@ -44,12 +44,12 @@ void add(Values& values, const record::Tally& tally) {
         }
     values.add("vibration_time", tally.vibration_time);
     values.add("closing_time", tally.closing_time);
-    values.add("releases", tally.releases);
-    values.add("state", tally.ending.state);
-    values.add("since", tally.ending.since);
-    values.add("future", tally.ending.outlook.future);
-    values.add("future_from", tally.ending.outlook.from);
-    values.add("release", tally.ending.outlook.release);
+    values.add("releases", tally.contacts.front().releases);
+    values.add("state", tally.contacts.front().ending.state);
+    values.add("since", tally.contacts.front().ending.since);
+    values.add("future", tally.contacts.front().ending.outlook.future);
+    values.add("future_from", tally.contacts.front().ending.outlook.from);
+    values.add("release", tally.contacts.front().ending.outlook.release);
 }
 
 void add(Values& values, const classification::Verdict& verdict) {
@@ -76,9 +76,9 @@ void add(Values& values, const record::Trace& trace) {
     for (const auto* motions : {&trace.displacement, &trace.velocity, &trace.acceleration})
         for (const std::vector<double>& motion : *motions)
             values.add("motion", motion);
-    values.add("normal_force", trace.normal_force);
-    values.add("friction_force", trace.friction_force);
-    values.add("gap", trace.gap);
+    values.add("normal_force", trace.contacts.front().normal_force);
+    values.add("friction_force", trace.contacts.front().friction_force);
+    values.add("gap", trace.contacts.front().gap);
 }
 
 void add(Values& values, const integration::Motion& motion) {
@@ -90,7 +90,7 @@ void add(Values& values, const integration::Motion& motion) {
         values.add("energy", term);
     if (motion.silence) values.add("silence", motion.silence->time);
     if (motion.cycle) values.add("cycle", motion.cycle->period);
-    for (const record::ContactInterval& interval : motion.record.history) {
+    for (const record::ContactInterval& interval : motion.record.histories.front()) {
         values.add("interval", interval.state);
         values.add("from", interval.from);
         values.add("slip_velocity", interval.slip_velocity);
@@ -119,7 +119,7 @@ Result run(std::string name, const Case& c, integration::InstructionSet set, Kee
     std::string extract = std::string(integration::reason_names[static_cast<std::size_t>(motion.outcome.reason)]);
     for (const record::Tally& tally : motion.record.phases) {
         add(values, tally);
-        const analysis::Evidence evidence = analysis::evidence(tally);
+        const analysis::Evidence evidence = analysis::evidence(tally, 0);
         const classification::Verdict verdict = classification::classify(evidence, c.verdict);
         add(values, verdict);
         extract += fmt::format("; {} slip {:.6f} stick {:.6f}, {:.3f} dB", classification::name(verdict.category),

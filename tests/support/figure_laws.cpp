@@ -51,13 +51,13 @@ std::string broken_figure(const parameters::Case& c, const integration::Motion& 
     const double most = is_exact ? 1e-9 : c.run.beta_2 > 0.5 ? 1.0 : 1e-6;
     if (!(std::abs(residual) <= most)) return in_words("balance off by", residual);
     for (const record::Tally& tally : motion.record.phases) {
-        const classification::Verdict verdict = classification::classify(analysis::evidence(tally), c.verdict);
+        const classification::Verdict verdict = classification::classify(analysis::evidence(tally, 0), c.verdict);
         const analysis::Evidence& e = verdict.evidence;
         const std::string name(record::phase_names[static_cast<std::size_t>(tally.phase)]);
         double time = 0.0, judged = 0.0;
-        for (std::size_t state = 0; state < tally.time.size(); ++state) {
-            time += tally.time[state];
-            judged += tally.judged_time[state];
+        for (std::size_t state = 0; state < tally.contacts.front().time.size(); ++state) {
+            time += tally.contacts.front().time[state];
+            judged += tally.contacts.front().judged_time[state];
         }
         const bool is_judged = verdict.category != classification::Category::undecided;
         if (is_judged && !(judged > 0.0)) return "a verdict from no time";

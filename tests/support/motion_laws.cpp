@@ -69,7 +69,7 @@ private:
     }
 
     void check_history() {
-        const record::ContactHistory& history = motion_.record.history;
+        const record::ContactHistory& history = motion_.record.histories.front();
         const double end = motion_.outcome.time;
         if (end == 0.0) return;
         expect(!history.empty(), "no history");
@@ -119,7 +119,7 @@ private:
     void check_tallies() {
         double sum = 0.0;
         for (const record::Tally& tally : motion_.record.phases) {
-            for (const double time : tally.time)
+            for (const double time : tally.contacts.front().time)
                 sum += time;
             for (const record::Vibration& vibration : tally.vibration)
                 expect(std::isfinite(vibration.square_time) && std::isfinite(vibration.peak_square) &&
@@ -153,7 +153,7 @@ private:
 
         const double time = trace_.time[k];
         const double size = tangential.size + above.size + below.size;
-        const double N = trace_.normal_force[k], T = trace_.friction_force[k];
+        const double N = trace_.contacts.front().normal_force[k], T = trace_.contacts.front().friction_force[k];
         expect(std::isfinite(size), "not a number at ", time);
         expect(std::abs(tangential.value - T) <= rounding * size + event_depth * size * (N == 0.0),
                "tangential balance at ", time, ": ", tangential.value, " is not ", T);
@@ -167,7 +167,7 @@ private:
         expect(std::abs(trace_.surface_velocity[k] - V) <= 1e-11 * largest_surface_velocity(), "surface velocity at ",
                time, ": ", trace_.surface_velocity[k], " is not ", V);
         const model::FrictionLaw law = model::friction_law(c_.contact);
-        if (trace_.state[k] == ContactState::separation) {
+        if (trace_.contacts.front().state[k] == ContactState::separation) {
             expect(u[1] - u[2] >= -event_depth * length, "gap ", u[1] - u[2], " at ", time);
             expect(std::abs(above.value) <= rounding * size, "force ", above.value, " across an open gap at ", time);
             expect(N == 0.0 && T == 0.0, "forces in separation at ", time);
@@ -178,7 +178,7 @@ private:
         expect(above.value >= -event_depth * size, "normal force ", above.value, " at ", time);
         expect(std::abs(above.value - N) <= event_depth * size, "normal force at ", time, ": ", above.value, " is not ",
                N);
-        if (trace_.state[k] == ContactState::stick) {
+        if (trace_.contacts.front().state[k] == ContactState::stick) {
             expect(std::abs(w) <= rounding * speed, "stuck contact moves with ", w, " at ", time);
             const double limit = stick_limit(law, model::slip_against(tangential.value));
             expect(std::abs(tangential.value) <= limit * above.value + event_depth * size, "stick at ", time,

@@ -62,7 +62,7 @@ TEST(Beam, BalancesItsEnergyWithAnyNumberOfModes) {
         const auto motion = stepped(modes, 0.05, 1e-6, {parameters::Initial::stuck, 0.0});
         EXPECT_EQ(motion.outcome.reason, integration::Reason::completed) << modes;
         EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-9) << modes;
-        EXPECT_GT(motion.record.history.size(), 3U) << modes;  // it does rub
+        EXPECT_GT(motion.record.histories.front().size(), 3U) << modes;  // it does rub
     }
 }
 
@@ -74,7 +74,7 @@ double mode_at_4_ms(int modes, double h) {
     const record::Recorder kept(record::schedule(c), {record::KeepHistory::yes, {4e-3, 4e-3, 1e-4}}, modes + 1);
     const auto motion = integration::integrate_beta_2(model::cantilever(beam, modes), c.drive,
                                                       {parameters::Initial::sliding, 1e-3}, {h, 0.5}, kept);
-    EXPECT_EQ(motion.record.history.size(), 1U);  // it slips all the time: nothing but the scheme acts
+    EXPECT_EQ(motion.record.histories.front().size(), 1U);  // it slips all the time: nothing but the scheme acts
     return motion.record.trace.displacement[0].at(0);
 }
 
@@ -103,10 +103,10 @@ TEST(Beam, RubsAsTheExactEngineSays) {
         const integration::Start start{parameters::Initial::stuck, 0.0};
         const auto exact = integration::integrate_exact(
             model::cantilever(beam, modes), support::constant_drive(velocity), start, {}, recorder(0.02, modes));
-        const auto& told = exact.record.history;
+        const auto& told = exact.record.histories.front();
         ASSERT_GE(told.size(), 6U) << modes;
         for (const double h : {1e-6, 1e-7}) {
-            const auto close = lasting(stepped(modes, 0.02, h, start).record.history, 1.5 * h);
+            const auto close = lasting(stepped(modes, 0.02, h, start).record.histories.front(), 1.5 * h);
             for (std::size_t k = 0; k < 6; ++k) {
                 EXPECT_EQ(close.at(k).state, told[k].state) << modes << " " << k;
                 EXPECT_NEAR(close.at(k).from, told[k].from, 4.0 * h) << modes << " " << k;

@@ -46,7 +46,8 @@ TEST(Belt, SticksForTheShareOfTheClosedForm) {
     for (const double lambda : {0.5, 1.0, 2.0, 5.0}) {
         support::BeltRun run = belt_run(lambda, 0.0);
         run.duration = support::effort(1.0, 0.25);
-        const support::Periods periods = whole_periods(integrate(run).record.history, ContactState::stick, 0.05);
+        const support::Periods periods =
+            whole_periods(integrate(run).record.histories.front(), ContactState::stick, 0.05);
         const double exact = 2.0 * (lambda + std::numbers::pi - std::atan(lambda)) / w0;
         ASSERT_GE(periods.count, 5);
         // the stick trial captures a slip velocity of mu_s N h/m, reached at (mu_s - mu_d) N/m: mu_s / (mu_s - mu_d) =
@@ -65,7 +66,7 @@ bool survives(double lambda, double damping_ratio) {
     run.duration = support::effort(0.3, 0.15);
     // captured velocities, mu_s N h/m = 8e-6 m/s, must be small beside the 2e-4 m/s by which the cycle misses V
     run.settings.step = 1e-7;
-    const record::ContactHistory history = integrate(run).record.history;
+    const record::ContactHistory history = integrate(run).record.histories.front();
     return history.back().state == ContactState::stick || history.back().from > 0.5 * run.duration;
 }
 

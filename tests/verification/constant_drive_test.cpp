@@ -40,7 +40,8 @@ Case constant_case(PaperCase which, double velocity) {
 }
 
 Periods by_beta_2(const Case& c, ContactState state) {
-    return whole_periods(integration::simulate(c, {record::KeepHistory::yes, {}}).record.history, state, settled);
+    return whole_periods(integration::simulate(c, {record::KeepHistory::yes, {}}).record.histories.front(), state,
+                         settled);
 }
 
 Periods by_independent_engine(const Case& c, ContactState state) {
@@ -91,8 +92,8 @@ TEST(ConstantDrive, IndependentEngineGivesThePublishedDigits) {
 TEST(ConstantDrive, SticksForTheKnownShareAndPeriod) {
     for (const StickSlip& known : stick_slips) {
         const auto motion = integration::simulate(stick_slip_case(known.preload), {record::KeepHistory::yes, {}});
-        const Periods periods = whole_periods(motion.record.history, ContactState::stick, 1.0);
-        EXPECT_NEAR(stick_fraction(motion.record.history), known.stick_fraction, 4.0 * h / known.period)
+        const Periods periods = whole_periods(motion.record.histories.front(), ContactState::stick, 1.0);
+        EXPECT_NEAR(stick_fraction(motion.record.histories.front()), known.stick_fraction, 4.0 * h / known.period)
             << known.preload;
         EXPECT_NEAR(periods.period, known.period, 1e3 * h * known.period) << known.preload;  // 1e-4 of it at 1e-7 s
         EXPECT_EQ(periods.shares[separation], 0.0);
@@ -130,8 +131,8 @@ TEST(CaptureByTheStickTrial, IsGoneWithASmallerStep) {
     // the mass comes closest to the plate in its first vibration, within 5 ms: a tenth of the time shows it
     c.run.duration = c.run.window = support::effort(duration, 0.1 * duration);
     const auto motion = integration::simulate(c, {record::KeepHistory::yes, {}});
-    ASSERT_EQ(motion.record.history.size(), 1U);
-    EXPECT_EQ(motion.record.history.front().state, ContactState::slip);
+    ASSERT_EQ(motion.record.histories.front().size(), 1U);
+    EXPECT_EQ(motion.record.histories.front().front().state, ContactState::slip);
     EXPECT_EQ(support::event_driven(c, 2e-6, 1 << 30).history.size(), 1U);
 }
 

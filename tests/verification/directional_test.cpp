@@ -19,7 +19,7 @@ record::ContactHistory rubbed(double velocity, const model::FrictionLaw& law) {
     belt.contacts[0].friction = law;
     return integration::integrate_exact(belt, c.drive, {parameters::Initial::stuck, 0.0}, {},
                                         record::Recorder(record::schedule(c), {record::KeepHistory::yes, {}}, 2))
-        .record.history;
+        .record.histories.front();
 }
 
 void expect_same(const record::ContactHistory& a, const record::ContactHistory& b) {
@@ -52,13 +52,13 @@ TEST(Directional, WithTheSameCoefficientsBothWaysIsCoulombs) {
         c.run.duration = c.run.window = 0.05;
         c.drive = support::constant_drive(0.1);
         const record::Request request{record::KeepHistory::yes, {}};
-        const auto coulomb = integration::simulate(c, request).record.history;
+        const auto coulomb = integration::simulate(c, request).record.histories.front();
         c.contact.friction = parameters::FrictionKind::directional;
         c.contact.static_friction_coming = c.contact.static_friction;
         c.contact.kinetic_friction_coming = c.contact.kinetic_friction;
-        expect_same(integration::simulate(c, request).record.history, coulomb);
+        expect_same(integration::simulate(c, request).record.histories.front(), coulomb);
         c.contact.kinetic_friction_coming = 0.1;
-        EXPECT_NE(integration::simulate(c, request).record.history.size(), coulomb.size());
+        EXPECT_NE(integration::simulate(c, request).record.histories.front().size(), coulomb.size());
     }
 }
 

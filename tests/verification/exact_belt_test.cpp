@@ -38,7 +38,8 @@ TEST(ExactBelt, SticksAndSlipsForTheTimesOfTheClosedForm) {
         run.request = {record::KeepHistory::yes, {}};
         const double stick = 2.0 * lambda / w0, slip = 2.0 * (std::numbers::pi - std::atan(lambda)) / w0;
         run.duration = 20.5 * (stick + slip);
-        const support::Periods periods = support::whole_periods(exactly(run).record.history, ContactState::stick, 1e-9);
+        const support::Periods periods =
+            support::whole_periods(exactly(run).record.histories.front(), ContactState::stick, 1e-9);
         ASSERT_GE(periods.count, 18);
         // rounding of some hundred steps; a stick of 1 % of the period is known as well as the period is
         EXPECT_NEAR(periods.period, stick + slip, 1e-12 * (stick + slip)) << lambda;

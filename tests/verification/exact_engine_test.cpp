@@ -51,9 +51,9 @@ Case sampled_case(PaperCase which, double duration) {
 double share(const record::Record& record, std::size_t state) {
     double time = 0.0, all = 0.0;
     for (const record::Tally& tally : record.phases)
-        for (std::size_t k = 0; k < tally.time.size(); ++k) {
-            all += tally.time[k];
-            if (k == state) time += tally.time[k];
+        for (std::size_t k = 0; k < tally.contacts.front().time.size(); ++k) {
+            all += tally.contacts.front().time[k];
+            if (k == state) time += tally.contacts.front().time[k];
         }
     return time / all;
 }
@@ -68,7 +68,7 @@ TEST(ExactEngine, SticksForTheKnownShareAndPeriod) {
         c.run.window = 1.0;
         const Motion motion = integration::simulate(c, with_history);
         EXPECT_NEAR(share(motion.record, stick), fraction, 2e-6) << preload;
-        EXPECT_NEAR(support::whole_periods(motion.record.history, ContactState::stick, 1.0).period, period,
+        EXPECT_NEAR(support::whole_periods(motion.record.histories.front(), ContactState::stick, 1.0).period, period,
                     1e-7 * period)
             << preload;
     }
@@ -76,7 +76,7 @@ TEST(ExactEngine, SticksForTheKnownShareAndPeriod) {
 
 TEST(ExactEngine, SquealIsPeriodicAt430Hertz) {
     const Motion motion = integration::simulate(constant_case(PaperCase::squeal, 0.1257, 0.6), with_history);
-    const auto periods = support::whole_periods(motion.record.history, ContactState::separation, 0.3);
+    const auto periods = support::whole_periods(motion.record.histories.front(), ContactState::separation, 0.3);
     EXPECT_NEAR(1.0 / periods.period, 430.4, 0.05);
     EXPECT_NEAR(periods.shares[slip], 0.263, 1e-3);
     EXPECT_NEAR(periods.shares[separation], 0.737, 1e-3);
@@ -88,8 +88,8 @@ TEST(ExactEngine, SlipsThroughoutWhereLargeStepsSayStickSlip) {
     Case c = constant_case(PaperCase::squeak, -0.1, 2.0);
     c.run.initial = parameters::Initial::rest;
     const Motion motion = integration::simulate(c, with_history);
-    ASSERT_EQ(motion.record.history.size(), 1U);
-    EXPECT_EQ(motion.record.history.front().state, ContactState::slip);
+    ASSERT_EQ(motion.record.histories.front().size(), 1U);
+    EXPECT_EQ(motion.record.histories.front().front().state, ContactState::slip);
 }
 
 // rounding of 3e4 steps and some thousand events, against the work done
@@ -109,7 +109,7 @@ TEST(ExactEngine, ChangesStateWhenTheIndependentEngineDoes) {
         for (const double velocity : {-0.1257, 0.1257}) {
             const Case c = constant_case(which, velocity, 0.05);
             const record::ContactHistory known = support::event_driven(c, 1e-6, 1 << 30).history;
-            const record::ContactHistory found = integration::simulate(c, with_history).record.history;
+            const record::ContactHistory found = integration::simulate(c, with_history).record.histories.front();
             ASSERT_EQ(found.size(), known.size()) << velocity;
             for (std::size_t k = 0; k < found.size(); ++k) {
                 ASSERT_EQ(found[k].state, known[k].state) << k;
@@ -126,8 +126,8 @@ TEST(ExactSampledDrive, DoesNotSeeWhereAStraightLineIsCut) {
     Case cut = c;
     cut.drive.times = {0.0, 0.005, 0.01, 0.02, 0.0275, 0.035, 0.05};
     cut.drive.velocities = {0.05, 0.06, 0.07, 0.09, 0.075, 0.06, 0.03};
-    const auto whole = integration::simulate(c, with_history).record.history;
-    const auto parts = integration::simulate(cut, with_history).record.history;
+    const auto whole = integration::simulate(c, with_history).record.histories.front();
+    const auto parts = integration::simulate(cut, with_history).record.histories.front();
     ASSERT_EQ(whole.size(), parts.size());
     ASSERT_GT(whole.size(), 5U);
     for (std::size_t k = 0; k < whole.size(); ++k) {
@@ -150,8 +150,8 @@ TEST(ExactSampledDrive, ComesNearTheSineItIsSampledFrom) {
         c.drive.velocities.push_back(smooth.drive.amplitude * rate * std::cos(rate * 5e-5 * k));
     }
     c.run.duration = c.run.window = c.drive.times.back();
-    const auto exact = integration::simulate(smooth, with_history).record.history;
-    const auto near = integration::simulate(c, with_history).record.history;
+    const auto exact = integration::simulate(smooth, with_history).record.histories.front();
+    const auto near = integration::simulate(c, with_history).record.histories.front();
     ASSERT_EQ(near.size(), exact.size());
     ASSERT_GT(exact.size(), 50U);
     for (std::size_t k = 0; k < exact.size(); ++k) {
@@ -217,9 +217,10 @@ TEST(ExactImpacts, ReboundWithTheirShareOfTheClosingVelocity) {
         const record::Trace& trace = motion.record.trace;
         int rebounds = 0;
         for (std::size_t k = 2; k + 2 < trace.time.size(); ++k) {
-            const bool in_flight = std::all_of(trace.state.begin() + static_cast<std::ptrdiff_t>(k) - 1,
-                                               trace.state.begin() + static_cast<std::ptrdiff_t>(k) + 3,
-                                               [](ContactState s) { return s == ContactState::separation; });
+            const bool in_flight =
+                std::all_of(trace.contacts.front().state.begin() + static_cast<std::ptrdiff_t>(k) - 1,
+                            trace.contacts.front().state.begin() + static_cast<std::ptrdiff_t>(k) + 3,
+                            [](ContactState s) { return s == ContactState::separation; });
             const double before = trace.velocity[1][k] - trace.velocity[2][k];
             const double after = trace.velocity[1][k + 1] - trace.velocity[2][k + 1];
             if (!in_flight || before > -1e-2 || after < 0.0) continue;
@@ -238,7 +239,7 @@ TEST(ExactImpacts, BounceToRest) {
         EXPECT_TRUE(integration::has_result(motion.outcome)) << e;
         EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-10) << e;
         const auto flights = std::count_if(
-            motion.record.history.begin(), motion.record.history.end(),
+            motion.record.histories.front().begin(), motion.record.histories.front().end(),
             [](const record::ContactInterval& interval) { return interval.state == ContactState::separation; });
         EXPECT_GT(flights, 20) << e;
     }
@@ -251,11 +252,12 @@ TEST(ExactImpacts, WithoutTangentialImpulseLeaveTheSlipAlone) {
     const Motion motion = integration::simulate(c, {record::KeepHistory::yes, {0.0, 0.05, interval}});
     const record::Trace& trace = motion.record.trace;
     int impacts = 0;
-    for (const record::ContactInterval& stay : motion.record.history) {
+    for (const record::ContactInterval& stay : motion.record.histories.front()) {
         const auto k = static_cast<std::size_t>(stay.from / interval);
         if (stay.gap_velocity > -1e-3 || k < 1 || k + 2 >= trace.time.size()) continue;
-        if (trace.state[k - 1] != ContactState::separation || trace.state[k] != ContactState::separation ||
-            trace.state[k + 1] != stay.state || trace.state[k + 2] != stay.state)
+        if (trace.contacts.front().state[k - 1] != ContactState::separation ||
+            trace.contacts.front().state[k] != ContactState::separation ||
+            trace.contacts.front().state[k + 1] != stay.state || trace.contacts.front().state[k + 2] != stay.state)
             continue;
         const Extrapolation before = tangent_at(trace, k, k - 1), after = tangent_at(trace, k + 1, k + 2);
         EXPECT_NEAR(after.rate(stay.from - trace.time[k + 1]), before.rate(stay.from - trace.time[k]), 1e-8);
@@ -267,10 +269,10 @@ TEST(ExactImpacts, WithoutTangentialImpulseLeaveTheSlipAlone) {
 TEST(ExactImpacts, WithoutReboundArePlasticBitForBit) {
     const Motion plastic = integration::simulate(bouncing(parameters::ImpactKind::plastic, 0.5), with_history);
     const Motion dead = integration::simulate(bouncing(parameters::ImpactKind::restitution, 0.0), with_history);
-    ASSERT_EQ(plastic.record.history.size(), dead.record.history.size());
-    for (std::size_t k = 0; k < plastic.record.history.size(); ++k) {
-        EXPECT_EQ(plastic.record.history[k].from, dead.record.history[k].from);
-        EXPECT_EQ(plastic.record.history[k].slip_velocity, dead.record.history[k].slip_velocity);
+    ASSERT_EQ(plastic.record.histories.front().size(), dead.record.histories.front().size());
+    for (std::size_t k = 0; k < plastic.record.histories.front().size(); ++k) {
+        EXPECT_EQ(plastic.record.histories.front()[k].from, dead.record.histories.front()[k].from);
+        EXPECT_EQ(plastic.record.histories.front()[k].slip_velocity, dead.record.histories.front()[k].slip_velocity);
     }
     EXPECT_EQ(plastic.energy.residual, dead.energy.residual);
 }

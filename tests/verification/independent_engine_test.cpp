@@ -73,7 +73,7 @@ void expect_same_rates(const Case& c, double tolerance) {
     for (const record::ContactInterval& interval : support::event_driven(c, 2e-6, 1 << 30).history)
         time[model::index_of(interval.state)] += interval.to - interval.from;
     const analysis::Rates exact = analysis::rates(time);
-    const analysis::Rates found = analysis::rates(integration::simulate(c).record.phases.front().time);
+    const analysis::Rates found = analysis::rates(integration::simulate(c).record.phases.front().contacts.front().time);
     EXPECT_NEAR(found.slip, exact.slip, tolerance);
     EXPECT_NEAR(found.stick, exact.stick, tolerance);
     EXPECT_NEAR(found.separation, exact.separation, tolerance);

@@ -95,7 +95,7 @@ protected:
         for (std::size_t k = 0; k < 2; ++k) {
             SCOPED_TRACE(k == 0 ? "going" : "coming");
             const Way& way = GetParam().ways.at(k);
-            const auto verdict = classification::classify(analysis::evidence(motion.record.phases[k]), c.verdict);
+            const auto verdict = classification::classify(analysis::evidence(motion.record.phases[k], 0), c.verdict);
             expect_rates(verdict.evidence.rates, way.stored, tolerance);
             expect_rates(verdict.evidence.rates, way.independent, reproducible);
             EXPECT_EQ(verdict.category, way.category);

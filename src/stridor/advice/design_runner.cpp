@@ -35,7 +35,7 @@ void judge_phase(DesignVerdict& verdict, const integration::Motion& motion, reco
         std::find_if(tallies.begin(), tallies.end(), [&](const record::Tally& tally) { return tally.phase == phase; });
     const bool is_there = found != tallies.end();
     const classification::Verdict judged =
-        is_there ? classification::classify(analysis::evidence(*found), c.verdict) : classification::Verdict{};
+        is_there ? classification::classify_phase(*found, c.verdict) : classification::Verdict{};
     verdict.phases.push_back({sweep::Status::done, judged.category});
     verdict.quiet.push_back(judged.quiet);
 }

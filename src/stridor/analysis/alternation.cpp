@@ -56,7 +56,7 @@ std::vector<std::vector<double>> intervals_of(const record::Instants& instants) 
     return stretches;
 }
 
-std::optional<Beat> beat_of(const record::Tally& tally, model::ContactState from, model::ContactState to) {
+std::optional<Beat> beat_of(const record::ContactTally& tally, model::ContactState from, model::ContactState to) {
     Beat beat{from, to, intervals_of(tally.changes[record::change_kind(from, to)])};
     for (const std::vector<double>& stretch : beat.stretches) {
         for (const double length : stretch)
@@ -79,7 +79,7 @@ double variation(const Beat& beat) {
 }
 
 // kinds of beat that speak for the motion
-std::vector<Beat> speaking_beats(const record::Tally& tally) {
+std::vector<Beat> speaking_beats(const record::ContactTally& tally) {
     std::vector<Beat> all;
     for (std::size_t from = 0; from < model::contact_states; ++from)
         for (std::size_t to = 0; to < model::contact_states; ++to)
@@ -141,7 +141,7 @@ void find_repetition(Alternation& result, const std::vector<Beat>& beats) {
 
 }  // namespace
 
-Alternation alternation(const record::Tally& tally) {
+Alternation alternation(const record::ContactTally& tally) {
     Alternation result;
     result.mismatch.fill(infinity);
     const std::vector<Beat> beats = speaking_beats(tally);

@@ -40,6 +40,7 @@ struct Alternation {
         mismatch{};  // [1] m(L) of the best kind at each lag L = index + 1; infinite if unknown
 };
 
-Alternation alternation(const record::Tally& tally);
+/// From the changes of state of a contact.
+Alternation alternation(const record::ContactTally& tally);
 
 }  // namespace stridor::analysis

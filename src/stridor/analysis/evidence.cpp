@@ -1,20 +1,25 @@
 #include "stridor/analysis/evidence.hpp"
 
+#include "stridor/base/check.hpp"
+
 namespace stridor::analysis {
 
-Evidence evidence(const record::Tally& tally) {
+Evidence evidence(const record::Tally& tally, std::size_t contact) {
+    STRIDOR_EXPECT(contact < tally.contacts.size());
+    const record::ContactTally& one = tally.contacts[contact];
     Evidence figures;
     figures.phase = tally.phase;
-    figures.window_time = tally.time[0] + tally.time[1] + tally.time[2];
-    figures.judged_time = tally.judged_time[0] + tally.judged_time[1] + tally.judged_time[2];
-    figures.rates = rates(tally.time);
-    figures.judged_rates = rates(tally.judged_time);
-    figures.alternation = alternation(tally);
+    figures.contact = contact;
+    figures.window_time = one.time[0] + one.time[1] + one.time[2];
+    figures.judged_time = one.judged_time[0] + one.judged_time[1] + one.judged_time[2];
+    figures.rates = rates(one.time);
+    figures.judged_rates = rates(one.judged_time);
+    figures.alternation = alternation(one);
     for (std::size_t to = 0; to < model::contact_states; ++to)
         figures.releases +=
-            tally.changes[record::change_kind(model::ContactState::stick, static_cast<model::ContactState>(to))].count;
-    figures.all_releases = tally.releases;
-    figures.ending = tally.ending;
+            one.changes[record::change_kind(model::ContactState::stick, static_cast<model::ContactState>(to))].count;
+    figures.all_releases = one.releases;
+    figures.ending = one.ending;
     const bool is_over = slides_for_good(figures) || sticks_for_good(figures);
     const Along along = sticks_for_good(figures) ? Along::carried : Along::counted;
     figures.levels = levels(tally, is_over && tally.closing_time > 0.0 ? Part::closing : Part::judged, along);

@@ -5,11 +5,14 @@
 #include "stridor/analysis/rates.hpp"
 #include "stridor/record/tally.hpp"
 
+#include <cstddef>
+
 namespace stridor::analysis {
 
-/// The figures of one phase of a run: all that a verdict by contact states is made from.
+/// The figures of one contact in one phase of a run: all that a verdict by contact states is made from.
 struct Evidence {
     record::Phase phase = record::Phase::all;
+    std::size_t contact = 0;   // number among those of the structure
     double window_time = 0.0;  // [s] time in the window
     double judged_time = 0.0;  // [s] of it, time that was judged
     Rates rates;               // whole window
@@ -18,13 +21,14 @@ struct Evidence {
     long releases = 0;         // [1] sticks that ended, judged part
     long all_releases = 0;     // [1] the same, whole window
     record::Ending ending;     // of the run, and what is known beyond it
-    Levels levels;             // judged part; of a contact that slides or sticks for ever its closing part
+    Levels levels;  // of the bodies, judged part; of a contact that slides or sticks for ever its closing part
 };
 
 /// Is it proven, or plain from all of the judged time, that the contact sticks for ever? Likewise that it slides.
 bool sticks_for_good(const Evidence& evidence);
 bool slides_for_good(const Evidence& evidence);
 
-Evidence evidence(const record::Tally& tally);
+/// From what a phase left behind of contact number `contact`.
+Evidence evidence(const record::Tally& tally, std::size_t contact);
 
 }  // namespace stridor::analysis

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -14,6 +15,12 @@ inline constexpr std::array<std::string_view, 5> category_names{"none", "squeal"
 
 constexpr std::string_view name(Category category) {
     return category_names[static_cast<std::size_t>(category)];
+}
+
+/// How much a category speaks for noise, from 0: none, undecided, creak, squeak, squeal.
+constexpr int loudness(Category category) {
+    constexpr std::array<int, 5> ranks{0, 4, 3, 2, 1};  // in the order of the categories
+    return ranks[static_cast<std::size_t>(category)];
 }
 
 /// Why a contact makes no noise: it slides, or it sticks and the joint is carried along.

@@ -16,8 +16,8 @@ namespace stridor::classification {
 
 /// What a simulation knows of its contact and a recording does not.
 struct KnownContact {
-    std::vector<Verdict> verdicts{};   // one per phase, going before coming
-    record::ContactHistory history{};  // within the detail, in the time of the sound
+    std::vector<Verdict> verdicts{};                  // one per phase, going before coming
+    std::vector<record::ContactHistory> histories{};  // shape [contact], within the detail, in the time of the sound
 };
 
 /// A short stretch of a sound, sample by sample.

@@ -134,10 +134,23 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
     return decide(decision);
 }
 
+std::vector<Verdict> classify_contacts(const record::Tally& phase, const parameters::Thresholds& thresholds) {
+    std::vector<Verdict> verdicts;
+    for (std::size_t contact = 0; contact < phase.contacts.size(); ++contact)
+        verdicts.push_back(classify(analysis::evidence(phase, contact), thresholds));
+    return verdicts;
+}
+
+Verdict classify_phase(const record::Tally& phase, const parameters::Thresholds& thresholds) {
+    std::vector<Verdict> verdicts = classify_contacts(phase, thresholds);
+    const auto quieter = [](const Verdict& a, const Verdict& b) { return loudness(a.category) < loudness(b.category); };
+    return std::move(*std::max_element(verdicts.begin(), verdicts.end(), quieter));
+}
+
 std::vector<Verdict> classify_phases(std::span<const record::Tally> phases, const parameters::Thresholds& thresholds) {
     std::vector<Verdict> verdicts;
     for (const record::Tally& phase : phases)
-        verdicts.push_back(classify(analysis::evidence(phase), thresholds));
+        verdicts.push_back(classify_phase(phase, thresholds));
     return verdicts;
 }
 

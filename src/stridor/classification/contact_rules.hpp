@@ -27,6 +27,13 @@ namespace stridor::classification {
 /// A vibration pattern is named, not a sound: docs/methods/verdict.md says what that leaves out.
 Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds);
 
+/// The verdict of each contact in one phase; shape [contact].
+std::vector<Verdict> classify_contacts(const record::Tally& phase, const parameters::Thresholds& thresholds);
+
+/// The verdict of one phase: that of its loudest contact (`loudness`), of equals the first. A phase is quiet only if
+/// all of its contacts are.
+Verdict classify_phase(const record::Tally& phase, const parameters::Thresholds& thresholds);
+
 /// The verdict of each phase of a run, in their order.
 std::vector<Verdict> classify_phases(std::span<const record::Tally> phases, const parameters::Thresholds& thresholds);
 

@@ -8,14 +8,17 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/simulation/dof_names.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/record/columns.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/evaluate.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 #include <utility>
@@ -60,34 +63,44 @@ Json preset_object(const Preset& preset) {
     return object;
 }
 
+/// A column of the motion that is sent: numbers of the trace, under the names that the page knows.
 struct Column {
-    std::string_view name;
+    std::string name;
     std::string_view unit;
-    std::string_view sentence;
-    const std::vector<double>& (*values)(const record::Trace&);
+    std::string sentence;
+    std::function<const std::vector<double>&(const record::Trace&)> values;
 };
 
-const std::array columns{
-    Column{"x1", "m", "displacement of the joint along the plate",
-           [](const record::Trace& trace) -> const std::vector<double>& { return trace.displacement[0]; }},
-    Column{"y1", "m", "displacement of the joint across the plate",
-           [](const record::Trace& trace) -> const std::vector<double>& { return trace.displacement[1]; }},
-    Column{"y2", "m", "displacement of the plate across the contact",
-           [](const record::Trace& trace) -> const std::vector<double>& { return trace.displacement[2]; }},
-    Column{"x1_velocity", "m/s", "velocity of the joint along the plate",
-           [](const record::Trace& trace) -> const std::vector<double>& { return trace.velocity[0]; }},
-    Column{"y1_velocity", "m/s", "velocity of the joint across the plate",
-           [](const record::Trace& trace) -> const std::vector<double>& { return trace.velocity[1]; }},
-    Column{"y2_velocity", "m/s", "velocity of the plate across the contact",
-           [](const record::Trace& trace) -> const std::vector<double>& { return trace.velocity[2]; }},
-    Column{"surface_velocity", "m/s", "velocity imposed on the plate",
-           [](const record::Trace& trace) -> const std::vector<double>& { return trace.surface_velocity; }},
-    Column{"normal_force", "N", "contact force across the plate, on the joint",
-           [](const record::Trace& trace) -> const std::vector<double>& { return trace.normal_force; }},
-    Column{"friction_force", "N", "friction force on the joint",
-           [](const record::Trace& trace) -> const std::vector<double>& { return trace.friction_force; }},
-    Column{"gap", "m", "gap between joint and plate",
-           [](const record::Trace& trace) -> const std::vector<double>& { return trace.gap; }}};
+// displacements and velocities of the rubbing system ("x1", "x1_velocity"), the surface's velocity, each contact's
+std::vector<Column> columns_of(int contacts) {
+    std::vector<Column> columns;
+    const std::vector<std::string> dofs = io::dof_names(io::dof_sentences.size());
+    for (const record::DofColumn& column : std::span(record::dof_columns).first(2))
+        for (std::size_t dof = 0; dof < dofs.size(); ++dof) {
+            const bool is_place = column.samples == &record::Trace::displacement;
+            columns.push_back(
+                {dofs[dof] + (is_place ? "" : "_" + std::string(column.name)), column.unit,
+                 std::string(is_place ? "displacement" : column.name) + " " + std::string(io::dof_sentences[dof]),
+                 [member = column.samples, dof](const record::Trace& trace) -> const std::vector<double>& {
+                     return (trace.*member)[dof];
+                 }});
+        }
+    columns.push_back({std::string(record::surface_column.name), record::surface_column.unit,
+                       std::string(record::surface_column.sentence),
+                       [](const record::Trace& trace) -> const std::vector<double>& {
+                           return trace.*record::surface_column.samples;
+                       }});
+    const auto count = static_cast<std::size_t>(contacts);
+    for (std::size_t contact = 0; contact < count; ++contact)
+        for (const record::ContactColumn& column : record::contact_columns)
+            columns.push_back(
+                {std::string(column.name) + record::contact_ending(contact, count), column.unit,
+                 std::string(column.sentence),
+                 [member = column.samples, contact](const record::Trace& trace) -> const std::vector<double>& {
+                     return trace.contacts[contact].*member;
+                 }});
+    return columns;
+}
 
 record::TraceRequest trace_in(const Json& body, const parameters::Case& c) {
     const double from = std::max(0.0, number_in(body, "from", 0.0));
@@ -110,7 +123,8 @@ void pad(std::string& bytes) {
     bytes.resize((bytes.size() + 7) / 8 * 8, '\0');
 }
 
-std::string motion_header(const record::TraceRequest& trace, std::size_t samples, std::size_t intervals) {
+std::string motion_header(const record::TraceRequest& trace, const std::vector<Column>& columns, std::size_t samples,
+                          const std::vector<record::ContactHistory>& histories) {
     Json header{{"schema", "stridor.explorer.motion/1"},
                 {"samples", samples},
                 {"start", trace.from},
@@ -118,7 +132,10 @@ std::string motion_header(const record::TraceRequest& trace, std::size_t samples
                 {"columns", Json::array()}};
     for (const Column& column : columns)
         header["columns"].push_back({{"name", column.name}, {"unit", column.unit}, {"sentence", column.sentence}});
-    header["intervals"] = intervals;
+    header["intervals"] = histories.front().size();
+    header["contacts"] = Json::array();
+    for (const record::ContactHistory& history : histories)
+        header["contacts"].push_back({{"intervals", history.size()}});
     header["states"] = model::contact_state_names;
     std::string text = header.dump();
     text.resize((text.size() + 4 + 7) / 8 * 8 - 4, ' ');  // the arrays after it begin at a multiple of 8
@@ -203,6 +220,7 @@ Response simulate(const World& world, const Json& body, const std::stop_token& s
 Response motion(const World& world, const Json& body, const std::stop_token& stop) {
     const parameters::Case c = case_in(world, body);
     record::Request request{record::KeepHistory::yes, trace_in(body, c)};
+    const std::vector<Column> columns = columns_of(1);
     std::vector<std::vector<float>> values(columns.size());
     // block by block into the half as large numbers that are sent: a trace of doubles would be 100 MB
     request.trace.taker = [&](const record::Trace& trace) {
@@ -211,14 +229,17 @@ Response motion(const World& world, const Json& body, const std::stop_token& sto
                 values[k].push_back(static_cast<float>(value));
     };
     const integration::Motion motion = run_case(c, request, stop);
-    const std::string header = motion_header(request.trace, values.front().size(), motion.record.history.size());
+    const std::string header = motion_header(request.trace, columns, values.front().size(), motion.record.histories);
     const auto length = static_cast<std::uint32_t>(header.size());
     std::string bytes = bytes_of<std::uint32_t>({&length, 1}) + header;
     for (const std::vector<float>& column : values) {
         bytes += bytes_of<float>(column);
         pad(bytes);
     }
-    bytes += history_bytes(motion.record.history);
+    for (const record::ContactHistory& history : motion.record.histories) {
+        bytes += history_bytes(history);
+        pad(bytes);
+    }
     return {200, "application/octet-stream", std::move(bytes)};
 }
 

@@ -151,18 +151,24 @@ drawing::Panel detail_panel(const ComparedSound& sound, std::size_t column) {
     return panel;
 }
 
+bool has_states(const ComparedSound& sound) {
+    return std::any_of(sound.contact.histories.begin(), sound.contact.histories.end(),
+                       [](const record::ContactHistory& history) { return !history.empty(); });
+}
+
 drawing::Panel states_panel(const ComparedSound& sound, std::size_t column) {
     const drawing::Range range = detail_range(sound);
-    record::ContactHistory history = sound.contact.history;
-    for (record::ContactInterval& interval : history) {
-        interval.from = 1e3 * (interval.from - range.from);
-        interval.to = 1e3 * (interval.to - range.from);
-    }
-    drawing::Panel panel = state_panel(history, {0.0, 1e3 * (range.to - range.from)});
+    std::vector<record::ContactHistory> histories = sound.contact.histories;
+    for (record::ContactHistory& history : histories)
+        for (record::ContactInterval& interval : history) {
+            interval.from = 1e3 * (interval.from - range.from);
+            interval.to = 1e3 * (interval.to - range.from);
+        }
+    drawing::Panel panel = state_panel(histories, {0.0, 1e3 * (range.to - range.from)});
     panel.row = states;
     panel.column = column;
     if (column > 0) panel.y.text = drawing::AxisText::hidden;
-    if (!history.empty()) return panel;
+    if (has_states(sound)) return panel;
     panel.layers.clear();
     panel.layers.emplace_back(remark("contact states not known"));
     return panel;
@@ -232,8 +238,7 @@ drawing::Scene side_by_side(std::span<const ComparedSound> sounds) {
     double highest = 2000.0;
     for (const ComparedSound& sound : sounds)
         if (!is_silent(sound.profile)) highest = std::max(highest, highest_frequency(sound.analysis.spectrum));
-    const bool is_known = std::any_of(sounds.begin(), sounds.end(),
-                                      [](const ComparedSound& sound) { return !sound.contact.history.empty(); });
+    const bool is_known = std::any_of(sounds.begin(), sounds.end(), has_states);
     if (!is_known) scene.row_heights[states] = 0.01;
     std::vector<const classification::RecordingVerdict*> verdicts;
     for (std::size_t k = 0; k < sounds.size(); ++k) {

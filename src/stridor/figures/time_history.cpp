@@ -41,6 +41,12 @@ void add_motion(std::vector<Curve>& curves, const std::vector<std::vector<double
         curves.push_back({names[dof], unit, &motion[dof], cut});
 }
 
+// the only contact needs none
+drawing::Text contact_number(std::size_t contact, std::size_t contacts) {
+    if (contacts == 1) return {};
+    return drawing::Text(std::to_string(contact + 1), drawing::TextStyle::subscript);
+}
+
 void add_curves(std::vector<Curve>& curves, const record::Trace& trace, Signal signal, double cut) {
     switch (signal) {
         case Signal::imposed_velocity:
@@ -56,8 +62,11 @@ void add_curves(std::vector<Curve>& curves, const record::Trace& trace, Signal s
             add_motion(curves, trace.acceleration, {"ẍ", "ÿ"}, "m/s^2", cut);
             break;
         case Signal::contact_forces:
-            curves.push_back({drawing::symbol("N"), "N", &trace.normal_force, cut});
-            curves.push_back({drawing::symbol("T"), "N", &trace.friction_force, cut});
+            for (std::size_t k = 0; k < trace.contacts.size(); ++k) {
+                const drawing::Text number = contact_number(k, trace.contacts.size());
+                curves.push_back({drawing::symbol("N") + number, "N", &trace.contacts[k].normal_force, cut});
+                curves.push_back({drawing::symbol("T") + number, "N", &trace.contacts[k].friction_force, cut});
+            }
             break;
     }
 }
@@ -104,14 +113,14 @@ drawing::Panel curve_panel(const record::Trace& trace, const Curve& curve, const
     return panel;
 }
 
-// one column of panels: the curves, then the contact states
+// one column of panels: the curves, then the states of each contact
 void add_column(drawing::Scene& scene, const record::Record& record, const std::vector<Curve>& curves,
                 const drawing::Range& time) {
     const std::size_t column = scene.column_widths.size();
     scene.column_widths.push_back(column == 0 ? 1.35 : 1.0);
     for (std::size_t row = 0; row <= curves.size(); ++row) {
         drawing::Panel panel =
-            row < curves.size() ? curve_panel(record.trace, curves[row], time) : state_panel(record.history, time);
+            row < curves.size() ? curve_panel(record.trace, curves[row], time) : state_panel(record.histories, time);
         panel.row = row;
         panel.column = column;
         // the same curve stands in the first column; its numbers differ, its name does not
@@ -132,12 +141,15 @@ void mark(drawing::Scene& scene, const drawing::Range& stretch) {
 drawing::Range traced(const record::Record& record) {
     const std::vector<double>& time = record.trace.time;
     const double last = time.size() > 1 ? 2.0 * time.back() - time[time.size() - 2] : time.back();
-    const double end = record.history.empty() ? time.back() : std::min(last, record.history.back().to);
+    const bool has_history = !record.histories.empty() && !record.histories.front().empty();
+    const double end = has_history ? std::min(last, record.histories.front().back().to) : time.back();
     return {time.front(), std::max(time.back(), end)};
 }
 
-bool is_impact(const record::ContactInterval& interval) {
-    return interval.state != model::ContactState::separation && interval.gap_velocity < 0.0;
+bool has_impacts(const record::ContactHistory& history) {
+    return std::any_of(history.begin(), history.end(), [](const record::ContactInterval& interval) {
+        return interval.state != model::ContactState::separation && interval.gap_velocity < 0.0;
+    });
 }
 
 bool runs_beyond(const drawing::Panel& panel) {
@@ -155,7 +167,8 @@ std::string times_text(std::size_t number) {
 }
 
 // "In b) the contact separates 8 times and sticks twice."
-std::string changes_text(const record::ContactHistory& history, const drawing::Range& stretch) {
+std::string changes_text(const record::ContactHistory& history, const std::string& contact,
+                         const drawing::Range& stretch) {
     std::array<std::size_t, model::contact_states> entries{};
     for (const record::ContactInterval& interval : history)
         if (interval.from > stretch.from && interval.from < stretch.to) ++entries[model::index_of(interval.state)];
@@ -170,7 +183,7 @@ std::string changes_text(const record::ContactHistory& history, const drawing::R
     add("sticks", sticks);
     // a slip follows each of the two but the last
     if (text.empty()) add("begins to slip", slips);
-    return text.empty() ? "In b) the contact does not change its state." : "In b) the contact " + text + ".";
+    return "In b) " + contact + " " + (text.empty() ? "does not change its state" : text) + ".";
 }
 
 std::string phase_name(const parameters::Case& c, const drawing::Range& stretch) {
@@ -185,10 +198,12 @@ struct Busiest {
     drawing::Range stretch;
     std::size_t changes = 0;
 
-    void look_at(const record::ContactHistory& history, const drawing::Range& within, double length) {
+    void look_at(std::span<const record::ContactHistory> histories, const drawing::Range& within, double length) {
         std::vector<double> times;
-        for (std::size_t k = 1; k < history.size(); ++k)
-            if (history[k].from >= within.from && history[k].from <= within.to) times.push_back(history[k].from);
+        for (const record::ContactHistory& history : histories)
+            for (std::size_t k = 1; k < history.size(); ++k)
+                if (history[k].from >= within.from && history[k].from <= within.to) times.push_back(history[k].from);
+        std::sort(times.begin(), times.end());
         const double fitting = std::min(length, within.to - within.from);
         for (std::size_t first = 0, last = 0; first < times.size(); ++first) {
             while (last < times.size() && times[last] <= times[first] + fitting)
@@ -212,7 +227,7 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
     STRIDOR_EXPECT(!record.trace.time.empty());
     std::vector<Curve> curves;
     const bool has_peaks = c.run.engine == parameters::Engine::beta_2 &&
-                           std::any_of(record.history.begin(), record.history.end(), is_impact);
+                           std::any_of(record.histories.begin(), record.histories.end(), has_impacts);
     for (const Signal signal : options.signals)
         add_curves(curves, record.trace, signal, has_peaks ? peak_share : 0.0);
     drawing::Range whole = options.whole;
@@ -221,13 +236,17 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
     scene.title = c.title.empty() ? drawing::Text("Time history") : drawing::Text(c.title);
     scene.caption = {conditions(c)};
     scene.row_heights.assign(curves.size(), 1.0);
-    scene.row_heights.push_back(0.75);
+    scene.row_heights.push_back(0.75 * static_cast<double>(record.histories.size()));
     scene.height = 30.0 + 24.0 * static_cast<double>(curves.size());
     scene.column_widths.clear();
     add_column(scene, record, curves, whole);
     if (options.zoom) {
         add_column(scene, record, curves, *options.zoom);
-        scene.caption.emplace_back(changes_text(record.history, *options.zoom));
+        for (std::size_t k = 0; k < record.histories.size(); ++k) {
+            const bool is_only = record.histories.size() == 1;
+            const std::string contact = is_only ? "the contact" : fmt::format("contact {}", k + 1);
+            scene.caption.emplace_back(changes_text(record.histories[k], contact, *options.zoom));
+        }
         mark(scene, *options.zoom);
         scene.panels.front().title = lettered(0, "whole run");
         scene.panels[curves.size() + 1].title = lettered(
@@ -238,13 +257,13 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
     return scene;
 }
 
-std::optional<drawing::Range> busiest_stretch(const parameters::Case& c, const record::ContactHistory& history,
-                                              double length) {
+std::optional<drawing::Range> busiest_stretch(const parameters::Case& c,
+                                              std::span<const record::ContactHistory> histories, double length) {
     Busiest judged;
     Busiest any;
     for (const record::Span& span : record::schedule(c).spans)
-        if (record::is_judged(span.use)) judged.look_at(history, {span.from, span.to}, length);
-    any.look_at(history, {0.0, c.run.duration}, length);
+        if (record::is_judged(span.use)) judged.look_at(histories, {span.from, span.to}, length);
+    any.look_at(histories, {0.0, c.run.duration}, length);
     const Busiest& best = judged.changes >= 2 ? judged : any;
     return best.changes > 0 ? std::optional(best.stretch) : std::nullopt;
 }

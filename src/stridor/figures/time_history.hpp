@@ -35,8 +35,8 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
 /// The stretch of `length` seconds in which the contact changes its state most often, of equals the first: within
 /// the judged parts of the run if there are two changes or more in one of them, else anywhere. Nothing if the
 /// contact never changes.
-std::optional<drawing::Range> busiest_stretch(const parameters::Case& c, const record::ContactHistory& history,
-                                              double length);
+std::optional<drawing::Range> busiest_stretch(const parameters::Case& c,
+                                              std::span<const record::ContactHistory> histories, double length);
 
 /// A stretch of `length` seconds in which several cases can be held against each other: the middle of a going phase's
 /// judged part, or of the window where the drive is constant; cut to the run where that is shorter.

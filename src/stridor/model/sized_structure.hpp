@@ -2,6 +2,8 @@
 
 #include "stridor/model/structure.hpp"
 
+#include <cstddef>
+#include <span>
 #include <type_traits>
 
 namespace stridor::model {
@@ -39,6 +41,12 @@ auto with_size(int dofs, const Work& work) {
     if (dofs == 2) return work(Size<2>());
     if (dofs == 3) return work(Size<3>());
     return work(Size<Eigen::Dynamic>());
+}
+
+/// The numbers of a vector of any size.
+template <typename Vector>
+std::span<const double> numbers(const Vector& vector) {
+    return {vector.data(), static_cast<std::size_t>(vector.size())};
 }
 
 }  // namespace stridor::model

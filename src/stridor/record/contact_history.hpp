@@ -6,7 +6,7 @@
 
 namespace stridor::record {
 
-/// One stay of the contact in one state, and how it was entered.
+/// One stay of a contact in one state, and how it was entered.
 struct ContactInterval {
     model::ContactState state = model::ContactState::slip;
     double from = 0.0;           // [s]
@@ -15,7 +15,7 @@ struct ContactInterval {
     double gap_velocity = 0.0;   // [m/s] g' when the state began; negative: the surfaces met (an impact)
 };
 
-/// The whole life of the contact: states one after the other, without gaps, neighbours different.
+/// The whole life of one contact: states one after the other, without gaps, neighbours different.
 using ContactHistory = std::vector<ContactInterval>;
 
 }  // namespace stridor::record

@@ -31,20 +31,20 @@ void add(std::vector<Vibration>& sum, std::span<const Vibration> more) {
 
 }  // namespace
 
-Recorder::Recorder(Schedule schedule, Request request, int dofs)
+Recorder::Recorder(Schedule schedule, Request request, int dofs, int contacts)
     : schedule_(std::move(schedule)),
-      request_(std::move(request)) {
-    const auto size = static_cast<std::size_t>(dofs);
+      request_(std::move(request)),
+      places_(static_cast<std::size_t>(contacts)) {
     for (const Phase phase : schedule_.phases) {
         Tally tally;
         tally.phase = phase;
-        tally.vibration.resize(size);
-        tally.closing_vibration.resize(size);
+        tally.contacts.resize(places_.size());
+        tally.vibration.resize(static_cast<std::size_t>(dofs));
+        tally.closing_vibration.resize(static_cast<std::size_t>(dofs));
         record_.phases.push_back(std::move(tally));
     }
-    record_.trace.displacement.resize(size);
-    record_.trace.velocity.resize(size);
-    record_.trace.acceleration.resize(size);
+    record_.histories.resize(places_.size());
+    record_.trace = empty_trace(dofs, contacts);
 }
 
 Tally* Recorder::tally_of(Phase phase) {
@@ -53,33 +53,38 @@ Tally* Recorder::tally_of(Phase phase) {
     return found == record_.phases.end() ? nullptr : &*found;
 }
 
-// shares out the time from counted_to_ to `to` among the spans it crosses
-void Recorder::count(double to) {
-    const std::size_t state = model::index_of(current_.state);
-    while (span_ < schedule_.spans.size() && counted_to_ < to) {
-        const Span& span = schedule_.spans[span_];
+// shares out the time of a contact from where it was counted to, until `to`, among the spans it crosses
+void Recorder::count(std::size_t contact, double to) {
+    Place& place = places_[contact];
+    const std::size_t state = model::index_of(place.current.state);
+    while (place.span < schedule_.spans.size() && place.counted_to < to) {
+        const Span& span = schedule_.spans[place.span];
         const double end = std::min(span.to, to);
-        const double length = std::max(0.0, end - std::max(span.from, counted_to_));
-        Tally* tally = span.use == Use::unused ? nullptr : tally_of(span.phase);
+        const double length = std::max(0.0, end - std::max(span.from, place.counted_to));
+        Tally* phase = span.use == Use::unused ? nullptr : tally_of(span.phase);
+        ContactTally* tally = phase == nullptr ? nullptr : &phase->contacts[contact];
         if (tally != nullptr) tally->time[state] += length;
         if (tally != nullptr && is_judged(span.use)) tally->judged_time[state] += length;
-        counted_to_ = std::max(counted_to_, end);
+        place.counted_to = std::max(place.counted_to, end);
         if (end < span.to) break;
         // the next judged span of this phase is another stretch of time, unless it closes this one: no interval
         // reaches across
-        const bool goes_on = span_ + 1 < schedule_.spans.size() && schedule_.spans[span_ + 1].use == Use::closing;
+        const bool goes_on =
+            place.span + 1 < schedule_.spans.size() && schedule_.spans[place.span + 1].use == Use::closing;
         if (tally != nullptr && is_judged(span.use) && !goes_on)
             for (Instants& instants : tally->changes)
                 if (!instants.times.empty()) append(instants, parting);
-        ++span_;
+        ++place.span;
     }
 }
 
-void Recorder::note_change(model::ContactState from, model::ContactState to, double time) {
-    if (span_ >= schedule_.spans.size()) return;
-    const Span& span = schedule_.spans[span_];
+void Recorder::note_change(std::size_t contact, model::ContactState to, double time) {
+    const Place& place = places_[contact];
+    if (place.span >= schedule_.spans.size()) return;
+    const Span& span = schedule_.spans[place.span];
     if (span.use == Use::unused || time < span.from) return;
-    Tally& tally = *tally_of(span.phase);
+    ContactTally& tally = tally_of(span.phase)->contacts[contact];
+    const model::ContactState from = place.current.state;
     if (from == model::ContactState::stick) ++tally.releases;
     if (!is_judged(span.use)) return;
     Instants& instants = tally.changes[change_kind(from, to)];
@@ -87,21 +92,25 @@ void Recorder::note_change(model::ContactState from, model::ContactState to, dou
     ++instants.count;
 }
 
-void Recorder::keep_current(double to) {
-    current_.to = to;
-    if (request_.history == KeepHistory::yes && record_.history.size() <= most_history)
-        record_.history.push_back(current_);
+void Recorder::keep_current(std::size_t contact, double to) {
+    ContactInterval& current = places_[contact].current;
+    current.to = to;
+    if (request_.history == KeepHistory::no || kept_ > most_history) return;
+    record_.histories[contact].push_back(current);
+    ++kept_;
 }
 
-void Recorder::enter(const ContactInterval& interval) {
-    STRIDOR_EXPECT(!has_state_ || interval.from >= current_.from);
-    if (has_state_) {
-        count(interval.from);
-        note_change(current_.state, interval.state, interval.from);
-        keep_current(interval.from);
+void Recorder::enter(std::size_t contact, const ContactInterval& interval) {
+    STRIDOR_EXPECT(contact < places_.size());
+    Place& place = places_[contact];
+    STRIDOR_EXPECT(!place.has_state || interval.from >= place.current.from);
+    if (place.has_state) {
+        count(contact, interval.from);
+        note_change(contact, interval.state, interval.from);
+        keep_current(contact, interval.from);
     }
-    current_ = interval;
-    has_state_ = true;
+    place.current = interval;
+    place.has_state = true;
 }
 
 void Recorder::vibrate(std::size_t span, double duration, std::span<const Vibration> vibration) {
@@ -114,33 +123,32 @@ void Recorder::vibrate(std::size_t span, double duration, std::span<const Vibrat
     add(tally.closing_vibration, vibration);
 }
 
-Trace& Recorder::trace() {
+void Recorder::sample(const Sample& sample) {
     if (request_.trace.taker && record_.trace.time.size() >= trace_block) hand_over();
-    return record_.trace;
+    record::append(record_.trace, sample);
 }
 
 // the taker has the samples then, and the trace is empty
 void Recorder::hand_over() {
-    Trace& trace = record_.trace;
-    request_.trace.taker(trace);
-    for (auto* vectors : {&trace.displacement, &trace.velocity, &trace.acceleration})
-        for (std::vector<double>& samples : *vectors)
-            samples.clear();
-    for (auto* samples : {&trace.time, &trace.surface_velocity, &trace.normal_force, &trace.friction_force, &trace.gap})
-        samples->clear();
-    trace.state.clear();
+    request_.trace.taker(record_.trace);
+    clear(record_.trace);
 }
 
-Record Recorder::finish(double time, const Outlook& outlook) {
+Record Recorder::finish(double time, const std::vector<Outlook>& outlooks) {
+    STRIDOR_EXPECT(outlooks.empty() || outlooks.size() == places_.size());
     if (request_.trace.taker && !record_.trace.time.empty()) hand_over();
-    if (has_state_) {
-        count(time);
-        keep_current(time);
+    for (std::size_t contact = 0; contact < places_.size(); ++contact) {
+        Place& place = places_[contact];
+        if (place.has_state) {
+            count(contact, time);
+            keep_current(contact, time);
+        }
+        place.has_state = false;
+        const Outlook outlook = outlooks.empty() ? Outlook{} : outlooks[contact];
+        for (Tally& tally : record_.phases)
+            tally.contacts[contact].ending = {place.current.state, place.current.from, outlook};
     }
-    has_state_ = false;
-    for (Tally& tally : record_.phases)
-        tally.ending = {current_.state, current_.from, outlook};
-    if (record_.history.size() > most_history)
+    if (kept_ > most_history)
         throw Error(ErrorKind::input, {"the run has more than " + std::to_string(most_history) + " contact states",
                                        "a history is kept in memory", "Shorten run.duration."});
     return std::move(record_);

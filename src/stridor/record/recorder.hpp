@@ -18,54 +18,61 @@ struct Request {
     TraceRequest trace;
 };
 
-/// Most contact states that a history holds: 160 MB.
+/// Most contact states that all histories hold together: 160 MB.
 inline constexpr std::size_t most_history = 4'000'000;
 
 /// All that is kept of a run.
 struct Record {
-    std::vector<Tally> phases;  // in the schedule's order
-    ContactHistory history;     // empty unless asked for
-    Trace trace;                // empty unless asked for
+    std::vector<Tally> phases;              // in the schedule's order
+    std::vector<ContactHistory> histories;  // shape [contact]; each empty unless asked for
+    Trace trace;                            // without samples unless asked for
 };
 
 /// Takes what an engine tells it and keeps what was asked for.
 ///
-/// The engine says `enter` at each change of state, `vibrate` for each stretch between two span boundaries, `sample`
-/// for each trace sample and `finish` once. Times never decrease.
+/// The engine says `enter` at each change of state of a contact, `vibrate` for each stretch between two span
+/// boundaries, `sample` for each sample of a trace and `finish` once. The times of a contact never decrease.
 class Recorder {
 public:
-    Recorder(Schedule schedule, Request request, int dofs);
+    Recorder(Schedule schedule, Request request, int dofs, int contacts = 1);
 
     const Schedule& schedule() const { return schedule_; }
     const Request& request() const { return request_; }
 
-    /// The contact enters a state at its `from`; `to` is ignored.
-    void enter(const ContactInterval& interval);
+    /// A contact enters a state at its `from`; `to` is ignored.
+    void enter(std::size_t contact, const ContactInterval& interval);
 
     /// Adds the vibration of a stretch of time that lies within span number `span`; shape [dof].
     void vibrate(std::size_t span, double duration, std::span<const Vibration> vibration);
 
-    /// Where the next sample goes; to be asked for each of them.
-    Trace& trace();
+    /// Takes a sample of the trace.
+    void sample(const Sample& sample);
 
-    /// Ends the record at `time` and hands it over, with what the engine knows of the time after it. Throws `Error`
-    /// (input) if a history was asked for and did not fit.
-    Record finish(double time, const Outlook& outlook = {});
+    /// Ends the record at `time` and hands it over, with what the engine knows of the time after it for each contact:
+    /// shape [contact]; an empty list says that nothing is known. Throws `Error` (input) if histories were asked for and
+    /// did not fit.
+    Record finish(double time, const std::vector<Outlook>& outlooks = {});
 
 private:
-    void keep_current(double to);
-    void count(double to);
-    void note_change(model::ContactState from, model::ContactState to, double time);
+    /// Where a contact is, and how far its time has been counted.
+    struct Place {
+        ContactInterval current{};
+        bool has_state = false;
+        std::size_t span = 0;     // the span that holds `counted_to`
+        double counted_to = 0.0;  // [s] time already counted
+    };
+
+    void keep_current(std::size_t contact, double to);
+    void count(std::size_t contact, double to);
+    void note_change(std::size_t contact, model::ContactState to, double time);
     Tally* tally_of(Phase phase);
     void hand_over();
 
     Schedule schedule_;
     Request request_;
     Record record_;
-    ContactInterval current_;
-    bool has_state_ = false;
-    std::size_t span_ = 0;     // the span that holds `counted_to_`
-    double counted_to_ = 0.0;  // [s] time already counted
+    std::vector<Place> places_;  // shape [contact]
+    std::size_t kept_ = 0;       // contact states in the histories
 };
 
 }  // namespace stridor::record

@@ -50,25 +50,30 @@ struct Outlook {
     double release = std::numeric_limits<double>::quiet_NaN();  // [s] Future::releases: about when; else unknown
 };
 
-/// How a run ends, and how it would go on.
+/// How a run ends for a contact, and how it would go on.
 struct Ending {
     model::ContactState state = model::ContactState::separation;  // the last one
-    double since = 0.0;                                           // [s] when the contact entered it
+    double since = 0.0;                                           // [s] when it entered that
     Outlook outlook;
 };
 
-/// What one phase of a run leaves behind: of bounded size (1.2 MB at most), whatever the simulated time.
-struct Tally {
-    Phase phase = Phase::all;
+/// What one phase of a run leaves behind of one contact: of bounded size (1.2 MB at most), whatever the simulated time.
+struct ContactTally {
     std::array<double, model::contact_states> time{};         // [s] in each state, whole phase
     std::array<double, model::contact_states> judged_time{};  // [s] in each state, judged part
     std::array<Instants, change_kinds> changes;               // judged part, by kind
-    std::vector<Vibration> vibration;                         // judged part, shape [dof]
-    double vibration_time = 0.0;                              // [s] time the vibration was integrated over
-    std::vector<Vibration> closing_vibration;                 // closing part, shape [dof]; zero without one
-    double closing_time = 0.0;                                // [s] length of the closing part
     long releases = 0;                                        // [1] sticks that ended, whole phase
     Ending ending;                                            // of the run: the same for all its phases
+};
+
+/// What one phase of a run leaves behind.
+struct Tally {
+    Phase phase = Phase::all;
+    std::vector<ContactTally> contacts = std::vector<ContactTally>(1);  // shape [contact]
+    std::vector<Vibration> vibration;                                   // judged part, shape [dof]
+    double vibration_time = 0.0;                                        // [s] time the vibration was integrated over
+    std::vector<Vibration> closing_vibration;                           // closing part, shape [dof]; zero without one
+    double closing_time = 0.0;                                          // [s] length of the closing part
 };
 
 }  // namespace stridor::record

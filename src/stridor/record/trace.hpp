@@ -4,9 +4,20 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace stridor::record {
+
+/// Sampled motion of one contact, all vectors of shape [sample].
+struct ContactTrace {
+    std::vector<double> normal_force;    // [N] N on the structure
+    std::vector<double> friction_force;  // [N] T on the structure
+    std::vector<double> gap;             // [m] g
+    std::vector<model::ContactState> state;
+
+    bool operator==(const ContactTrace&) const = default;
+};
 
 /// Sampled motion, all vectors of shape [sample], those per degree of freedom of shape [dof][sample].
 struct Trace {
@@ -15,11 +26,34 @@ struct Trace {
     std::vector<std::vector<double>> velocity;      // [m/s] u'
     std::vector<std::vector<double>> acceleration;  // [m/s^2] u''
     std::vector<double> surface_velocity;           // [m/s] V
-    std::vector<double> normal_force;               // [N] N on mass 1
-    std::vector<double> friction_force;             // [N] T on mass 1
-    std::vector<double> gap;                        // [m] g
-    std::vector<model::ContactState> state;
+    std::vector<ContactTrace> contacts;             // shape [contact]
 };
+
+/// One instant of a contact.
+struct ContactSample {
+    double normal_force = 0.0;    // [N]
+    double friction_force = 0.0;  // [N]
+    double gap = 0.0;             // [m]
+    model::ContactState state = model::ContactState::slip;
+};
+
+/// One instant of a motion.
+struct Sample {
+    double time = 0.0;                     // [s]
+    std::span<const double> displacement;  // [m] shape [dof]
+    std::span<const double> velocity;      // [m/s] shape [dof]
+    std::span<const double> acceleration;  // [m/s^2] shape [dof]
+    double surface_velocity = 0.0;         // [m/s] V
+    std::span<const ContactSample> contacts;
+};
+
+/// A trace without samples of so many degrees of freedom and contacts.
+Trace empty_trace(int dofs, int contacts = 1);
+
+void append(Trace& trace, const Sample& sample);
+
+/// Takes the samples away; the memory stays.
+void clear(Trace& trace);
 
 /// Most samples that a taker is handed at a time.
 inline constexpr std::size_t trace_block = 4096;

@@ -82,7 +82,7 @@ Section sound_section(const std::vector<DesignSound>& sounds) {
 Section motion_section(const DesignResults& results) {
     constexpr double zoom = 0.02;  // [s]
     figures::TimeHistoryOptions options;
-    options.zoom = figures::busiest_stretch(results.design, results.motion.record.history, zoom);
+    options.zoom = figures::busiest_stretch(results.design, results.motion.record.histories, zoom);
     return {
         "Motion",
         {},

@@ -93,14 +93,16 @@ std::vector<double> told_apart(std::vector<double> values) {
     return kept;
 }
 
-// the times between like beats; a NaN parts those of different spans
+// the times between like beats of each contact; a NaN parts those of different spans
 std::vector<double> beat_intervals(const record::Tally& tally) {
-    const analysis::Alternation alternation = analysis::evidence(tally).alternation;
-    if (alternation.intervals == 0) return {};
-    const std::vector<double>& times = tally.changes[record::change_kind(alternation.from, alternation.to)].times;
     std::vector<double> intervals;
-    for (std::size_t k = 1; k < times.size(); ++k)
-        if (const double interval = times[k] - times[k - 1]; std::isfinite(interval)) intervals.push_back(interval);
+    for (const record::ContactTally& contact : tally.contacts) {
+        const analysis::Alternation alternation = analysis::alternation(contact);
+        if (alternation.intervals == 0) continue;
+        const std::vector<double>& times = contact.changes[record::change_kind(alternation.from, alternation.to)].times;
+        for (std::size_t k = 1; k < times.size(); ++k)
+            if (const double interval = times[k] - times[k - 1]; std::isfinite(interval)) intervals.push_back(interval);
+    }
     return intervals;
 }
 

@@ -108,12 +108,12 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     cell.message = attempt.message;
     if (attempt.status != Status::done) return cell;
 
-    const analysis::Evidence evidence = analysis::evidence(tally_of(attempt.motion, direction));
-    const classification::Verdict verdict = classification::classify(evidence, c.verdict);
+    const classification::Verdict verdict =
+        classification::classify_phase(tally_of(attempt.motion, direction), c.verdict);
     cell.category = verdict.category;
     cell.quiet = verdict.quiet;
     if (verdict.category == classification::Category::undecided) cell.message = verdict.reasons.back();
-    set_figures(cell, evidence);
+    set_figures(cell, verdict.evidence);
     const analysis::SlidingStability stability = analysis::sliding_stability(model::rubbing_system(c), direction);
     cell.growth_rate = stability.growth;
     cell.mode_frequency = stability.frequency;

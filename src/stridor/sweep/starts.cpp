@@ -14,14 +14,11 @@ namespace {
 
 using classification::Category;
 
-// from the least to the most that speaks for noise
-constexpr std::array loudness{Category::none, Category::undecided, Category::creak, Category::squeak, Category::squeal};
-
 int rank(const StartVerdict& verdict) {
     const bool is_done = verdict.status == Status::done;
     if (is_done && verdict.category == Category::none) return 0;
     if (!is_done) return 1;
-    return 1 + static_cast<int>(std::find(loudness.begin(), loudness.end(), verdict.category) - loudness.begin());
+    return 1 + classification::loudness(verdict.category);
 }
 
 bool is_quiet(const StartVerdict& verdict) {

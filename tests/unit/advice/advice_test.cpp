@@ -53,7 +53,7 @@ const Advice& squeal_advice() {
 std::vector<Category> categories(const Case& c) {
     std::vector<Category> all;
     for (const record::Tally& tally : integration::simulate(c).record.phases)
-        all.push_back(classification::classify(analysis::evidence(tally), c.verdict).category);
+        all.push_back(classification::classify(analysis::evidence(tally, 0), c.verdict).category);
     return all;
 }
 

@@ -199,7 +199,7 @@ TEST(Estimate, CoversTheTruthAsOftenAsItSays) {
 
 bool is_noisy_run(const Case& c) {
     for (const record::Tally& tally : integration::simulate(c).record.phases) {
-        const auto category = classification::classify(analysis::evidence(tally), c.verdict).category;
+        const auto category = classification::classify(analysis::evidence(tally, 0), c.verdict).category;
         if (category != classification::Category::none && category != classification::Category::undecided) return true;
     }
     return false;

@@ -24,9 +24,9 @@ void append(record::Instants& instants, double first, const std::vector<double>&
     instants.count = static_cast<long>(instants.times.size());
 }
 
-record::Tally tally_with(const std::vector<double>& intervals, model::ContactState from = slip,
-                         model::ContactState to = stick, double first = 0.5) {
-    record::Tally tally;
+record::ContactTally tally_with(const std::vector<double>& intervals, model::ContactState from = slip,
+                                model::ContactState to = stick, double first = 0.5) {
+    record::ContactTally tally;
     append(tally.changes[record::change_kind(from, to)], first, intervals);
     return tally;
 }
@@ -117,7 +117,7 @@ RC_GTEST_PROP(Alternation, IsFreeOfScale, ()) {
 
 // two judged stretches with a long pause between them: the pause is no interval
 TEST(Alternation, IsCutAtReversals) {
-    record::Tally tally = tally_with(repeated({0.002}, 10));
+    record::ContactTally tally = tally_with(repeated({0.002}, 10));
     record::Instants& instants = tally.changes[record::change_kind(slip, stick)];
     instants.times.push_back(parting);
     append(instants, 7.0, repeated({0.002}, 10));
@@ -133,7 +133,7 @@ TEST(Alternation, IsCutAtReversals) {
 
 // a pair of intervals never joins two stretches either: each holds one beat of its own length
 TEST(Alternation, ComparesIntervalsWithinOneStretch) {
-    record::Tally tally;
+    record::ContactTally tally;
     record::Instants& instants = tally.changes[record::change_kind(slip, stick)];
     for (int k = 0; k < 10; ++k) {
         append(instants, 10.0 * k, repeated({k % 2 == 0 ? 0.002 : 0.004}, 5));
@@ -165,7 +165,7 @@ TEST(Regularity, ForgivesASlowDrift) {
 
 // a cycle holds three unlike impacts (separation -> slip) and one lift-off from stick: the latter tells the beat
 TEST(Regularity, IsThatOfTheMostRegularKindOfBeat) {
-    record::Tally tally = tally_with(repeated({0.2, 0.3, 0.5}, 30), separation, slip);
+    record::ContactTally tally = tally_with(repeated({0.2, 0.3, 0.5}, 30), separation, slip);
     append(tally.changes[record::change_kind(stick, separation)], 0.9, repeated({1.0}, 29));
     const Alternation result = alternation(tally);
     EXPECT_EQ(result.from, stick);
@@ -179,14 +179,14 @@ TEST(Regularity, NeedsABeatThatCoversTheMotion) {
     std::vector<double> irregular;
     for (int k = 0; k < 100; ++k)
         irregular.push_back(k * k % 7 + 0.5);
-    record::Tally tally = tally_with(irregular);
+    record::ContactTally tally = tally_with(irregular);
     append(tally.changes[record::change_kind(stick, separation)], 0.5, repeated({1.0}, 20));
     EXPECT_EQ(alternation(tally).from, slip);
     EXPECT_LT(alternation(tally).regularity, 0.5);
 }
 
 TEST(Alternation, OfNothingIsUnknown) {
-    for (const record::Tally& tally : {record::Tally{}, tally_with({})}) {
+    for (const record::ContactTally& tally : {record::ContactTally{}, tally_with({})}) {
         const Alternation result = alternation(tally);
         EXPECT_EQ(result.intervals, 0);
         EXPECT_TRUE(std::isnan(result.regularity));

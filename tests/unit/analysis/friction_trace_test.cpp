@@ -58,10 +58,10 @@ TEST(FrictionTrace, GivesBackTheCoefficientsOfTheBelt) {
         const record::Record record = run_belt(run);
         FrictionMeasurement measurement;
         measurement.rate = 1000.0;
-        measurement.force = record.trace.friction_force;
+        measurement.force = record.trace.contacts.front().friction_force;
         measurement.preload = 10.0;
         const FrictionTrace trace = friction_trace(measurement);
-        EXPECT_EQ(trace.all.drops, slips(record.history)) << mu_s;
+        EXPECT_EQ(trace.all.drops, slips(record.histories.front())) << mu_s;
         EXPECT_GT(trace.all.drops, 5);
         // between two samples the spring loads by k V dt: the peak is known to half of it, shared evenly by chance
         const double resolution = run.belt.stiffness * 4e-3 * 1e-3 / run.belt.preload;
@@ -122,7 +122,8 @@ TEST(FrictionTrace, SurvivesNoiseDriftAndReversals) {
             measurement.preload = 10.0;
             if (has_velocity) measurement.velocity = rig.velocity;
             const FrictionTrace trace = friction_trace(measurement);
-            EXPECT_EQ(trace.all.drops, slips(rig.record.history)) << noise << (has_velocity ? " with velocity" : "");
+            EXPECT_EQ(trace.all.drops, slips(rig.record.histories.front()))
+                << noise << (has_velocity ? " with velocity" : "");
             EXPECT_NEAR(trace.noise, noise, 0.1 * noise + 2e-3);
             ASSERT_EQ(trace.directions.size(), 2U);
             for (const FrictionFigures& figures : trace.directions) {
@@ -164,7 +165,8 @@ TEST(FrictionTrace, SaysSoWhereItIsSampledTooSlowly) {
     support::BeltRun run = rig_run(0.4, 0.3);
     run.request.trace.interval = 0.03;  // longer than a slip
     const record::Record record = run_belt(run);
-    const FrictionTrace trace = friction_trace({1.0 / 0.03, record.trace.friction_force, {}, {}, 10.0});
+    const FrictionTrace trace =
+        friction_trace({1.0 / 0.03, record.trace.contacts.front().friction_force, {}, {}, 10.0});
     EXPECT_FALSE(trace.notes.empty());
     EXPECT_NEAR(trace.all.kinetic_friction.value, 0.3, 0.02);
     EXPECT_NEAR(trace.all.static_friction.value, 0.4, 0.02);

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace stridor::classification {
 namespace {
@@ -204,6 +206,42 @@ TEST(Category, HasAName) {
     EXPECT_EQ(name(Category::squeak), "squeak");
     EXPECT_EQ(name(Category::creak), "creak");
     EXPECT_EQ(name(Category::undecided), "undecided");
+}
+
+// of one contact: a judged second of slip and of stick
+record::ContactTally contact(double slip, double stick) {
+    record::ContactTally tally;
+    tally.time = tally.judged_time = {slip, stick, 1.0 - slip - stick};
+    return tally;
+}
+
+record::Tally phase(std::vector<record::ContactTally> contacts) {
+    record::Tally tally;
+    tally.contacts = std::move(contacts);
+    tally.vibration.resize(3);
+    tally.closing_vibration.resize(3);
+    return tally;
+}
+
+TEST(PhaseRules, AreThoseOfTheLoudestContact) {
+    const Thresholds thresholds;
+    record::ContactTally creaking = contact(0.1, 0.9);
+    creaking.changes[record::change_kind(model::ContactState::stick, model::ContactState::slip)].count = 50;
+    const record::Tally tally = phase({contact(1.0, 0.0), creaking, contact(0.0, 1.0)});
+    const std::vector<Verdict> verdicts = classify_contacts(tally, thresholds);
+    ASSERT_EQ(verdicts.size(), 3U);
+    EXPECT_EQ(verdicts[0].category, Category::none);
+    EXPECT_EQ(verdicts[1].category, Category::creak);
+    EXPECT_EQ(verdicts[2].category, Category::none);
+    const Verdict verdict = classify_phase(tally, thresholds);
+    EXPECT_EQ(verdict.category, Category::creak);
+    EXPECT_EQ(verdict.evidence.contact, 1U);
+}
+
+TEST(PhaseRules, CallQuietOnlyWhatIsQuietEverywhere) {
+    const record::Tally tally = phase({contact(1.0, 0.0), contact(0.5, 0.2)});  // the second: too few intervals
+    EXPECT_EQ(classify_phase(tally, {}).category, Category::undecided);
+    EXPECT_EQ(classify_phase(phase({contact(1.0, 0.0), contact(1.0, 0.0)}), {}).category, Category::none);
 }
 
 }  // namespace

@@ -126,8 +126,10 @@ TEST(Api, SendsAMotionAsArrays) {
     const auto samples = header["samples"].get<std::size_t>();
     EXPECT_NEAR(static_cast<double>(samples), 3000.0, 2.0);
     const std::size_t column = (4 * samples + 7) / 8 * 8;
-    const auto intervals = header["intervals"].get<std::size_t>();
-    EXPECT_EQ(bytes.size(), 4 + length + header["columns"].size() * column + 8 * (intervals + 1) + intervals);
+    ASSERT_EQ(header["contacts"].size(), 1U);
+    const auto intervals = header["contacts"][0]["intervals"].get<std::size_t>();
+    const std::size_t history = (8 * (intervals + 1) + intervals + 7) / 8 * 8;
+    EXPECT_EQ(bytes.size(), 4 + length + header["columns"].size() * column + history);
     // the imposed velocity begins at its peak, 2 pi f A
     std::size_t number = 0;
     while (header["columns"][number]["name"] != "surface_velocity")

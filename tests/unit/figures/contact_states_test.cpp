@@ -16,7 +16,7 @@ const record::ContactHistory history{{ContactState::slip, 0.0, 0.2, 0.0, 0.0},
                                      {ContactState::stick, 0.3, 1.0, 0.0, 0.0}};
 
 TEST(StatePanel, HasARowPerStateInItsColour) {
-    const drawing::Panel panel = state_panel(history, {0.0, 1.0});
+    const drawing::Panel panel = state_panel(std::span(&history, 1), {0.0, 1.0});
     const drawing::Strip strip = layers_of<drawing::Strip>(panel).at(0);
     ASSERT_EQ(strip.rows.size(), 3U);
     ASSERT_EQ(panel.y.ticks.size(), 3U);
@@ -29,10 +29,21 @@ TEST(StatePanel, HasARowPerStateInItsColour) {
     EXPECT_EQ(strip.intervals[1].to, 0.3);
 }
 
+TEST(StatePanel, HasRowsForEachContact) {
+    const std::vector<record::ContactHistory> histories{history, {{ContactState::stick, 0.0, 1.0, 0.0, 0.0}}};
+    const drawing::Panel panel = state_panel(histories, {0.0, 1.0});
+    const drawing::Strip strip = layers_of<drawing::Strip>(panel).at(0);
+    ASSERT_EQ(panel.y.ticks.size(), 6U);
+    EXPECT_EQ(drawing::plain_text(panel.y.ticks[0].label), "slip 1");
+    EXPECT_EQ(drawing::plain_text(panel.y.ticks[4].label), "stick 2");
+    ASSERT_EQ(strip.intervals.size(), 4U);
+    EXPECT_EQ(strip.intervals[3].row, model::contact_states + model::index_of(ContactState::stick));
+}
+
 TEST(ContactStates, StackCasesOverOneTimeAxis) {
     parameters::Case squeak;
     squeak.contact.preload = 200.0;
-    const std::vector<StatesOfCase> cases{{"squeal", {}, history}, {"squeak", squeak, history}};
+    const std::vector<StatesOfCase> cases{{"squeal", {}, {history}}, {"squeak", squeak, {history}}};
     const drawing::Scene scene = contact_states(cases, {0.4, 0.5});
     ASSERT_EQ(scene.panels.size(), 2U);
     EXPECT_EQ(drawing::plain_text(scene.panels[0].title), "a) squeal: α = 70°, μd = 0.6, μs = 0.8, F = 20 N");

@@ -31,7 +31,7 @@ ComparedSound simulation() {
     sound.label = "model";
     sound.contact.verdicts.emplace_back();
     sound.contact.verdicts.front().category = classification::Category::squeal;
-    sound.contact.history = {{model::ContactState::slip, 0.5, 0.504}, {model::ContactState::stick, 0.504, 0.51}};
+    sound.contact.histories = {{{model::ContactState::slip, 0.5, 0.504}, {model::ContactState::stick, 0.504, 0.51}}};
     return sound;
 }
 

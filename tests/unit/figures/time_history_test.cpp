@@ -15,20 +15,18 @@ namespace {
 record::Record example() {
     record::Record result;
     record::Trace& trace = result.trace;
-    trace.displacement.resize(3);
-    trace.velocity.resize(3);
-    trace.acceleration.resize(3);
+    trace = record::empty_trace(3);
     for (int i = 0; i < 1000; ++i) {
         const double value = i == 500 ? 1e6 : std::sin(0.1 * i);
         trace.time.push_back(i * 1e-3);
         trace.surface_velocity.push_back(std::cos(10.0 * std::numbers::pi * i * 1e-3));
-        trace.normal_force.push_back(value);
-        trace.friction_force.push_back(value);
+        trace.contacts.front().normal_force.push_back(value);
+        trace.contacts.front().friction_force.push_back(value);
         for (auto* motion : {&trace.displacement, &trace.velocity, &trace.acceleration})
             for (std::vector<double>& dof : *motion)
                 dof.push_back(value);
     }
-    result.history = {{model::ContactState::slip, 0.0, 1.0, 0.0, 0.0}};
+    result.histories = {{{model::ContactState::slip, 0.0, 1.0, 0.0, 0.0}}};
     return result;
 }
 
@@ -49,9 +47,9 @@ TEST(TimeHistory, ImpactPeaksDoNotSetTheAxisButAreDrawn) {
     parameters::Case c;
     c.run.engine = parameters::Engine::beta_2;
     record::Record record = example();
-    record.history = {{model::ContactState::slip, 0.0, 0.3, 0.0, 0.0},
-                      {model::ContactState::separation, 0.3, 0.5, 0.0, 0.0},
-                      {model::ContactState::slip, 0.5, 1.0, 0.0, -0.1}};
+    record.histories.front() = {{model::ContactState::slip, 0.0, 0.3, 0.0, 0.0},
+                                {model::ContactState::separation, 0.3, 0.5, 0.0, 0.0},
+                                {model::ContactState::slip, 0.5, 1.0, 0.0, -0.1}};
     const drawing::Scene scene = time_history(c, record);
     EXPECT_LT(scene.panels[1].y.range.to, 2.0);
     const drawing::Line line = layers_of<drawing::Line>(scene.panels[1]).at(0);
@@ -71,8 +69,8 @@ TEST(TimeHistory, ARunWithoutImpactsBlamesNone) {
 
 TEST(TimeHistory, TheExactEngineHasNoPeaksThatFollowFromAStep) {
     record::Record record = example();
-    record.history.push_back({model::ContactState::separation, 1.0, 1.0, 0.0, 0.0});
-    record.history.push_back({model::ContactState::slip, 1.0, 1.0, 0.0, -0.1});
+    record.histories.front().push_back({model::ContactState::separation, 1.0, 1.0, 0.0, 0.0});
+    record.histories.front().push_back({model::ContactState::slip, 1.0, 1.0, 0.0, -0.1});
     parameters::Case c;
     c.run.engine = parameters::Engine::exact;
     EXPECT_EQ(time_history(c, record).caption.size(), 1U);
@@ -84,10 +82,10 @@ TEST(TimeHistory, SaysWhatTheZoomShows) {
     options.zoom = drawing::Range{0.2, 0.4};
     EXPECT_EQ(drawing::plain_text(time_history({}, record, options).caption.at(1)),
               "In b) the contact does not change its state.");
-    record.history = {{model::ContactState::slip, 0.0, 0.25, 0.0, 0.0},
-                      {model::ContactState::stick, 0.25, 0.3, 0.0, 0.0},
-                      {model::ContactState::separation, 0.3, 0.35, 0.0, 0.0},
-                      {model::ContactState::stick, 0.35, 1.0, 0.0, 0.0}};
+    record.histories.front() = {{model::ContactState::slip, 0.0, 0.25, 0.0, 0.0},
+                                {model::ContactState::stick, 0.25, 0.3, 0.0, 0.0},
+                                {model::ContactState::separation, 0.3, 0.35, 0.0, 0.0},
+                                {model::ContactState::stick, 0.35, 1.0, 0.0, 0.0}};
     EXPECT_EQ(drawing::plain_text(time_history({}, record, options).caption.at(1)),
               "In b) the contact separates once and sticks twice.");
 }
@@ -118,7 +116,7 @@ TEST(TimeHistory, ZoomStandsBesideAndIsMarked) {
 }
 
 // slips of 1 ms each, one after each stay of these lengths
-record::ContactHistory sticks(const std::vector<double>& lengths) {
+std::vector<record::ContactHistory> sticks(const std::vector<double>& lengths) {
     record::ContactHistory history;
     double time = 0.0;
     for (const double length : lengths) {
@@ -126,7 +124,7 @@ record::ContactHistory sticks(const std::vector<double>& lengths) {
         history.push_back({model::ContactState::slip, time + length, time + length + 1e-3, 0.0, 0.0});
         time += length + 1e-3;
     }
-    return history;
+    return {history};
 }
 
 TEST(BusiestStretch, IsWhereTheContactChangesMost) {
@@ -156,7 +154,7 @@ TEST(BusiestStretch, PrefersWhatIsJudged) {
 }
 
 TEST(BusiestStretch, IsNoneWhereNothingHappens) {
-    EXPECT_FALSE(busiest_stretch({}, example().history, 0.02));
+    EXPECT_FALSE(busiest_stretch({}, example().histories, 0.02));
     EXPECT_FALSE(busiest_stretch({}, {}, 0.02));
 }
 

@@ -53,10 +53,10 @@ TEST(StableStep, IsTheFirstThatIsNotRun) {
 TEST(Beta2, SticksUntilForceReachesStaticLimit) {
     const Motion motion = run(model::mass_on_belt(belt), velocity, 0.005, {Initial::stuck, 0.0}, {1e-6, 0.5},
                               {record::KeepHistory::yes, {}});
-    ASSERT_GE(motion.record.history.size(), 2U);
-    EXPECT_EQ(motion.record.history[0].state, ContactState::stick);
-    EXPECT_EQ(motion.record.history[1].state, ContactState::slip);
-    EXPECT_NEAR(motion.record.history[0].to, 3.2e-3, 2e-6);  // changes are known to one step
+    ASSERT_GE(motion.record.histories.front().size(), 2U);
+    EXPECT_EQ(motion.record.histories.front()[0].state, ContactState::stick);
+    EXPECT_EQ(motion.record.histories.front()[1].state, ContactState::slip);
+    EXPECT_NEAR(motion.record.histories.front()[0].to, 3.2e-3, 2e-6);  // changes are known to one step
 }
 
 TEST(Beta2, GivesTheTraceItsAskedTimesAndClosedFormWhileSticking) {
@@ -69,19 +69,20 @@ TEST(Beta2, GivesTheTraceItsAskedTimesAndClosedFormWhileSticking) {
         EXPECT_NEAR(trace.time[k], time, 1e-15);
         EXPECT_NEAR(trace.displacement[0][k], velocity * time, 1e-15);
         EXPECT_NEAR(trace.velocity[0][k], velocity, 1e-10);
-        EXPECT_NEAR(trace.friction_force[k], w0 * w0 * velocity * time, 1e-4);  // 100 N, cancelled by 1 / h^2
-        EXPECT_NEAR(trace.normal_force[k], 100.0, 1e-4);
+        EXPECT_NEAR(trace.contacts.front().friction_force[k], w0 * w0 * velocity * time,
+                    1e-4);  // 100 N, cancelled by 1 / h^2
+        EXPECT_NEAR(trace.contacts.front().normal_force[k], 100.0, 1e-4);
         EXPECT_EQ(trace.surface_velocity[k], velocity);
-        EXPECT_EQ(trace.state[k], ContactState::stick);
+        EXPECT_EQ(trace.contacts.front().state[k], ContactState::stick);
     }
     EXPECT_EQ(trace.displacement.size(), 2U);
-    EXPECT_EQ(trace.gap.size(), 5U);
+    EXPECT_EQ(trace.contacts.front().gap.size(), 5U);
 }
 
 TEST(Beta2, WithoutATraceKeepsNone) {
     const Motion motion = run(model::mass_on_belt(belt), velocity, 0.004, {}, {1e-6, 0.5});
     EXPECT_TRUE(motion.record.trace.time.empty());
-    EXPECT_TRUE(motion.record.history.empty());
+    EXPECT_TRUE(motion.record.histories.front().empty());
 }
 
 TEST(Beta2, RefusesAPainleveConfiguration) {

@@ -46,8 +46,8 @@ TEST(Exact, OpensAtOnceWhereDashpotsOutweighThePreload) {
     Case c = constant_case(-1.0, Initial::stuck);
     c.joint.axial_damping = 100.0;
     const Motion motion = simulate(c, {record::KeepHistory::yes, {0.0, 1e-4, 1e-6}});
-    EXPECT_EQ(motion.record.history.front().state, ContactState::separation);
-    EXPECT_EQ(motion.record.history.front().from, 0.0);
+    EXPECT_EQ(motion.record.histories.front().front().state, ContactState::separation);
+    EXPECT_EQ(motion.record.histories.front().front().from, 0.0);
     const record::Trace& trace = motion.record.trace;
     EXPECT_LT(std::abs(trace.displacement[1].front() - trace.displacement[2].front()), 1e-20);
     EXPECT_LT(std::abs(trace.velocity[1].front() - trace.velocity[2].front()), 1e-20);
@@ -66,7 +66,7 @@ TEST(Exact, HoldsAtTheLimitOfFrictionWhenThePlateStops) {
                 {}, record::Recorder(record::schedule(c), {record::KeepHistory::yes, {}}, 2));
             EXPECT_EQ(motion.outcome.reason, Reason::completed) << mu;
             // a slip velocity of rounding may take some periods of vibration to vanish
-            EXPECT_EQ(motion.record.history.back().state, ContactState::stick) << mu;
+            EXPECT_EQ(motion.record.histories.front().back().state, ContactState::stick) << mu;
         }
     }
 }
@@ -80,7 +80,7 @@ TEST(Exact, HoldsAtTheLimitOfFrictionOnAPlateThatBends) {
         c.drive = sampled({0.0, 1e-3, 1e-2}, {-0.1, 0.0, 0.0});
         const Motion motion = simulate(c, {record::KeepHistory::yes, {}});
         EXPECT_EQ(motion.outcome.reason, Reason::completed) << angle;
-        EXPECT_EQ(motion.record.history.back().state, ContactState::stick) << angle;
+        EXPECT_EQ(motion.record.histories.front().back().state, ContactState::stick) << angle;
     }
 }
 
@@ -97,18 +97,19 @@ bool same(const Motion& a, const Motion& b) {
     const record::Trace& x = a.record.trace;
     const record::Trace& y = b.record.trace;
     const bool same_trace = x.time == y.time && x.displacement == y.displacement && x.velocity == y.velocity &&
-                            x.acceleration == y.acceleration && x.normal_force == y.normal_force &&
-                            x.friction_force == y.friction_force && x.gap == y.gap && x.state == y.state;
-    const bool same_history =
-        std::equal(a.record.history.begin(), a.record.history.end(), b.record.history.begin(), b.record.history.end(),
-                   [](const record::ContactInterval& p, const record::ContactInterval& q) {
-                       return p.state == q.state && p.from == q.from && p.to == q.to &&
-                              p.slip_velocity == q.slip_velocity && p.gap_velocity == q.gap_velocity;
-                   });
+                            x.acceleration == y.acceleration && x.contacts == y.contacts;
+    const bool same_history = std::equal(
+        a.record.histories.front().begin(), a.record.histories.front().end(), b.record.histories.front().begin(),
+        b.record.histories.front().end(), [](const record::ContactInterval& p, const record::ContactInterval& q) {
+            return p.state == q.state && p.from == q.from && p.to == q.to && p.slip_velocity == q.slip_velocity &&
+                   p.gap_velocity == q.gap_velocity;
+        });
     const bool same_tallies =
         std::equal(a.record.phases.begin(), a.record.phases.end(), b.record.phases.begin(), b.record.phases.end(),
                    [](const record::Tally& p, const record::Tally& q) {
-                       return p.time == q.time && p.judged_time == q.judged_time &&
+                       const record::ContactTally& at = p.contacts.front();
+                       const record::ContactTally& bt = q.contacts.front();
+                       return at.time == bt.time && at.judged_time == bt.judged_time &&
                               std::equal(p.vibration.begin(), p.vibration.end(), q.vibration.begin(), q.vibration.end(),
                                          [](const record::Vibration& u, const record::Vibration& v) {
                                              return u.square_time == v.square_time && u.peak_square == v.peak_square;

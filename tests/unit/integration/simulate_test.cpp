@@ -33,7 +33,7 @@ TEST(Simulate, RecordsGoingAndComingOfAnAlternatingDrive) {
     ASSERT_EQ(motion.record.phases.size(), 2U);
     double sum = 0.0;
     for (const record::Tally& tally : motion.record.phases)
-        sum += std::accumulate(tally.time.begin(), tally.time.end(), 0.0);
+        sum += std::accumulate(tally.contacts.front().time.begin(), tally.contacts.front().time.end(), 0.0);
     EXPECT_NEAR(sum, 1.0, 1e-10);  // 1e5 additions of numbers up to 1
 }
 

@@ -19,7 +19,7 @@ using record::Future;
 
 // how a run ends; the outlook is the same for all its phases
 record::Ending ending(const Case& c) {
-    return simulate(c).record.phases.front().ending;
+    return simulate(c).record.phases.front().contacts.front().ending;
 }
 
 record::Outlook at_rest(const Case& c) {
@@ -78,8 +78,8 @@ TEST(Release, ComesWhereItWasForetold) {
     ASSERT_GT(early.outlook.release, 0.05);
     c.run.duration = c.run.window = 1.01 * early.outlook.release;
     const Motion later = simulate(c, {record::KeepHistory::yes, {}});
-    ASSERT_GT(later.record.history.size(), 1U);
-    EXPECT_NEAR(later.record.history[0].to, early.outlook.release, 1e-3 * early.outlook.release);
+    ASSERT_GT(later.record.histories.front().size(), 1U);
+    EXPECT_NEAR(later.record.histories.front()[0].to, early.outlook.release, 1e-3 * early.outlook.release);
 }
 
 // under a sinusoidal drive the bound is the swing of the forces; a hundred periods hold what the proof says

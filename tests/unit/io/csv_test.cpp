@@ -212,13 +212,34 @@ TEST(TraceCsv, HoldsEverySampleOfARun) {
     EXPECT_EQ(trace.facts.at("schema"), "stridor.trace/1");
     EXPECT_EQ(trace.facts.at("rate"), "1000 Hz");
     EXPECT_EQ(number(trace.at(5, "displacement_y2")), motion.record.trace.displacement[2][5]);
-    EXPECT_EQ(number(trace.at(5, "friction_force")), motion.record.trace.friction_force[5]);
-    EXPECT_EQ(trace.at(5, "state"), model::contact_state_names[model::index_of(motion.record.trace.state[5])]);
+    EXPECT_EQ(number(trace.at(5, "friction_force")), motion.record.trace.contacts.front().friction_force[5]);
+    EXPECT_EQ(trace.at(5, "state"),
+              model::contact_state_names[model::index_of(motion.record.trace.contacts.front().state[5])]);
 
-    const Table history = parse(history_csv(c, motion.record.history));
-    ASSERT_EQ(history.rows.size(), motion.record.history.size());
+    const Table history = parse(history_csv(c, motion.record.histories));
+    ASSERT_EQ(history.rows.size(), motion.record.histories.front().size());
     EXPECT_EQ(history.names, (std::vector<std::string>{"state", "from", "to", "slip_velocity", "gap_velocity"}));
-    EXPECT_EQ(number(history.at(1, "from")), motion.record.history[1].from);
+    EXPECT_EQ(number(history.at(1, "from")), motion.record.histories.front()[1].from);
+}
+
+TEST(TraceCsv, NumbersSeveralContacts) {
+    using model::ContactState;
+    const parameters::Case c;
+    record::Trace trace = record::empty_trace(2, 2);
+    const std::array still{0.0, 0.0};
+    const std::array contacts{record::ContactSample{1.0, 0.1, 0.0, ContactState::slip},
+                              record::ContactSample{2.0, 0.2, 0.0, ContactState::stick}};
+    record::append(trace, {0.0, still, still, still, 0.5, contacts});
+    const Table table = parse(trace_csv(c, trace, 1e-3));
+    EXPECT_EQ(std::vector(table.names.begin() + 7, table.names.end()),
+              (std::vector<std::string>{"surface_velocity", "normal_force_1", "friction_force_1", "gap_1", "state_1",
+                                        "normal_force_2", "friction_force_2", "gap_2", "state_2"}));
+    EXPECT_EQ(number(table.at(0, "friction_force_2")), 0.2);
+    EXPECT_EQ(table.at(0, "state_2"), "stick");
+
+    const Table history = parse(history_csv(c, {{{ContactState::slip, 0.0, 1.0}}, {{ContactState::stick, 0.0, 1.0}}}));
+    EXPECT_EQ(history.names.front(), "contact");
+    EXPECT_EQ(number(history.at(1, "contact")), 2.0);
 }
 
 }  // namespace

@@ -43,6 +43,26 @@ TEST(CaseJson, HoldsWhatBelongsToTheCase) {
     EXPECT_TRUE(document["title"].is_string());
 }
 
+TEST(SimulationJson, ListsSeveralContacts) {
+    const parameters::Case c;
+    integration::Motion motion;
+    record::Tally tally;
+    tally.contacts.resize(2);
+    tally.contacts[0].time = tally.contacts[0].judged_time = {1.0, 0.0, 0.0};
+    tally.contacts[1].time = tally.contacts[1].judged_time = {0.5, 0.25, 0.25};
+    tally.vibration.resize(3);
+    tally.closing_vibration.resize(3);
+    motion.record.phases = {tally};
+    const auto verdicts = classification::classify_phases(motion.record.phases, c.verdict);
+    const Json phase = Json::parse(simulation_json(c, motion, {}, verdicts))["phases"][0];
+    EXPECT_EQ(phase["verdict"]["category"], "undecided");  // the second has too few intervals
+    ASSERT_EQ(phase["contacts"].size(), 2U);
+    EXPECT_EQ(phase["contacts"][0]["category"], "none");
+    EXPECT_EQ(phase["contacts"][1]["contact"], 2);
+    EXPECT_EQ(phase["contacts"][1]["rates"]["stick"], 0.25);
+    EXPECT_FALSE(simulation_document()["phases"][0].contains("contacts"));
+}
+
 TEST(SimulationJson, HasTheKeysOfTheContract) {
     const Json document = simulation_document();
     EXPECT_EQ(document["schema"], "stridor.simulation/1");

@@ -250,11 +250,12 @@ TEST(TraceNetcdf, HoldsTraceAndHistory) {
     const ScratchFolder scratch;
     const parameters::Case c = parameters::paper_case(parameters::PaperCase::squeal);
     record::Record record;
+    record.trace = record::empty_trace(3);
     record.trace.time = {0.0, 0.5};
     record.trace.displacement = record.trace.velocity = record.trace.acceleration = {{1, 2}, {3, 4}, {5, 6}};
-    record.trace.surface_velocity = record.trace.normal_force = record.trace.friction_force = record.trace.gap = {7, 8};
-    record.trace.state = {model::ContactState::slip, model::ContactState::separation};
-    record.history = {{model::ContactState::stick, 0.0, 0.25, 0.1, -0.2}};
+    record.trace.surface_velocity = {7, 8};
+    record.trace.contacts = {{{7, 8}, {7, 8}, {7, 8}, {model::ContactState::slip, model::ContactState::separation}}};
+    record.histories = {{{model::ContactState::stick, 0.0, 0.25, 0.1, -0.2}}};
     write_trace_netcdf((scratch / "t.nc").string(), c, record);
     const Opened file((scratch / "t.nc").string());
     EXPECT_EQ(file.dimensions("velocity"), "dof time");
@@ -264,6 +265,29 @@ TEST(TraceNetcdf, HoldsTraceAndHistory) {
     EXPECT_EQ(file.text("state", "flag_meanings"), "slip stick separation");
     EXPECT_EQ(file.doubles("interval_gap_velocity", 1), std::vector<double>{-0.2});
     EXPECT_EQ(file.bytes("interval_state", 1), std::vector<signed char>{1});
+    EXPECT_EQ(file.dimensions("normal_force"), "time");
+}
+
+TEST(TraceNetcdf, HasADimensionForSeveralContacts) {
+    const ScratchFolder scratch;
+    const parameters::Case c = parameters::paper_case(parameters::PaperCase::squeal);
+    using model::ContactState;
+    record::Record record;
+    record.trace = record::empty_trace(4, 2);
+    const std::array<double, 4> still{};
+    for (const double time : {0.0, 0.5}) {
+        const std::array contacts{record::ContactSample{1.0 + time, 0.0, 0.0, ContactState::slip},
+                                  record::ContactSample{3.0 + time, 0.0, 0.0, ContactState::stick}};
+        record::append(record.trace, {time, still, still, still, 0.1, contacts});
+    }
+    record.histories = {{{ContactState::slip, 0.0, 0.5}},
+                        {{ContactState::stick, 0.0, 0.25}, {ContactState::slip, 0.25, 0.5}}};
+    write_trace_netcdf((scratch / "t.nc").string(), c, record);
+    const Opened file((scratch / "t.nc").string());
+    EXPECT_EQ(file.dimensions("normal_force"), "contact time");
+    EXPECT_EQ(file.doubles("normal_force", 4), (std::vector<double>{1.0, 1.5, 3.0, 3.5}));
+    EXPECT_EQ(file.bytes("state", 4), (std::vector<signed char>{0, 0, 1, 1}));
+    EXPECT_EQ(file.doubles("interval_contact", 3), (std::vector<double>{1.0, 2.0, 2.0}));
 }
 
 }  // namespace

@@ -44,15 +44,15 @@ double total(const std::array<double, model::contact_states>& times) {
 
 TEST(Recorder, SharesOutTimeAmongStatesAndPhases) {
     Recorder recorder(two_phases(), {}, 3);
-    recorder.enter(entry(slip, 0.0));
-    recorder.enter(entry(stick, 2.0));
-    recorder.enter(entry(separation, 4.5));
-    recorder.enter(entry(slip, 6.0));
+    recorder.enter(0, entry(slip, 0.0));
+    recorder.enter(0, entry(stick, 2.0));
+    recorder.enter(0, entry(separation, 4.5));
+    recorder.enter(0, entry(slip, 6.0));
     const Record record = recorder.finish(12.0);
     ASSERT_EQ(record.phases.size(), 2U);
-    const Tally& going = record.phases[0];
-    const Tally& coming = record.phases[1];
-    EXPECT_EQ(going.phase, Phase::going);
+    const ContactTally& going = record.phases[0].contacts.front();
+    const ContactTally& coming = record.phases[1].contacts.front();
+    EXPECT_EQ(record.phases[0].phase, Phase::going);
     EXPECT_EQ(going.time, (std::array{2.0 + 4.0, 2.0, 0.0}));  // slip, stick, separation
     EXPECT_EQ(going.judged_time, (std::array{1.0 + 2.0, 1.0, 0.0}));
     EXPECT_EQ(coming.time, (std::array{2.0, 0.5, 1.5}));
@@ -64,50 +64,50 @@ RC_GTEST_PROP(Recorder, TimesAddUpToTheWindow, ()) {
     double time = 0.0;
     int state = 0;
     while (time < 12.0) {
-        recorder.enter(entry(static_cast<ContactState>(state), time));
+        recorder.enter(0, entry(static_cast<ContactState>(state), time));
         state = (state + *support::whole_between(1, 2)) % 3;
         time += *support::number_between(0.001, 2.0);
     }
     const Record record = recorder.finish(12.0);
     // some fifty additions of numbers up to 12
-    RC_ASSERT(std::abs(total(record.phases[0].time) - 8.0) < 1e-13);
-    RC_ASSERT(std::abs(total(record.phases[1].time) - 4.0) < 1e-13);
-    RC_ASSERT(std::abs(total(record.phases[0].judged_time) - 4.0) < 1e-13);
-    RC_ASSERT(std::abs(total(record.phases[1].judged_time) - 2.0) < 1e-13);
+    RC_ASSERT(std::abs(total(record.phases[0].contacts.front().time) - 8.0) < 1e-13);
+    RC_ASSERT(std::abs(total(record.phases[1].contacts.front().time) - 4.0) < 1e-13);
+    RC_ASSERT(std::abs(total(record.phases[0].contacts.front().judged_time) - 4.0) < 1e-13);
+    RC_ASSERT(std::abs(total(record.phases[1].contacts.front().judged_time) - 2.0) < 1e-13);
 }
 
 TEST(Recorder, LeavesOutTheTransient) {
     Recorder recorder(one_phase(1.0, 3.0), {}, 3);
-    recorder.enter(entry(slip, 0.0));
-    recorder.enter(entry(stick, 0.5));
-    recorder.enter(entry(slip, 2.0));
+    recorder.enter(0, entry(slip, 0.0));
+    recorder.enter(0, entry(stick, 0.5));
+    recorder.enter(0, entry(slip, 2.0));
     const Record record = recorder.finish(3.0);
-    EXPECT_EQ(record.phases[0].time, (std::array{1.0, 1.0, 0.0}));
-    EXPECT_EQ(record.phases[0].changes[change_kind(slip, stick)].count, 0);
-    EXPECT_EQ(record.phases[0].changes[change_kind(stick, slip)].count, 1);
+    EXPECT_EQ(record.phases[0].contacts.front().time, (std::array{1.0, 1.0, 0.0}));
+    EXPECT_EQ(record.phases[0].contacts.front().changes[change_kind(slip, stick)].count, 0);
+    EXPECT_EQ(record.phases[0].contacts.front().changes[change_kind(stick, slip)].count, 1);
 }
 
 TEST(Recorder, StopsAtTheTimeItIsFinished) {
     Recorder recorder(one_phase(1.0, 3.0), {}, 3);
-    recorder.enter(entry(slip, 0.0));
-    EXPECT_EQ(total(recorder.finish(1.5).phases[0].time), 0.5);
+    recorder.enter(0, entry(slip, 0.0));
+    EXPECT_EQ(total(recorder.finish(1.5).phases[0].contacts.front().time), 0.5);
 }
 
 TEST(Recorder, WithoutAnyStateIsEmpty) {
     Recorder recorder(one_phase(1.0, 3.0), {}, 3);
-    EXPECT_EQ(total(recorder.finish(0.0).phases[0].time), 0.0);
+    EXPECT_EQ(total(recorder.finish(0.0).phases[0].contacts.front().time), 0.0);
 }
 
 TEST(Changes, AreKeptByKindWithinTheJudgedTime) {
     Recorder recorder(two_phases(), {}, 3);
-    recorder.enter(entry(slip, 0.0));
-    recorder.enter(entry(stick, 0.5));  // before the judged part
-    recorder.enter(entry(slip, 1.0));   // its first instant belongs to it
-    recorder.enter(entry(stick, 1.5));
-    recorder.enter(entry(slip, 2.0));
-    recorder.enter(entry(stick, 3.5));  // after it
+    recorder.enter(0, entry(slip, 0.0));
+    recorder.enter(0, entry(stick, 0.5));  // before the judged part
+    recorder.enter(0, entry(slip, 1.0));   // its first instant belongs to it
+    recorder.enter(0, entry(stick, 1.5));
+    recorder.enter(0, entry(slip, 2.0));
+    recorder.enter(0, entry(stick, 3.5));  // after it
     const Record record = recorder.finish(4.0);
-    const Tally& going = record.phases[0];
+    const ContactTally& going = record.phases[0].contacts.front();
     EXPECT_EQ(going.changes[change_kind(slip, stick)].count, 1);
     EXPECT_EQ(going.changes[change_kind(stick, slip)].count, 2);
     EXPECT_EQ(going.changes[change_kind(slip, separation)].count, 0);
@@ -116,18 +116,18 @@ TEST(Changes, AreKeptByKindWithinTheJudgedTime) {
 // instants of two judged stretches of one phase are parted, so that no interval reaches across
 TEST(Changes, OfDifferentStretchesAreParted) {
     Recorder recorder(two_phases(), {}, 3);
-    recorder.enter(entry(stick, 0.0));
-    recorder.enter(entry(slip, 1.5));
-    recorder.enter(entry(stick, 6.0));  // another phase
-    recorder.enter(entry(slip, 9.5));
+    recorder.enter(0, entry(stick, 0.0));
+    recorder.enter(0, entry(slip, 1.5));
+    recorder.enter(0, entry(stick, 6.0));  // another phase
+    recorder.enter(0, entry(slip, 9.5));
     const Record record = recorder.finish(12.0);
-    const std::vector<double>& times = record.phases[0].changes[change_kind(stick, slip)].times;
+    const std::vector<double>& times = record.phases[0].contacts.front().changes[change_kind(stick, slip)].times;
     ASSERT_GE(times.size(), 3U);
     EXPECT_EQ(times[0], 1.5);
     EXPECT_TRUE(std::isnan(times[1]));
     EXPECT_EQ(times[2], 9.5);
-    EXPECT_EQ(record.phases[0].changes[change_kind(stick, slip)].count, 2);
-    EXPECT_EQ(record.phases[1].changes[change_kind(slip, stick)].count, 1);
+    EXPECT_EQ(record.phases[0].contacts.front().changes[change_kind(stick, slip)].count, 2);
+    EXPECT_EQ(record.phases[1].contacts.front().changes[change_kind(slip, stick)].count, 1);
 }
 
 // the closing span goes on where the judged one ends: an interval may reach across
@@ -135,35 +135,35 @@ TEST(Changes, OfTheClosingPartFollowThoseBefore) {
     const Schedule plan{{{0.0, 2.0, Phase::all, Use::judged}, {2.0, 4.0, Phase::all, Use::closing}}, {Phase::all}};
     Recorder recorder(plan, {}, 3);
     for (int k = 0; k < 4; ++k) {
-        recorder.enter(entry(slip, k));
-        recorder.enter(entry(stick, k + 0.5));
+        recorder.enter(0, entry(slip, k));
+        recorder.enter(0, entry(stick, k + 0.5));
     }
     const Tally tally = recorder.finish(3.75).phases[0];
-    EXPECT_EQ(tally.changes[change_kind(slip, stick)].times, (std::vector{0.5, 1.5, 2.5, 3.5}));
-    EXPECT_EQ(tally.releases, 3);
+    EXPECT_EQ(tally.contacts.front().changes[change_kind(slip, stick)].times, (std::vector{0.5, 1.5, 2.5, 3.5}));
+    EXPECT_EQ(tally.contacts.front().releases, 3);
 }
 
 TEST(Recorder, CountsReleasesInAllOfTheWindow) {
     Recorder recorder(two_phases(), {}, 3);
-    recorder.enter(entry(stick, 0.0));
-    recorder.enter(entry(slip, 0.5));  // before the judged part
-    recorder.enter(entry(stick, 0.75));
-    recorder.enter(entry(separation, 2.0));
-    recorder.enter(entry(slip, 2.5));  // ends no stick
+    recorder.enter(0, entry(stick, 0.0));
+    recorder.enter(0, entry(slip, 0.5));  // before the judged part
+    recorder.enter(0, entry(stick, 0.75));
+    recorder.enter(0, entry(separation, 2.0));
+    recorder.enter(0, entry(slip, 2.5));  // ends no stick
     const Record record = recorder.finish(12.0);
-    EXPECT_EQ(record.phases[0].releases, 2);
-    EXPECT_EQ(record.phases[1].releases, 0);
+    EXPECT_EQ(record.phases[0].contacts.front().releases, 2);
+    EXPECT_EQ(record.phases[1].contacts.front().releases, 0);
 }
 
 TEST(Recorder, TellsHowTheRunEnded) {
     Recorder recorder(two_phases(), {}, 3);
-    recorder.enter(entry(slip, 0.0));
-    recorder.enter(entry(stick, 7.0));
-    for (const Tally& tally : recorder.finish(12.0, {Future::releases, 0.0, 20.0}).phases) {
-        EXPECT_EQ(tally.ending.state, stick);
-        EXPECT_EQ(tally.ending.since, 7.0);
-        EXPECT_EQ(tally.ending.outlook.future, Future::releases);
-        EXPECT_EQ(tally.ending.outlook.release, 20.0);
+    recorder.enter(0, entry(slip, 0.0));
+    recorder.enter(0, entry(stick, 7.0));
+    for (const Tally& tally : recorder.finish(12.0, {{Future::releases, 0.0, 20.0}}).phases) {
+        EXPECT_EQ(tally.contacts.front().ending.state, stick);
+        EXPECT_EQ(tally.contacts.front().ending.since, 7.0);
+        EXPECT_EQ(tally.contacts.front().ending.outlook.future, Future::releases);
+        EXPECT_EQ(tally.contacts.front().ending.outlook.release, 20.0);
     }
 }
 
@@ -184,11 +184,11 @@ TEST(Changes, TakeBoundedMemoryAndKeepTheLatest) {
     constexpr int beats = 100000;
     Recorder recorder(one_phase(0.0, 2.0 * beats + 1.0), {}, 3);  // longer than the run: no parting at its end
     for (int k = 0; k < beats; ++k) {
-        recorder.enter(entry(slip, 2.0 * k));
-        recorder.enter(entry(stick, 2.0 * k + 1.0));
+        recorder.enter(0, entry(slip, 2.0 * k));
+        recorder.enter(0, entry(stick, 2.0 * k + 1.0));
     }
     const Record record = recorder.finish(2.0 * beats);
-    const Instants& instants = record.phases[0].changes[change_kind(slip, stick)];
+    const Instants& instants = record.phases[0].contacts.front().changes[change_kind(slip, stick)];
     EXPECT_EQ(instants.count, beats);
     EXPECT_GE(instants.times.size(), Instants::kept);
     EXPECT_LE(instants.times.size(), 2 * Instants::kept);
@@ -201,21 +201,21 @@ TEST(Changes, TakeBoundedMemoryAndKeepTheLatest) {
 TEST(History, IsKeptOnlyWhenAskedFor) {
     for (const KeepHistory keep : {KeepHistory::no, KeepHistory::yes}) {
         Recorder recorder(two_phases(), {keep, {}}, 3);
-        recorder.enter(entry(slip, 0.0));
-        recorder.enter({stick, 2.0, 0.0, 0.25, -0.5});
-        recorder.enter(entry(separation, 4.5));
+        recorder.enter(0, entry(slip, 0.0));
+        recorder.enter(0, {stick, 2.0, 0.0, 0.25, -0.5});
+        recorder.enter(0, entry(separation, 4.5));
         const Record record = recorder.finish(12.0);
         if (keep == KeepHistory::no) {
-            EXPECT_TRUE(record.history.empty());
+            EXPECT_TRUE(record.histories.front().empty());
             continue;
         }
-        ASSERT_EQ(record.history.size(), 3U);
-        EXPECT_EQ(record.history[1].state, stick);
-        EXPECT_EQ(record.history[1].from, 2.0);
-        EXPECT_EQ(record.history[1].to, 4.5);
-        EXPECT_EQ(record.history[1].slip_velocity, 0.25);
-        EXPECT_EQ(record.history[1].gap_velocity, -0.5);
-        EXPECT_EQ(record.history[2].to, 12.0);
+        ASSERT_EQ(record.histories.front().size(), 3U);
+        EXPECT_EQ(record.histories.front()[1].state, stick);
+        EXPECT_EQ(record.histories.front()[1].from, 2.0);
+        EXPECT_EQ(record.histories.front()[1].to, 4.5);
+        EXPECT_EQ(record.histories.front()[1].slip_velocity, 0.25);
+        EXPECT_EQ(record.histories.front()[1].gap_velocity, -0.5);
+        EXPECT_EQ(record.histories.front()[2].to, 12.0);
     }
 }
 
@@ -248,13 +248,38 @@ TEST(Recorder, HandsATraceOverInBlocksAndKeepsNone) {
     };
     Recorder recorder({}, request, 1);
     const std::size_t count = 2 * trace_block + 5;
+    const std::array nothing{0.0};
+    const ContactSample contact;
     for (std::size_t k = 0; k < count; ++k)
-        recorder.trace().time.push_back(static_cast<double>(k));
+        recorder.sample({static_cast<double>(k), nothing, nothing, nothing, 0.0, {&contact, 1}});
     EXPECT_TRUE(recorder.finish(1.0).trace.time.empty());
     EXPECT_EQ(largest, trace_block);
     ASSERT_EQ(taken.size(), count);
     for (std::size_t k = 0; k < count; ++k)
         EXPECT_EQ(taken[k], static_cast<double>(k));
+}
+
+TEST(Recorder, KeepsEachContactByItself) {
+    Recorder recorder(two_phases(), {KeepHistory::yes, {}}, 3, 2);
+    recorder.enter(0, entry(slip, 0.0));
+    recorder.enter(1, entry(separation, 0.0));
+    recorder.enter(1, entry(stick, 3.0));
+    recorder.enter(0, entry(stick, 2.0));  // earlier than the last change of the other
+    const Record record = recorder.finish(12.0, {{Future::sticks}, {Future::releases, 0.0, 20.0}});
+    for (const Tally& tally : record.phases) {
+        ASSERT_EQ(tally.contacts.size(), 2U);
+        EXPECT_EQ(tally.contacts[0].ending.since, 2.0);
+        EXPECT_EQ(tally.contacts[0].ending.outlook.future, Future::sticks);
+        EXPECT_EQ(tally.contacts[1].ending.since, 3.0);
+        EXPECT_EQ(tally.contacts[1].ending.outlook.release, 20.0);
+    }
+    const auto total = [](const ContactTally& tally) { return tally.time[0] + tally.time[1] + tally.time[2]; };
+    EXPECT_EQ(total(record.phases[0].contacts[0]), total(record.phases[0].contacts[1]));
+    EXPECT_EQ(record.phases[0].contacts[0].time[model::index_of(separation)], 0.0);
+    EXPECT_GT(record.phases[0].contacts[1].time[model::index_of(separation)], 0.0);
+    ASSERT_EQ(record.histories.size(), 2U);
+    EXPECT_EQ(record.histories[0].front().to, 2.0);
+    EXPECT_EQ(record.histories[1].front().to, 3.0);
 }
 
 }  // namespace

@@ -71,10 +71,10 @@ TEST(Auralisation, GivesTheHarmonicsOfTheClosedBeltCycle) {
     run.duration = 0.1;
     run.request = {record::KeepHistory::yes, {0.0, run.duration, 1.0 / (rate * trace_density)}};
     const record::Record record = run_belt(run);
-    const auto first_slip = std::find_if(record.history.begin(), record.history.end(), [](const auto& interval) {
-        return interval.state == model::ContactState::slip && interval.from > 0.0;
-    });
-    ASSERT_NE(first_slip, record.history.end());
+    const auto first_slip = std::find_if(
+        record.histories.front().begin(), record.histories.front().end(),
+        [](const auto& interval) { return interval.state == model::ContactState::slip && interval.from > 0.0; });
+    ASSERT_NE(first_slip, record.histories.front().end());
 
     for (const signal::MotionQuantity quantity :
          {signal::MotionQuantity::velocity, signal::MotionQuantity::acceleration}) {

@@ -42,7 +42,7 @@ TEST(Evaluate, GivesWhatARunOfTheCellsCaseGives) {
     for (std::size_t direction = 0; direction < 2; ++direction) {
         const parameters::Case c = case_at(study, {direction, 1, 2});
         const integration::Motion motion = integration::simulate(c);
-        const analysis::Evidence evidence = analysis::evidence(motion.record.phases.front());
+        const analysis::Evidence evidence = analysis::evidence(motion.record.phases.front(), 0);
         const Cell& cell = cells[direction];
         EXPECT_EQ(cell.status, Status::done);
         EXPECT_EQ(cell.category, classification::classify(evidence, c.verdict).category);
@@ -77,7 +77,7 @@ TEST(Evaluate, TakesBothDirectionsOfADriveThatTurnsFromOneRun) {
     ASSERT_EQ(cells.size(), 2U);
     ASSERT_EQ(motion.record.phases.size(), 2U);
     for (std::size_t direction = 0; direction < 2; ++direction) {
-        const analysis::Evidence evidence = analysis::evidence(motion.record.phases[direction]);
+        const analysis::Evidence evidence = analysis::evidence(motion.record.phases[direction], 0);
         EXPECT_EQ(cells[direction].status, Status::done);
         EXPECT_TRUE(same_bits(cells[direction].judged_stick, evidence.judged_rates.stick));
         EXPECT_TRUE(same_bits(cells[direction].energy_residual, motion.energy.relative_residual()));

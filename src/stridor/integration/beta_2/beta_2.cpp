@@ -170,24 +170,6 @@ double half_step_energy(const SizedStructure<dofs>& structure, const State<dofs>
            0.5 * state.u.dot(structure.stiffness * (state.u - h * state.p));
 }
 
-template <int dofs>
-void store_sample(record::Trace& trace, const Step<dofs>& now,
-                  const typename SizedStructure<dofs>::Vector& displacement, double time, double surface_velocity,
-                  double gap) {
-    trace.time.push_back(time);
-    for (Eigen::Index dof = 0; dof < displacement.size(); ++dof) {
-        const auto place = static_cast<std::size_t>(dof);
-        trace.displacement[place].push_back(displacement(dof));
-        trace.velocity[place].push_back(now.velocity(dof));
-        trace.acceleration[place].push_back(now.acceleration(dof));
-    }
-    trace.surface_velocity.push_back(surface_velocity);
-    trace.normal_force.push_back(now.normal_force);
-    trace.friction_force.push_back(now.friction_force);
-    trace.gap.push_back(gap);
-    trace.state.push_back(now.contact);
-}
-
 // one run: the loop over blocks of steps between which something outside the motion happens
 template <int dofs>
 class Stepping {
@@ -249,9 +231,9 @@ template <int dofs>
 void Stepping<dofs>::note(const Step<dofs>& now, double increment) {
     const double h = coefficients_.h;
     const double surface_velocity = 0.5 * (increment + state_.last_increment) / h;
-    recorder_.enter({now.contact, static_cast<double>(n_) * h, 0.0,
-                     coefficients_.tangent.dot(now.velocity) - surface_velocity,
-                     coefficients_.normal.dot(now.velocity)});
+    recorder_.enter(
+        0, {now.contact, static_cast<double>(n_) * h, 0.0, coefficients_.tangent.dot(now.velocity) - surface_velocity,
+            coefficients_.normal.dot(now.velocity)});
     state_.contact = now.contact;
     state_.has_contact = true;
     widen_reach();
@@ -315,7 +297,14 @@ void Stepping<dofs>::sample() {
     State<dofs> copy = state_;
     const double time = static_cast<double>(n_) * coefficients_.h;
     const Step<dofs> now = step(coefficients_, copy, drive_.increment(n_));
-    store_sample(recorder_.trace(), now, state_.u, time, drive_.at(time).velocity, coefficients_.normal.dot(state_.u));
+    const record::ContactSample contact{now.normal_force, now.friction_force, coefficients_.normal.dot(state_.u),
+                                        now.contact};
+    recorder_.sample({time,
+                      model::numbers(state_.u),
+                      model::numbers(now.velocity),
+                      model::numbers(now.acceleration),
+                      drive_.at(time).velocity,
+                      {&contact, 1}});
 }
 
 template <int dofs>
@@ -399,7 +388,7 @@ Motion integrate_beta_2(const model::Structure& structure, const parameters::Dri
         const Outcome outcome = runner.run(stop);
         const EnergyBalance balance = runner.energy();
         const double most = settings.beta_2 > 0.5 ? everything : most_unexplained;
-        return {weighed(outcome, balance, most), balance, recorder.finish(outcome.time, runner.outlook(outcome))};
+        return {weighed(outcome, balance, most), balance, recorder.finish(outcome.time, {runner.outlook(outcome)})};
     });
 }
 

@@ -273,7 +273,7 @@ Motion ExactRun<dofs>::run() {
     const bool is_filled = outcome.reason == Reason::settled;
     const EnergyBalance balance = is_filled ? balance_ : energy();
     return {weighed(outcome, balance, most_unexplained), balance,
-            recorder_.finish(is_filled ? book_.end() : outcome.time, outlook(outcome)), silence_, cycle_};
+            recorder_.finish(is_filled ? book_.end() : outcome.time, {outlook(outcome)}), silence_, cycle_};
 }
 
 template <int dofs>
@@ -324,22 +324,17 @@ void ExactRun<dofs>::sample(double tau, double time) {
         number /= flow().step;
     const Position here = position(s, mode_);
     const Vector acceleration = position(rate, mode_).velocity;
-    record::Trace& trace = recorder_.trace();
-    trace.time.push_back(time);
-    for (int dof = 0; dof < dofs; ++dof) {
-        const auto place = static_cast<std::size_t>(dof);
-        trace.displacement[place].push_back(here.displacement(dof));
-        trace.velocity[place].push_back(here.velocity(dof));
-        trace.acceleration[place].push_back(acceleration(dof));
-    }
     const bool is_open = mode_ == ContactMode::open;
     const double N = is_open ? 0.0 : std::max(0.0, dot(flow().normal_force, s));
-    trace.surface_velocity.push_back(is_open ? drive_.at(time).velocity : s.at[V]);
-    trace.normal_force.push_back(N);
-    trace.friction_force.push_back(mode_ == ContactMode::stick ? dot(flow().friction_force, s)
-                                                               : flows_.slip_ratio[static_cast<int>(mode_)] * N);
-    trace.gap.push_back(is_open ? std::max(0.0, s.at[G]) : 0.0);
-    trace.state.push_back(contact_of(mode_));
+    const double T =
+        mode_ == ContactMode::stick ? dot(flow().friction_force, s) : flows_.slip_ratio[static_cast<int>(mode_)] * N;
+    const record::ContactSample contact{N, T, is_open ? std::max(0.0, s.at[G]) : 0.0, contact_of(mode_)};
+    recorder_.sample({time,
+                      model::numbers(here.displacement),
+                      model::numbers(here.velocity),
+                      model::numbers(acceleration),
+                      is_open ? drive_.at(time).velocity : s.at[V],
+                      {&contact, 1}});
 }
 
 namespace {

@@ -80,7 +80,7 @@ void repeat_period(const std::vector<record::ContactInterval>& period, double du
         for (record::ContactInterval interval : period) {
             interval.from += number * duration;
             if (interval.from >= end) return;
-            recorder.enter(interval);
+            recorder.enter(0, interval);
         }
 }
 

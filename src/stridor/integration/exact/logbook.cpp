@@ -60,7 +60,7 @@ void Logbook::enter(const Transition& next, double now) {
 
 void Logbook::tell() {
     if (!has_told_ || pending_.state != told_) {
-        recorder_.enter(pending_);
+        recorder_.enter(0, pending_);
         recent_.add(pending_);
     }
     has_told_ = true;

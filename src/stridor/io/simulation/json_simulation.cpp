@@ -1,7 +1,9 @@
 #include "stridor/io/simulation/json_simulation.hpp"
 
+#include "stridor/classification/contact_rules.hpp"
 #include "stridor/io/json_parts.hpp"
 
+#include <cstddef>
 #include <utility>
 
 namespace stridor::io {
@@ -44,6 +46,17 @@ Json verdict_object(const classification::Verdict& verdict) {
               {"reference", "1e-9 m/s"}}},
             {"margins", margins_array(verdict.margins)},
             {"reasons", verdict.reasons}};
+}
+
+// of a structure with several contacts: each by itself, numbered from 1
+Json contacts_array(const Case& c, const record::Tally& phase) {
+    Json contacts = Json::array();
+    for (const classification::Verdict& verdict : classification::classify_contacts(phase, c.verdict))
+        contacts.push_back({{"contact", verdict.evidence.contact + 1},
+                            {"rates", rates_object(verdict.evidence.rates)},
+                            {"category", classification::name(verdict.category)},
+                            {"quiet_because", quiet_word(verdict.quiet)}});
+    return contacts;
 }
 
 Json phase_object(const Case& c, const classification::Verdict& verdict) {
@@ -150,7 +163,7 @@ Json outcome_object(const integration::Motion& motion) {
                                  {"residual", motion.cycle->residual},
                                  {"events", motion.cycle->events}};
     if (motion.record.phases.empty()) return object;
-    const record::Ending& ending = motion.record.phases.front().ending;
+    const record::Ending& ending = motion.record.phases.front().contacts.front().ending;
     object["ending"] = {{"state", name_of(model::contact_state_names, ending.state)},
                         {"since", ending.since},
                         {"future", name_of(record::future_names, ending.outlook.future)},
@@ -179,8 +192,11 @@ std::string simulation_json(const parameters::Case& c, const integration::Motion
     document["outcome"] = outcome_object(motion);
     document["energy"] = energy_object(motion.energy);
     document["phases"] = Json::array();
-    for (const classification::Verdict& verdict : verdicts)
-        document["phases"].push_back(phase_object(c, verdict));
+    for (std::size_t k = 0; k < verdicts.size(); ++k) {
+        document["phases"].push_back(phase_object(c, verdicts[k]));
+        const bool has_several = k < motion.record.phases.size() && motion.record.phases[k].contacts.size() > 1;
+        if (has_several) document["phases"].back()["contacts"] = contacts_array(c, motion.record.phases[k]);
+    }
     document["units"] = simulation_units(c);
     return base::text_of(document);
 }

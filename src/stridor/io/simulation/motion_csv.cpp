@@ -5,13 +5,12 @@
 #include "stridor/io/csv_opening.hpp"
 #include "stridor/io/simulation/dof_names.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/record/columns.hpp"
 #include "stridor/recordings/rate.hpp"
 #include "stridor/recordings/time_grid.hpp"
 
-#include <array>
 #include <cstddef>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace stridor::io {
@@ -21,21 +20,6 @@ using base::csv_text::Facts;
 using base::csv_text::Table;
 
 namespace {
-
-std::vector<Column> trace_columns(const std::vector<std::string>& dofs) {
-    std::vector<Column> columns{{"time", "s"}};
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> motions{
-        {{"displacement_", "m"}, {"velocity_", "m/s"}, {"acceleration_", "m/s^2"}}};
-    for (const auto& [name, unit] : motions)
-        for (const std::string& dof : dofs)
-            columns.push_back({std::string(name) + dof, std::string(unit)});
-    columns.push_back({"surface_velocity", "m/s"});
-    columns.push_back({"normal_force", "N"});
-    columns.push_back({"friction_force", "N"});
-    columns.push_back({"gap", "m"});
-    columns.push_back({"state"});
-    return columns;
-}
 
 // an engine samples at its own steps nearest to the asked ones; a single sample tells nothing of them
 double rate_of(const record::Trace& trace, double interval) {
@@ -51,30 +35,49 @@ std::string trace_csv(const parameters::Case& c, const record::Trace& trace, dou
     Facts facts = csv_opening("trace", c);
     facts.emplace_back("rate", base::shortest(rate_of(trace, interval)) + " Hz");
     add_lines(facts, parameters::canonical_text(c));
-    Table table(facts, trace_columns(dof_names(trace.displacement.size())));
+    const std::size_t contacts = trace.contacts.size();
+    const std::vector<record::Column> numbers = record::columns(trace, dof_names(trace.displacement.size()));
+    // the states of a contact stand behind its numbers
+    const std::size_t before = numbers.size() - contacts * record::contact_columns.size();
+    const auto is_last_of_contact = [&](std::size_t column) {
+        return column >= before &&
+               (column - before) % record::contact_columns.size() == record::contact_columns.size() - 1;
+    };
+    const auto contact_of = [&](std::size_t column) { return (column - before) / record::contact_columns.size(); };
+    std::vector<Column> columns;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        columns.push_back({numbers[k].name, std::string(numbers[k].unit)});
+        if (is_last_of_contact(k))
+            columns.push_back({std::string(record::state_column) + record::contact_ending(contact_of(k), contacts)});
+    }
+    Table table(facts, columns);
     for (std::size_t sample = 0; sample < trace.time.size(); ++sample) {
-        table.number(trace.time[sample]);
-        for (const auto* motion : {&trace.displacement, &trace.velocity, &trace.acceleration})
-            for (const std::vector<double>& dof : *motion)
-                table.number(dof[sample]);
-        for (const auto* values : {&trace.surface_velocity, &trace.normal_force, &trace.friction_force, &trace.gap})
-            table.number((*values)[sample]);
-        table.word(model::contact_state_names[model::index_of(trace.state[sample])]);
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            table.number((*numbers[k].samples)[sample]);
+            if (is_last_of_contact(k))
+                table.word(model::contact_state_names[model::index_of(trace.contacts[contact_of(k)].state[sample])]);
+        }
         table.end_row();
     }
     return table.take();
 }
 
-std::string history_csv(const parameters::Case& c, const record::ContactHistory& history) {
+std::string history_csv(const parameters::Case& c, const std::vector<record::ContactHistory>& histories) {
     Facts facts = csv_opening("history", c);
     add_lines(facts, parameters::canonical_text(c));
-    Table table(facts, {{"state"}, {"from", "s"}, {"to", "s"}, {"slip_velocity", "m/s"}, {"gap_velocity", "m/s"}});
-    for (const record::ContactInterval& interval : history) {
-        table.word(model::contact_state_names[model::index_of(interval.state)]);
-        for (const double value : {interval.from, interval.to, interval.slip_velocity, interval.gap_velocity})
-            table.number(value);
-        table.end_row();
-    }
+    std::vector<Column> columns{
+        {"state"}, {"from", "s"}, {"to", "s"}, {"slip_velocity", "m/s"}, {"gap_velocity", "m/s"}};
+    const bool has_several = histories.size() > 1;
+    if (has_several) columns.insert(columns.begin(), {"contact"});
+    Table table(facts, columns);
+    for (std::size_t contact = 0; contact < histories.size(); ++contact)
+        for (const record::ContactInterval& interval : histories[contact]) {
+            if (has_several) table.number(static_cast<double>(contact + 1));
+            table.word(model::contact_state_names[model::index_of(interval.state)]);
+            for (const double value : {interval.from, interval.to, interval.slip_velocity, interval.gap_velocity})
+                table.number(value);
+            table.end_row();
+        }
     return table.take();
 }
 

@@ -5,55 +5,75 @@
 #include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/io/simulation/dof_names.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/record/columns.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
+#include <algorithm>
 #include <array>
-#include <string_view>
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace stridor::io {
 
 namespace {
 
+// numbers of each contact; without a dimension of contacts, if there is only one
+void put_contacts(NetcdfDataset& file, const record::Trace& trace, const std::vector<int>& along) {
+    for (const record::ContactColumn& column : record::contact_columns) {
+        std::vector<double> values;
+        for (const record::ContactTrace& contact : trace.contacts)
+            values.insert(values.end(), (contact.*column.samples).begin(), (contact.*column.samples).end());
+        file.doubles(std::string(column.name), along, values, {column.unit, column.sentence});
+    }
+    std::vector<signed char> states;
+    for (const record::ContactTrace& contact : trace.contacts)
+        for (const model::ContactState state : contact.state)
+            states.push_back(static_cast<signed char>(state));
+    file.flags(std::string(record::state_column), along, states, model::contact_state_names, {"", "contact state"});
+}
+
 void put_trace(NetcdfDataset& file, const record::Trace& trace) {
     const std::vector<std::string> names = dof_names(trace.displacement.size());
     const int time = file.dimension("time", trace.time.size());
     const int dof = file.dimension("dof", names.size());
-    file.doubles("time", std::array{time}, trace.time, {"s", "time", Missing::no});
-    file.words("dof", std::array{dof}, names, {"", "degree of freedom"});
-
-    const auto put_motion = [&](const std::string& name, const std::vector<std::vector<double>>& motion,
-                                const Description& description) {
-        std::vector<double> values;
-        for (const std::vector<double>& row : motion)
-            values.insert(values.end(), row.begin(), row.end());
-        file.doubles(name, std::array{dof, time}, values, description);
+    const auto put = [&](const record::TraceColumn& column, Missing missing) {
+        file.doubles(std::string(column.name), std::array{time}, trace.*column.samples,
+                     {column.unit, column.sentence, missing});
     };
-    put_motion("displacement", trace.displacement, {"m", "displacement from the preloaded rest position"});
-    put_motion("velocity", trace.velocity, {"m/s", "velocity"});
-    put_motion("acceleration", trace.acceleration, {"m/s^2", "acceleration"});
-
-    const std::array along{time};
-    file.doubles("surface_velocity", along, trace.surface_velocity, {"m/s", "imposed velocity of the plate"});
-    file.doubles("normal_force", along, trace.normal_force, {"N", "normal contact force on the joint"});
-    file.doubles("friction_force", along, trace.friction_force, {"N", "friction force on the joint"});
-    file.doubles("gap", along, trace.gap, {"m", "gap between joint and plate"});
-    std::vector<signed char> states;
-    for (const model::ContactState state : trace.state)
-        states.push_back(static_cast<signed char>(state));
-    file.flags("state", along, states, model::contact_state_names, {"", "contact state"});
+    put(record::time_column, Missing::no);
+    file.words("dof", std::array{dof}, names, {"", "degree of freedom"});
+    for (const record::DofColumn& column : record::dof_columns) {
+        std::vector<double> values;
+        for (const std::vector<double>& row : trace.*column.samples)
+            values.insert(values.end(), row.begin(), row.end());
+        file.doubles(std::string(column.name), std::array{dof, time}, values, {column.unit, column.sentence});
+    }
+    put(record::surface_column, Missing::as_nan);
+    std::vector<int> along{time};
+    if (trace.contacts.size() > 1) along.insert(along.begin(), file.dimension("contact", trace.contacts.size()));
+    put_contacts(file, trace, along);
 }
 
-void put_history(NetcdfDataset& file, const record::ContactHistory& history) {
-    const std::array along{file.dimension("interval", history.size())};
+// the stays of all contacts, one contact after the other
+void put_histories(NetcdfDataset& file, const std::vector<record::ContactHistory>& histories) {
+    std::vector<record::ContactInterval> stays;
+    std::vector<double> contacts;
+    for (std::size_t k = 0; k < histories.size(); ++k) {
+        stays.insert(stays.end(), histories[k].begin(), histories[k].end());
+        contacts.insert(contacts.end(), histories[k].size(), static_cast<double>(k + 1));
+    }
+    const std::array along{file.dimension("interval", stays.size())};
+    if (histories.size() > 1)
+        file.doubles("interval_contact", along, contacts, {"1", "number of the contact, from 1", Missing::no});
     std::vector<signed char> states;
-    for (const record::ContactInterval& interval : history)
+    for (const record::ContactInterval& interval : stays)
         states.push_back(static_cast<signed char>(interval.state));
     file.flags("interval_state", along, states, model::contact_state_names, {"", "contact state"});
     const auto put = [&](const std::string& name, double record::ContactInterval::*member,
                          const Description& description) {
         std::vector<double> values;
-        for (const record::ContactInterval& interval : history)
+        for (const record::ContactInterval& interval : stays)
             values.push_back(interval.*member);
         file.doubles(name, along, values, description);
     };
@@ -74,7 +94,9 @@ void write_trace_netcdf(const std::string& path, const parameters::Case& c, cons
     file.attribute("study_hash", base::hash_text(canonical));
     file.attribute("case", case_toml(c, {.comments = Comments::none, .heading = ""}));
     if (!record.trace.time.empty()) put_trace(file, record.trace);
-    if (!record.history.empty()) put_history(file, record.history);
+    const bool has_history = std::any_of(record.histories.begin(), record.histories.end(),
+                                         [](const record::ContactHistory& history) { return !history.empty(); });
+    if (has_history) put_histories(file, record.histories);
     file.finish([&](std::string_view bytes) { storage::write_file(path, bytes); });
 }
 

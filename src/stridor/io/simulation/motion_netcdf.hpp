@@ -7,9 +7,10 @@
 
 namespace stridor::io {
 
-/// A trace and the contact history of a run, as far as they were kept: dimensions time, dof and interval;
-/// displacement, velocity and acceleration as (dof, time), forces and contact state as (time), the history's stays as
-/// interval_*(interval). The kind of file is that of charts (io/chart/chart_netcdf.hpp). Throws `Error` (io).
+/// A trace and the contact histories of a run, as far as they were kept: dimensions time, dof and interval;
+/// displacement, velocity and acceleration as (dof, time), forces, gap and contact state as (time), or (contact, time)
+/// if there are several contacts, the histories' stays as interval_*(interval). The kind of file is that of charts
+/// (io/chart/chart_netcdf.hpp). Throws `Error` (io).
 void write_trace_netcdf(const std::string& path, const parameters::Case& c, const record::Record& record);
 
 }  // namespace stridor::io

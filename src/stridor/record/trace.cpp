@@ -1,0 +1,55 @@
+#include "stridor/record/trace.hpp"
+
+#include "stridor/base/check.hpp"
+
+namespace stridor::record {
+
+namespace {
+
+void append(std::vector<std::vector<double>>& rows, std::span<const double> values) {
+    STRIDOR_EXPECT(rows.size() == values.size());
+    for (std::size_t dof = 0; dof < rows.size(); ++dof)
+        rows[dof].push_back(values[dof]);
+}
+
+}  // namespace
+
+Trace empty_trace(int dofs, int contacts) {
+    const auto size = static_cast<std::size_t>(dofs);
+    Trace trace;
+    for (auto* rows : {&trace.displacement, &trace.velocity, &trace.acceleration})
+        rows->resize(size);
+    trace.contacts.resize(static_cast<std::size_t>(contacts));
+    return trace;
+}
+
+void append(Trace& trace, const Sample& sample) {
+    STRIDOR_EXPECT(trace.contacts.size() == sample.contacts.size());
+    trace.time.push_back(sample.time);
+    append(trace.displacement, sample.displacement);
+    append(trace.velocity, sample.velocity);
+    append(trace.acceleration, sample.acceleration);
+    trace.surface_velocity.push_back(sample.surface_velocity);
+    for (std::size_t k = 0; k < trace.contacts.size(); ++k) {
+        ContactTrace& contact = trace.contacts[k];
+        contact.normal_force.push_back(sample.contacts[k].normal_force);
+        contact.friction_force.push_back(sample.contacts[k].friction_force);
+        contact.gap.push_back(sample.contacts[k].gap);
+        contact.state.push_back(sample.contacts[k].state);
+    }
+}
+
+void clear(Trace& trace) {
+    trace.time.clear();
+    for (auto* rows : {&trace.displacement, &trace.velocity, &trace.acceleration})
+        for (std::vector<double>& samples : *rows)
+            samples.clear();
+    trace.surface_velocity.clear();
+    for (ContactTrace& contact : trace.contacts) {
+        for (auto* samples : {&contact.normal_force, &contact.friction_force, &contact.gap})
+            samples->clear();
+        contact.state.clear();
+    }
+}
+
+}  // namespace stridor::record
