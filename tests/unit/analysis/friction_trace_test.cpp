@@ -172,6 +172,39 @@ TEST(FrictionTrace, SaysSoWhereItIsSampledTooSlowly) {
     EXPECT_NEAR(trace.all.static_friction.value, 0.4, 0.02);
 }
 
+// rises from 3 to 4 N within 0.2 s and falls back within so many milliseconds, sampled at 1 kHz
+std::vector<double> sawtooth(int fall) {
+    constexpr int rise = 200;
+    std::vector<double> force;
+    for (int tooth = 0; tooth < 20; ++tooth) {
+        for (int k = 0; k < rise; ++k)
+            force.push_back(3.0 + static_cast<double>(k) / rise);
+        for (int k = 0; k < fall; ++k)
+            force.push_back(4.0 - static_cast<double>(k) / fall);
+    }
+    return force;
+}
+
+TEST(FrictionTrace, SaysSoWhereMostSlipsAreShorterThanTwoSamples) {
+    for (const int fall : {1, 2, 3, 5}) {
+        const FrictionTrace trace = friction_trace({1000.0, sawtooth(fall), {}, {}, 10.0});
+        EXPECT_EQ(trace.all.drops, 19) << "the last tooth does not fall";
+        EXPECT_EQ(trace.notes.size(), fall <= 2 ? 1U : 0U) << fall << " ms";
+    }
+}
+
+TEST(FrictionTrace, TellsSizesAndTimesOfDrops) {
+    const FrictionTrace trace = friction_trace({1000.0, sawtooth(5), {}, {}, 10.0});
+    EXPECT_NEAR(trace.all.mean_drop, 1.0, 1e-9);
+    EXPECT_NEAR(trace.all.largest_drop, 1.0, 1e-9);
+    EXPECT_NEAR(trace.all.variation, 0.0, 1e-9);
+    EXPECT_NEAR(trace.all.drop_rate, 1.0 / 0.205, 0.3);  // the stretch has 20 teeth and 19 drops
+    ASSERT_EQ(trace.drops.size(), 19U);
+    EXPECT_NEAR(trace.drops[0].time, 0.2, 1.5e-3);
+    EXPECT_NEAR(trace.drops[0].duration, 5e-3, 1e-9);
+    EXPECT_NEAR(trace.drops[7].time - trace.drops[6].time, 0.205, 1e-9);
+}
+
 TEST(FrictionTrace, RefusesWhatIsNoTrace) {
     const std::vector<double> force(100, 3.0), zero(100, 0.0), few(5, 3.0);
     std::vector<double> broken = force;

@@ -45,6 +45,31 @@ TEST(HeardText, GivesBackHeardSounds) {
     EXPECT_EQ((*back)[1].cell.message, "mu_d exceeds mu_s");
 }
 
+// as a newer or a damaged program may have written them
+TEST(HeardText, TakesNoWordsThatItDoesNotKnow) {
+    std::array<HeardSound, 1> sounds;
+    sounds[0].perturbed.assign(perturbations().size(), classification::Category::none);
+    const HeardSound good = sounds[0];
+    ASSERT_TRUE(unpacked_heard_sounds(packed(sounds)));
+    const auto is_refused = [&] {
+        const bool refused = !unpacked_heard_sounds(packed(sounds));
+        sounds[0] = good;
+        return refused;
+    };
+    sounds[0].cell.status = static_cast<Status>(99);
+    EXPECT_TRUE(is_refused());
+    sounds[0].cell.category = static_cast<classification::Category>(99);
+    EXPECT_TRUE(is_refused());
+    sounds[0].cell.quiet = static_cast<classification::Quiet>(99);
+    EXPECT_TRUE(is_refused());
+    sounds[0].heard = static_cast<classification::Category>(99);
+    EXPECT_TRUE(is_refused());
+    sounds[0].perturbed[0] = static_cast<classification::Category>(99);
+    EXPECT_TRUE(is_refused());
+    sounds[0].perturbed.pop_back();
+    EXPECT_TRUE(is_refused());
+}
+
 TEST(HeardText, TakesNothingElse) {
     const std::string text = packed(std::array<HeardSound, 1>{});
     EXPECT_FALSE(unpacked_heard_sounds(text + "1:1"));

@@ -2,17 +2,26 @@
 
 #include "stridor/sweep/soft_parts.hpp"
 
+#include "stridor/base/quantity.hpp"
 #include "stridor/hearing/hearing.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/check.hpp"
+#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/field_name.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <map>
 #include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace stridor::sweep {
 namespace {
@@ -58,6 +67,78 @@ TEST(SoftParts, AreSofterAcrossTheirAxisThanTheStiffJointOfTable1) {
     const parameters::Joint stiff = parameters::paper_case(parameters::PaperCase::squeal).joint;
     for (const SoftPart part : every_part())
         EXPECT_LE(soft_part(part).base.joint.flexural_stiffness, stiff.flexural_stiffness) << name_of(part);
+}
+
+// "25 N/mm J (5 to 100)": the number and its unit; without a unit, the number
+std::string number_and_unit(const std::string& cell) {
+    std::istringstream words(cell);
+    std::string number, unit;
+    words >> number >> unit;
+    std::erase(unit, '\\');
+    return unit.size() == 1 && std::string_view("SDFJ").find(unit) != std::string_view::npos ? number
+                                                                                             : number + " " + unit;
+}
+
+// the rows of a table of a page, by their first cell; the rest as it stands
+std::map<std::string, std::vector<std::string>> table_of(const std::string& page) {
+    std::ifstream file(std::string(STRIDOR_SOURCE_DIR) + page);
+    std::map<std::string, std::vector<std::string>> rows;
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with("| ")) continue;
+        std::istringstream cells(line.substr(2));
+        std::string name, cell;
+        std::getline(cells, name, '|');
+        name.erase(name.find_last_not_of(' ') + 1);
+        while (std::getline(cells, cell, '|'))
+            rows[name].push_back(cell);
+    }
+    return rows;
+}
+
+// whose words say where each number comes from
+TEST(SoftParts, HoldTheNumbersOfTheirPage) {
+    constexpr std::array parts{SoftPart::weatherstrip, SoftPart::glass_run, SoftPart::clip, SoftPart::wiper,
+                               SoftPart::brake_pad};
+    constexpr std::array<std::pair<const char*, const char*>, 14> rows{{
+        {"mass", "joint.mass"},
+        {"axial stiffness", "joint.axial_stiffness"},
+        {"flexural stiffness", "joint.flexural_stiffness"},
+        {"axial damping", "joint.axial_damping"},
+        {"flexural damping", "joint.flexural_damping"},
+        {"incidence angle", "joint.incidence_angle"},
+        {"plate: mass", "plate.mass"},
+        {"plate: stiffness", "plate.stiffness"},
+        {"plate: damping", "plate.damping"},
+        {"preload", "contact.preload"},
+        {"static friction", "contact.static_friction"},
+        {"kinetic friction", "contact.kinetic_friction"},
+        {"velocity", "drive.velocity"},
+        {"simulated, of it judged", "run.duration"},
+    }};
+    const auto table = table_of("/docs/methods/soft-parts.md");
+    for (const auto& [words, key] : rows) {
+        const auto row = table.find(words);
+        ASSERT_NE(row, table.end()) << words;
+        ASSERT_EQ(row->second.size(), parts.size()) << words;
+        const parameters::Field& field = parameters::quantity_named(key);
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            std::string text = row->second[k];
+            text.erase(std::min(text.find(','), text.size()));
+            const double written = base::parse_quantity(number_and_unit(text), parameters::unit_of(field));
+            const double held = parameters::get_quantity(soft_part(parts[k]).base, field);
+            EXPECT_NEAR(held, written, 1e-12 * written) << name_of(parts[k]) << ", " << words;
+        }
+    }
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const Study study = soft_part(parts[k]);
+        for (const auto& [words, axis] : {std::pair{"x of its chart", study.x}, {"y of its chart", study.y}}) {
+            std::istringstream section_and_name(table.at(words).at(k));
+            std::string first, second;
+            section_and_name >> first >> second;
+            EXPECT_TRUE(axis.parameter.ends_with(second.empty() ? first : first + "_" + second))
+                << axis.parameter << ", " << name_of(parts[k]);
+        }
+    }
 }
 
 // sliding without friction, the slowest vibration between two sticks

@@ -101,6 +101,24 @@ TEST(CaseAt, TurnsAVelocityAxisToo) {
     EXPECT_EQ(case_at(study, {1, 2, 0}).drive.velocity, -1.0);
 }
 
+TEST(Study, HoldsADesignWithinBothAxesOnly) {
+    Study study = small_study();
+    study.x = {"contact.preload", 10.0, 30.0, 3, Scale::linear};
+    study.y = {"drive.velocity", 0.05, 0.2, 2, Scale::linear};
+    const auto holds = [&](double preload, double velocity) {
+        study.base.contact.preload = preload;
+        study.base.drive.velocity = velocity;
+        return holds_design(study);
+    };
+    EXPECT_TRUE(holds(20.0, 0.1));
+    EXPECT_TRUE(holds(10.0, 0.2)) << "a corner";
+    EXPECT_TRUE(holds(30.0, -0.05)) << "the axis is of speeds, the sign is the direction";
+    EXPECT_FALSE(holds(9.0, 0.1));
+    EXPECT_FALSE(holds(31.0, 0.1));
+    EXPECT_FALSE(holds(20.0, 0.04));
+    EXPECT_FALSE(holds(20.0, 0.21));
+}
+
 TEST(CaseAt, LeavesADriveThatGoesBothWaysAlone) {
     Study study = small_study();
     study.base.drive.kind = parameters::DriveKind::sinusoidal;
