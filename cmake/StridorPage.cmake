@@ -37,7 +37,7 @@ function(stridor_page file)
         WORKING_DIRECTORY "${folder}"
         DEPENDS "${folder}/package-lock.json" "${folder}/package.json"
         COMMENT "Fetch what the explorer's page is bundled with" VERBATIM)
-    file(GLOB sources CONFIGURE_DEPENDS "${folder}/src/*")
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${folder}/src/*")
     add_custom_command(OUTPUT ${files}
         COMMAND ${STRIDOR_NODE} build.mjs "${bundle}"
         WORKING_DIRECTORY "${folder}"

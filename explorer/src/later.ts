@@ -2,17 +2,17 @@
  * What the page can do without at first: every view but the response, with its line plots,
  * the sheet of keys, the tour.
  */
-import { Energy } from "./energy.ts";
-import { Help } from "./help.ts";
-import { LibraryView } from "./library.ts";
-import { Listen } from "./listen.ts";
-import { Modes } from "./modes.ts";
-import { Quiet } from "./quiet.ts";
-import { Spectra } from "./spectra.ts";
-import type { Store } from "./store.ts";
-import { Tour } from "./tour.ts";
-import type { Start } from "./types.ts";
-import type { Parts } from "./views.ts";
+import type { Start } from "./data/types.ts";
+import type { Store } from "./state/store.ts";
+import { Energy } from "./views/energy.ts";
+import { Help } from "./views/help.ts";
+import { LibraryView } from "./views/library.ts";
+import { Listen } from "./views/listen.ts";
+import { Modes } from "./views/modes.ts";
+import { Quiet } from "./views/quiet.ts";
+import { Spectra } from "./views/spectra.ts";
+import { Tour } from "./views/tour.ts";
+import type { Parts } from "./views/views.ts";
 
 export function viewsOf(store: Store, start: Start): Parts {
   return {

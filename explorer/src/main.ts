@@ -1,23 +1,23 @@
 /** Puts the page together: one state, one simulation of it, and the views that show it. */
 import "uplot/dist/uPlot.min.css";
 import "./page.css";
-import * as api from "./api.ts";
-import { Chart } from "./chart.ts";
-import { Clock } from "./clock.ts";
-import { button, h } from "./dom.ts";
-import { Latest } from "./latest.ts";
-import { Mechanism } from "./mechanism.ts";
-import { Motions } from "./motions.ts";
-import { begun, Complaint, Parameters } from "./parameters.ts";
-import { Response } from "./response.ts";
-import { Share } from "./share.ts";
-import { themes, type Design, type State } from "./state.ts";
-import { Store, type Step } from "./store.ts";
-import { onTheme, setTheme } from "./theme.ts";
-import type { Tour } from "./tour.ts";
-import type { Case, Simulation, Start } from "./types.ts";
-import { VerdictBar } from "./verdict.ts";
-import { Views } from "./views.ts";
+import * as api from "./data/api.ts";
+import { Latest } from "./data/latest.ts";
+import { Motions } from "./data/motions.ts";
+import type { Case, Simulation, Start } from "./data/types.ts";
+import { button, h } from "./draw/dom.ts";
+import { onTheme, setTheme } from "./draw/theme.ts";
+import { Clock } from "./state/clock.ts";
+import { themes, type Design, type State } from "./state/state.ts";
+import { Store, type Step } from "./state/store.ts";
+import { Chart } from "./views/chart.ts";
+import { Mechanism } from "./views/mechanism.ts";
+import { begun, Complaint, Parameters } from "./views/parameters.ts";
+import { Response } from "./views/response.ts";
+import { Share } from "./views/share.ts";
+import type { Tour } from "./views/tour.ts";
+import { VerdictBar } from "./views/verdict.ts";
+import { Views } from "./views/views.ts";
 
 const tourSeen = "stridor-tour"; // in the session's storage: the tour was begun
 

@@ -1,4 +1,5 @@
-// Bundles the unit tests, since node does not read TypeScript everywhere, and runs them.
+// Bundles the unit tests, since node does not read TypeScript everywhere, and runs them. They lie in folders as what
+// they test does.
 import { build } from "esbuild";
 import { spawnSync } from "node:child_process";
 import { mkdtemp, readdir, rm } from "node:fs/promises";
@@ -8,7 +9,7 @@ import { fileURLToPath } from "node:url";
 
 const folder = join(dirname(fileURLToPath(import.meta.url)), "unit");
 const out = await mkdtemp(join(tmpdir(), "stridor-explorer-"));
-const names = (await readdir(folder)).filter((name) => name.endsWith("_test.mjs"));
+const names = (await readdir(folder, { recursive: true })).filter((name) => name.endsWith("_test.mjs"));
 await build({
   entryPoints: names.map((name) => join(folder, name)),
   outdir: out,

@@ -1,0 +1,50 @@
+/** What a chart shows, put together from the frames it comes in. Pure. */
+import type { Direction } from "../state/state.ts";
+import { bytesOf, floatsOf } from "./frames.ts";
+import { namePlaces, spread, type NamePlace } from "./regions.ts";
+import type { BoundaryLine, ChartAxisFrame, ChartFrame } from "./types.ts";
+
+export interface ChartData {
+  x: ChartAxisFrame;
+  y: ChartAxisFrame;
+  directions: Direction[];
+  category: Uint8Array; // [direction][y][x]
+  computed: Uint8Array | null; // likewise; 1: computed, 0: inferred
+  figure: Float32Array | null; // likewise; NaN unknown
+  painted: Float32Array | null; // the figure, cells that were not computed like their nearest neighbour
+  figureRange: readonly [number, number];
+  names: NamePlace[]; // where a category's name fits
+  boundaries: BoundaryLine[];
+  done: boolean;
+}
+
+/** The chart after a frame; axes come with the first one only. Nothing before these are known. */
+export function merged(before: ChartData | null, frame: ChartFrame, hasFigure: boolean): ChartData | null {
+  const x = frame.x ?? before?.x;
+  const y = frame.y ?? before?.y;
+  if (!x || !y) return null;
+  const figure = hasFigure && frame.figure ? floatsOf(frame.figure) : null;
+  return {
+    x,
+    y,
+    directions: frame.directions ?? before?.directions,
+    category: bytesOf(frame.category),
+    computed: frame.computed_mask ? bytesOf(frame.computed_mask) : null,
+    figure,
+    painted: figure && spread(figure, frame.computed_mask ? bytesOf(frame.computed_mask) : null, x.points, y.points),
+    names: frame.done && !figure ? namePlaces(bytesOf(frame.category), x.points, y.points) : [],
+    figureRange: figure ? rangeOf(figure) : [0, 1],
+    boundaries: frame.boundaries ?? [],
+    done: frame.done,
+  };
+}
+
+function rangeOf(values: Float32Array): [number, number] {
+  let [low, high] = [Infinity, -Infinity];
+  for (const value of values)
+    if (Number.isFinite(value)) {
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+  return low <= high ? [low, high] : [0, 1];
+}

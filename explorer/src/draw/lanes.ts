@@ -1,0 +1,308 @@
+/** Time histories below each other on one canvas, with the contact's states above them. Painting only. */
+import type { Motion } from "../data/frames.ts";
+import { staysWithin } from "../data/motions.ts";
+import { columns, pyramid, type Pyramid } from "../data/pyramid.ts";
+import type { ContactState } from "../data/types.ts";
+import type { Palette } from "./colours.ts";
+import { plain, unitText } from "./format.ts";
+import { ticks } from "./scale.ts";
+import { font, type Surface } from "./surface.ts";
+
+export interface LaneSpec {
+  name: string;
+  title: string;
+  /** Peaks of single samples, as impacts make them, do not set the scale. */
+  spiky: boolean;
+  curves: { column: string; label: string; colour: 0 | 1 | 2 | 3 | "muted" }[];
+}
+
+export const laneSpecs: readonly LaneSpec[] = [
+  {
+    name: "velocity",
+    title: "velocity",
+    spiky: false,
+    curves: [
+      { column: "surface_velocity", label: "plate V", colour: "muted" },
+      { column: "x1_velocity", label: "joint ẋ₁", colour: 0 },
+    ],
+  },
+  {
+    name: "displacement",
+    title: "displacement",
+    spiky: false,
+    curves: [
+      { column: "x1", label: "x₁", colour: 0 },
+      { column: "y1", label: "y₁", colour: 1 },
+      { column: "y2", label: "y₂", colour: 2 },
+    ],
+  },
+  {
+    name: "force",
+    title: "force",
+    spiky: true,
+    curves: [
+      { column: "normal_force", label: "normal N", colour: 0 },
+      { column: "friction_force", label: "friction T", colour: 1 },
+    ],
+  },
+  { name: "gap", title: "gap", spiky: false, curves: [{ column: "gap", label: "gap", colour: 3 }] },
+];
+
+export const marginLeft = 62;
+export const marginRight = 10;
+const bandRow = 8;
+export const bandStates: readonly ContactState[] = ["separation", "stick", "slip"];
+const bandHeight = bandRow * bandStates.length + 6;
+const axisHeight = 20;
+
+export interface LanesView {
+  span: readonly [number, number];
+  lanes: readonly LaneSpec[];
+  playhead: number;
+  hover: number | null; // [s]
+  palette: Palette;
+}
+
+/** Pyramids of a motion's columns, made when first looked at. */
+export class Pyramids {
+  private readonly made_ = new Map<string, Pyramid>();
+
+  constructor(readonly motion: Motion) {}
+
+  of(column: string): Pyramid | null {
+    const known = this.made_.get(column);
+    if (known) return known;
+    const values = this.motion.columns.get(column)?.values;
+    if (!values) return null;
+    const tree = pyramid(values);
+    this.made_.set(column, tree);
+    return tree;
+  }
+}
+
+export function timeAt(surface: { width: number }, span: readonly [number, number], x: number): number {
+  return span[0] + ((span[1] - span[0]) * (x - marginLeft)) / (surface.width - marginLeft - marginRight);
+}
+
+export function paintLanes(surface: Surface, trees: Pyramids, view: LanesView): void {
+  const { pen, width, height } = surface;
+  const inner = width - marginLeft - marginRight;
+  if (inner < 20) return;
+  const x = (time: number): number => marginLeft + (inner * (time - view.span[0])) / (view.span[1] - view.span[0]);
+  paintBand(surface, trees.motion, view, inner);
+  const room = (height - bandHeight - axisHeight) / Math.max(view.lanes.length, 1);
+  paintTimes(surface, view, x);
+  view.lanes.forEach((lane, k) =>
+    paintLane(surface, trees, view, lane, { top: bandHeight + k * room + 6, height: room - 10, inner }),
+  );
+  pen.lineWidth = 1;
+  for (const [time, colour] of [
+    [view.hover, view.palette.muted],
+    [view.playhead, view.palette.accent],
+  ] as const) {
+    if (time === null || time < view.span[0] || time > view.span[1]) continue;
+    pen.strokeStyle = colour;
+    pen.beginPath();
+    pen.moveTo(x(time), 0);
+    pen.lineTo(x(time), height - axisHeight);
+    pen.stroke();
+  }
+}
+
+/** A row per state; as dark as the state's share of the time in that pixel. */
+function paintBand(surface: Surface, motion: Motion, view: LanesView, inner: number): void {
+  const { pen } = surface;
+  const [from, to] = view.span;
+  const count = Math.round(inner);
+  const shares = bandStates.map(() => new Float32Array(count));
+  const perSecond = count / (to - from);
+  const [first, last] = staysWithin(motion, from, to);
+  for (let stay = first; stay <= last; ++stay) {
+    const share = shares[bandStates.indexOf(motion.state[stay] as ContactState)];
+    if (!share) continue;
+    const start = Math.max(0, ((motion.from[stay] as number) - from) * perSecond);
+    const end = Math.min(count, ((motion.from[stay + 1] as number) - from) * perSecond);
+    for (let k = Math.floor(start); k < end; ++k)
+      share[k] = (share[k] as number) + Math.min(end, k + 1) - Math.max(start, k);
+  }
+  pen.font = font(9);
+  pen.textAlign = "right";
+  pen.textBaseline = "middle";
+  bandStates.forEach((state, row) => {
+    const top = row * bandRow + 1;
+    pen.fillStyle = view.palette.muted;
+    pen.fillText(state, marginLeft - 5, top + bandRow / 2);
+    pen.fillStyle = view.palette.grid;
+    pen.fillRect(marginLeft, top, inner, bandRow - 1);
+    pen.fillStyle = view.palette.state[state];
+    const share = shares[row] as Float32Array;
+    for (let k = 0; k < count;) {
+      const value = share[k] as number;
+      let end = k + 1;
+      while (end < count && Math.abs((share[end] as number) - value) < 0.02) ++end;
+      if (value > 0.004) {
+        pen.globalAlpha = Math.min(1, 0.15 + 0.85 * value);
+        pen.fillRect(marginLeft + k, top, end - k, bandRow - 1);
+      }
+      k = end;
+    }
+    pen.globalAlpha = 1;
+  });
+}
+
+function paintTimes(surface: Surface, view: LanesView, x: (time: number) => number): void {
+  const { pen, height } = surface;
+  const [from, to] = view.span;
+  const milli = to - from < 0.5;
+  const factor = milli ? 1000 : 1;
+  pen.font = font(11);
+  pen.textAlign = "center";
+  pen.textBaseline = "alphabetic";
+  pen.lineWidth = 1;
+  const marks = ticks(from * factor, to * factor, "linear", Math.max(2, Math.floor(surface.width / 110)));
+  for (const mark of marks) {
+    const at = Math.round(x(mark / factor)) + 0.5;
+    pen.strokeStyle = view.palette.grid;
+    pen.beginPath();
+    pen.moveTo(at, bandHeight);
+    pen.lineTo(at, height - axisHeight + 3);
+    pen.stroke();
+    pen.fillStyle = view.palette.muted;
+    pen.fillText(`${Number(mark.toPrecision(10))}`, at, height - 5);
+  }
+  pen.textAlign = "right";
+  pen.fillText(milli ? "t [ms]" : "t [s]", marginLeft - 8, height - 5);
+}
+
+interface LaneBox {
+  top: number;
+  height: number;
+  inner: number;
+}
+
+function paintLane(surface: Surface, trees: Pyramids, view: LanesView, lane: LaneSpec, box: LaneBox): void {
+  if (box.height < 12) return;
+  const { pen } = surface;
+  const { motion } = trees;
+  const index = (time: number): number => (time - motion.start) / motion.interval;
+  const [first, end] = [index(view.span[0]), index(view.span[1])];
+  const count = Math.max(2, Math.round(box.inner * surface.ratio));
+  const curves = lane.curves
+    .map((curve) => ({ ...curve, tree: trees.of(curve.column) }))
+    .filter((curve): curve is typeof curve & { tree: Pyramid } => curve.tree !== null)
+    .map((curve) => ({ ...curve, parts: columns(curve.tree, first, end, count) }));
+  const [low, high] = limits(
+    curves.map(({ parts }) => parts),
+    lane.spiky,
+  );
+  const y = (value: number): number => box.top + (box.height * (high - value)) / (high - low);
+
+  pen.font = font(10);
+  pen.textAlign = "right";
+  pen.textBaseline = "middle";
+  pen.lineWidth = 1;
+  for (const value of ticks(low, high, "linear", Math.max(2, Math.floor(box.height / 26)))) {
+    const at = Math.round(y(value)) + 0.5;
+    if (at < box.top || at > box.top + box.height) continue;
+    pen.strokeStyle = value === 0 ? view.palette.line : view.palette.grid;
+    pen.beginPath();
+    pen.moveTo(marginLeft, at);
+    pen.lineTo(marginLeft + box.inner, at);
+    pen.stroke();
+    pen.fillStyle = view.palette.muted;
+    pen.fillText(plain(value), marginLeft - 5, at);
+  }
+  pen.save();
+  pen.beginPath();
+  pen.rect(marginLeft, box.top, box.inner, box.height);
+  pen.clip();
+  for (const curve of curves) {
+    pen.fillStyle = pen.strokeStyle = curve.colour === "muted" ? view.palette.muted : view.palette.traces[curve.colour];
+    if (end - first > 2 * count) {
+      fillParts(pen, curve.parts, y, box.inner / count);
+      continue;
+    }
+    pen.lineWidth = 1.2;
+    pen.beginPath();
+    strokeSamples(pen, curve.tree.samples, first, end, y, box.inner);
+    pen.stroke();
+  }
+  pen.restore();
+  paintTitle(surface, view, lane, box, motion);
+}
+
+/**
+ * A bar per pixel from the smallest to the largest value, long enough to meet its neighbour:
+ * far cheaper than a path.
+ */
+function fillParts(
+  pen: CanvasRenderingContext2D,
+  parts: Float32Array,
+  y: (value: number) => number,
+  step: number,
+): void {
+  let [before, after] = [NaN, NaN]; // top and bottom of the last bar
+  for (let part = 0; 2 * part < parts.length; ++part) {
+    let top = y(parts[2 * part + 1] as number);
+    let bottom = y(parts[2 * part] as number);
+    if (top > after) top = after;
+    if (bottom < before) bottom = before;
+    [before, after] = [y(parts[2 * part + 1] as number), y(parts[2 * part] as number)];
+    pen.fillRect(marginLeft + part * step, top - 0.5, step, Math.max(bottom - top, 0) + 1);
+  }
+}
+
+function strokeSamples(
+  pen: CanvasRenderingContext2D,
+  samples: Float32Array,
+  first: number,
+  end: number,
+  y: (value: number) => number,
+  inner: number,
+): void {
+  const last = Math.min(samples.length - 1, Math.ceil(end));
+  for (let k = Math.max(0, Math.floor(first)); k <= last; ++k)
+    pen.lineTo(marginLeft + (inner * (k - first)) / (end - first), y(samples[k] as number));
+}
+
+/** Ends of a lane's scale: what is seen, with a little room; without rare peaks where these mean nothing. */
+function limits(parts: Float32Array[], spiky: boolean): [number, number] {
+  let [low, high] = [Infinity, -Infinity];
+  for (const part of parts) {
+    if (spiky) {
+      const sorted = part.slice().sort(); // a low and a high per pixel
+      low = Math.min(low, sorted[Math.floor(0.005 * sorted.length)] ?? 0);
+      high = Math.max(high, sorted[Math.floor(0.985 * (sorted.length - 1))] ?? 1);
+    } else {
+      for (const value of part) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    }
+  }
+  if (!(low <= high) || !Number.isFinite(low) || !Number.isFinite(high)) return [-1, 1];
+  const room = 0.06 * (high - low) || Math.abs(high) * 0.1 || 1e-12;
+  return [low - room, high + 4 * room]; // above is the title's place
+}
+
+function paintTitle(surface: Surface, view: LanesView, lane: LaneSpec, box: LaneBox, motion: Motion): void {
+  const { pen } = surface;
+  const unit = unitText(motion.columns.get(lane.curves[0]?.column ?? "")?.unit ?? "");
+  pen.textAlign = "left";
+  pen.textBaseline = "top";
+  pen.font = font(11, 600);
+  const title = `${lane.title} [${unit}]`;
+  let left = marginLeft + 6;
+  const write = (text: string, colour: string): void => {
+    const { width } = pen.measureText(text);
+    pen.fillStyle = view.palette.panel;
+    pen.fillRect(left - 4, box.top, width + 8, 16); // curves must not run through it
+    pen.fillStyle = colour;
+    pen.fillText(text, left, box.top + 3);
+    left += width + 12;
+  };
+  write(title, view.palette.ink);
+  pen.font = font(11);
+  for (const curve of lane.curves)
+    write(curve.label, curve.colour === "muted" ? view.palette.muted : view.palette.traces[curve.colour]);
+}

@@ -1,0 +1,82 @@
+/** Phase portrait of the joint: velocity over displacement, coloured by the state of the contact. Painting only. */
+import { lastAtMost, valueAt, type Motion } from "../data/frames.ts";
+import type { ContactState } from "../data/types.ts";
+import { paintAxes } from "./axes.ts";
+import type { Palette } from "./colours.ts";
+import type { Surface } from "./surface.ts";
+
+const mostPoints = 5_000;
+const finest = 2e-5; // [s] a 50th of a period at 1 kHz
+
+export function paintPortrait(
+  surface: Surface,
+  motion: Motion,
+  span: readonly [number, number],
+  now: number,
+  palette: Palette,
+): void {
+  const x = motion.columns.get("x1")?.values;
+  const v = motion.columns.get("x1_velocity")?.values;
+  if (!x || !v) return;
+  // no coarser than the orbit needs; of a longer span, the part about the present time
+  const stride = Math.max(1, Math.floor(finest / motion.interval));
+  const index = (time: number): number => Math.round((time - motion.start) / motion.interval);
+  const [begin, end] = [Math.max(0, index(span[0])), Math.min(motion.samples - 1, index(span[1]))];
+  const reach = stride * mostPoints;
+  const first = Math.max(begin, Math.min(index(now) - reach / 2, end - reach));
+  const last = Math.min(end, first + reach);
+  const ends = (values: Float32Array): [number, number] => {
+    let [low, high] = [Infinity, -Infinity];
+    for (let k = first; k <= last; k += stride) {
+      low = Math.min(low, values[k] as number);
+      high = Math.max(high, values[k] as number);
+    }
+    const room = 0.06 * (high - low) || 1e-9;
+    return [low - room, high + room];
+  };
+  const [x0, x1] = ends(x);
+  const [v0, v1] = ends(v);
+  const box = { left: 54, top: 8, width: surface.width - 62, height: surface.height - 46 };
+  if (box.width < 20 || box.height < 20) return;
+  const px = (value: number): number => box.left + (box.width * (value - x0)) / (x1 - x0);
+  const py = (value: number): number => box.top + (box.height * (v1 - value)) / (v1 - v0);
+  const { pen } = surface;
+  paintAxes(
+    pen,
+    palette,
+    box,
+    { title: "x₁ [mm]", from: x0, to: x1, factor: 1000 },
+    { title: "ẋ₁ [m/s]", from: v0, to: v1 },
+  );
+
+  pen.save();
+  pen.beginPath();
+  pen.rect(box.left, box.top, box.width, box.height);
+  pen.clip();
+  pen.lineWidth = 1.1;
+  let stay = Math.max(lastAtMost(motion.from, motion.start + first * motion.interval), 0);
+  const paths = new Map<ContactState, Path2D>();
+  for (let k = first; k + stride <= last; k += stride) {
+    const time = motion.start + k * motion.interval;
+    while (stay + 1 < motion.state.length && (motion.from[stay + 1] as number) <= time) ++stay;
+    const state = motion.state[stay] ?? "slip";
+    const path = paths.get(state) ?? new Path2D();
+    paths.set(state, path);
+    path.moveTo(px(x[k] as number), py(v[k] as number));
+    path.lineTo(px(x[k + stride] as number), py(v[k + stride] as number));
+  }
+  for (const [state, path] of paths) {
+    pen.strokeStyle = palette.state[state];
+    pen.stroke(path);
+  }
+  if (now >= span[0] && now <= span[1]) {
+    pen.beginPath();
+    pen.arc(px(valueAt(motion, "x1", now)), py(valueAt(motion, "x1_velocity", now)), 5, 0, 2 * Math.PI);
+    pen.fillStyle = palette.accent;
+    pen.fill();
+    pen.strokeStyle = palette.panel;
+    pen.lineWidth = 2;
+    pen.stroke();
+  }
+  pen.restore();
+}

@@ -1,0 +1,84 @@
+/** Where the energy comes from and where it goes, and how the verdict came about. */
+import type { PhaseResult, Simulation } from "../data/types.ts";
+import { h } from "../draw/dom.ts";
+import { level, percent, plain, quantity, words } from "../draw/format.ts";
+import { paintSwatch } from "../draw/theme.ts";
+import type { Context, ViewPart } from "./views.ts";
+
+const sources = ["drive_work", "preload_work"];
+const losses = ["friction_loss", "impact_loss", "dashpot_loss"];
+
+export class Energy implements ViewPart {
+  readonly element = h("div", { class: "energy" });
+
+  show({ simulation }: Context): void {
+    if (!simulation) return;
+    this.element.replaceChildren(balance(simulation), ...simulation.phases.map(reasons));
+  }
+}
+
+function balance({ energy, engine }: Simulation): HTMLElement {
+  const turnover = Math.max(...[...sources, ...losses, "stored"].map((name) => Math.abs(energy[name] ?? 0)), 1e-300);
+  const rows = [...sources, ...losses, "stored"].map((name) => {
+    const value = energy[name] ?? 0;
+    const bar = h("span", { class: `bar-fill ${losses.includes(name) ? "loss" : "gain"}` });
+    bar.style.width = `${(100 * Math.abs(value)) / turnover}%`;
+    return h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, words(name)),
+      h("td", { class: "bar-cell" }, bar),
+      h("td", { class: "number" }, quantity(value, "J")),
+      h("td", { class: "number muted" }, percent(value / turnover)),
+    );
+  });
+  return h(
+    "div",
+    { class: "card" },
+    h("h3", {}, "Energy of the whole run"),
+    h("table", { id: "energy" }, h("tbody", {}, ...rows)),
+    h(
+      "p",
+      { class: "muted" },
+      `created or lost by the ${String(engine.name ?? "")} engine: `,
+      h("span", { class: "number" }, quantity(energy.residual, "J", 2)),
+      " (",
+      h("span", { class: "number" }, plain(energy.relative_residual ?? NaN, 2)),
+      " of the turnover)",
+    ),
+  );
+}
+
+function reasons({ phase, verdict }: PhaseResult): HTMLElement {
+  const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
+  paintSwatch(swatch, verdict.category);
+  const rows = verdict.margins.map((margin) =>
+    h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, words(margin.figure)),
+      h("td", { class: "number" }, margin.value === null ? "–" : plain(margin.value, 3)),
+      h(
+        "td",
+        { class: "muted" },
+        `${(margin.distance ?? 0) >= 0 ? "≥" : "<"}\u00a0${plain(margin.threshold_value, 3)}`,
+      ),
+      h("td", { class: "muted" }, words(margin.threshold)),
+    ),
+  );
+  const figures: [string, string][] = [
+    ["frequency", quantity(verdict.frequency, "Hz")],
+    ["period", quantity(verdict.period, "s")],
+    ["joint, velocity level", `${level(verdict.levels.joint.level)} re 1 nm/s`],
+    ["plate, velocity level", `${level(verdict.levels.plate.level)} re 1 nm/s`],
+  ];
+  return h(
+    "div",
+    { class: "card" },
+    h("h3", {}, phase),
+    h("p", { class: "entry" }, swatch, h("strong", {}, verdict.category)),
+    h("ul", {}, ...verdict.reasons.map((text) => h("li", {}, text))),
+    h("table", {}, h("tbody", {}, ...rows)),
+    h("dl", {}, ...figures.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)])),
+  );
+}

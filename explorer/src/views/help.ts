@@ -1,0 +1,75 @@
+/** The keys, on a sheet that "?" opens. */
+import { button, h } from "../draw/dom.ts";
+
+const groups: readonly [string, readonly [string, string][]][] = [
+  [
+    "Everywhere",
+    [
+      ["?", "this sheet"],
+      ["t", "the tour"],
+      ["1 … 4", "the four cases"],
+      ["d", "the other direction"],
+      ["p", "play or pause the motion"],
+      ["x", "A ⇄ B while listening"],
+      ["Alt + ← →", "back and forward: every step can be undone"],
+    ],
+  ],
+  [
+    "Noise chart",
+    [
+      ["click", "run the cell"],
+      ["drag", "zoom into a rectangle"],
+      ["double click, -", "unzoom"],
+      ["+", "zoom about the cell"],
+      ["← → ↑ ↓", "move the cell, with shift by eight"],
+    ],
+  ],
+  [
+    "Response",
+    [
+      ["wheel, + -", "zoom"],
+      ["drag, ← →", "move"],
+      ["click", "bring the mechanism to this time"],
+      ["Home, double click", "the whole motion"],
+    ],
+  ],
+  [
+    "Rubbing system",
+    [
+      ["space", "play or pause"],
+      ["← →", "step, with shift further"],
+    ],
+  ],
+];
+
+export class Help {
+  readonly element: HTMLDialogElement;
+
+  constructor() {
+    this.element = h(
+      "dialog",
+      { "id": "help", "aria-labelledby": "help-title" },
+      h(
+        "div",
+        { class: "heading" },
+        h("h2", { id: "help-title" }, "Keys"),
+        h("span", { class: "spacer" }),
+        button("Close", () => this.element.close()),
+      ),
+      ...groups.map(([title, keys]) =>
+        h(
+          "section",
+          {},
+          h("h3", {}, title),
+          h("dl", {}, ...keys.flatMap(([key, what]) => [h("dt", {}, h("kbd", {}, key)), h("dd", {}, what)])),
+        ),
+      ),
+    );
+    this.element.addEventListener("click", (event) => event.target === this.element && this.element.close());
+  }
+
+  toggle(): void {
+    if (this.element.open) this.element.close();
+    else this.element.showModal();
+  }
+}

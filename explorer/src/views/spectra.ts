@@ -1,0 +1,106 @@
+/** What the motion sounds like, seen: spectrum, spectrogram and level of one direction. */
+import * as api from "../data/api.ts";
+import type { Analysis, SoundOptions } from "../data/types.ts";
+import { h, select } from "../draw/dom.ts";
+import { plain, unitText } from "../draw/format.ts";
+import { Plot } from "../draw/plot.ts";
+import { Spectrogram } from "../draw/spectrogram.ts";
+import type { Design } from "../state/state.ts";
+import { Asked } from "./asked.ts";
+import type { Context, ViewPart } from "./views.ts";
+
+export const soundDefaults: SoundOptions = {
+  direction: "whole",
+  of: "joint",
+  quantity: "velocity",
+  rate: 48000,
+  seconds: 2,
+};
+
+/** Which of the motion is looked at or heard; the direction goes with the page's. */
+export class SoundPicker {
+  readonly element: HTMLElement;
+  options: SoundOptions = { ...soundDefaults };
+
+  constructor(changed: () => void) {
+    const pick = <Key extends "of" | "quantity" | "direction">(
+      key: Key,
+      label: string,
+      values: SoundOptions[Key][],
+    ): HTMLSelectElement =>
+      select(
+        label,
+        values.map((value) => [value, value]),
+        (value) => {
+          this.options = { ...this.options, [key]: value };
+          changed();
+        },
+        { "data-sound": key },
+      );
+    this.element = h(
+      "span",
+      { class: "bar" },
+      pick("of", "Which part", ["joint", "plate"]),
+      pick("quantity", "Which quantity", ["velocity", "acceleration"]),
+      pick("direction", "Which direction", ["whole", "going", "coming"]),
+    );
+  }
+}
+
+export class Spectra implements ViewPart {
+  readonly element: HTMLElement;
+  private readonly picker_ = new SoundPicker(() => this.last_ && this.show(this.last_));
+  private readonly spectrum_ = new Plot("Spectrum");
+  private readonly level_ = new Plot("Level over time");
+  private readonly spectrogram_ = new Spectrogram("Spectrogram");
+  private readonly asked_ = new Asked<{ design: Design; options: SoundOptions }, Analysis>(
+    ({ design, options }, signal) => api.analysis(design, options, signal),
+    (answer) => this.take_(answer),
+  );
+  private last_: Context | null = null;
+
+  constructor() {
+    this.element = h(
+      "div",
+      { class: "spectra" },
+      h("div", { class: "bar" }, this.picker_.element, this.asked_.note),
+      h("div", { class: "three" }, this.spectrum_.element, this.spectrogram_.element, this.level_.element),
+    );
+  }
+
+  show(context: Context): void {
+    this.last_ = context;
+    if (context.step === "drag") return;
+    this.asked_.ask({ design: context.state.design, options: this.picker_.options });
+  }
+
+  private take_(answer: Analysis): void {
+    const { spectrum, level } = answer;
+    this.spectrogram_.show(answer.spectrogram);
+    this.spectrum_.show({
+      x: spectrum.frequency,
+      xTitle: "frequency [Hz]",
+      yTitle: unitText(spectrum.unit),
+      curves: [{ label: "level", colour: 0, values: spectrum.level }],
+    });
+    const peak = peakOf(answer);
+    if (peak) {
+      const level = `${plain(peak.level, 3)} ${unitText(spectrum.unit)}`;
+      this.spectrum_.describe(`highest at ${plain(peak.frequency)} Hz, ${level}`);
+    }
+    this.level_.show({
+      x: level.time,
+      xTitle: "time [s]",
+      yTitle: unitText(level.unit),
+      curves: [{ label: "level", colour: 1, values: level.decibels }],
+    });
+  }
+}
+
+function peakOf({ spectrum }: Analysis): { frequency: number; level: number } | null {
+  let best: { frequency: number; level: number } | null = null;
+  spectrum.level.forEach((level, k) => {
+    if (level !== null && (!best || level > best.level)) best = { frequency: spectrum.frequency[k] ?? 0, level };
+  });
+  return best;
+}

@@ -1,0 +1,128 @@
+/** The verdict on the present design: a chip per phase, announced to screen readers. */
+import type { PhaseResult, Simulation } from "../data/types.ts";
+import { h, setText } from "../draw/dom.ts";
+import { level, percent, quantity } from "../draw/format.ts";
+import { paintSwatch } from "../draw/theme.ts";
+import type { Direction } from "../state/state.ts";
+
+/** Which direction a phase is: of a constant drive, that of its velocity. */
+export function directionOf(result: PhaseResult, simulation: Simulation): Direction {
+  if (result.phase !== "all") return result.phase;
+  const drive = simulation.case.drive;
+  const velocity = typeof drive === "object" ? Number(drive.velocity) : 0;
+  return velocity < 0 ? "coming" : "going";
+}
+
+/** The phase of a direction; of a constant drive the one there is. */
+export function phaseOf(simulation: Simulation, direction: Direction): PhaseResult | undefined {
+  return simulation.phases.find(({ phase }) => phase === direction) ?? simulation.phases[0];
+}
+
+export class VerdictBar {
+  readonly element = h("div", { "id": "verdict", "class": "verdict", "aria-busy": "true" });
+  private readonly live_ = h("p", { "class": "unseen", "aria-live": "polite", "id": "announcement" });
+  private last_: Simulation | null = null;
+
+  constructor(private readonly choose_: (direction: Direction) => void) {}
+
+  get announcement(): HTMLElement {
+    return this.live_;
+  }
+
+  busy(): void {
+    this.element.setAttribute("aria-busy", "true");
+  }
+
+  /** There is no verdict on the present design: the last one is not shown as if it were. */
+  fail(): void {
+    this.last_ = null;
+    this.clear_();
+    this.element.replaceChildren(h("span", { class: "note" }, "no result"));
+    this.element.setAttribute("aria-busy", "false");
+  }
+
+  private clear_(): void {
+    for (const name of ["going", "coming", "all"]) delete this.element.dataset[name];
+  }
+
+  repaint(chosen: Direction): void {
+    if (this.last_) this.show(this.last_, chosen);
+  }
+
+  show(simulation: Simulation, chosen: Direction): void {
+    this.last_ = simulation;
+    this.clear_();
+    const chips = simulation.phases.map((result) => {
+      const direction = directionOf(result, simulation);
+      this.element.dataset[direction] = result.verdict.category;
+      this.element.dataset[result.phase] = result.verdict.category;
+      return this.chip_(result, direction, chosen);
+    });
+    this.element.replaceChildren(
+      ...chips,
+      h("small", { class: "muted", id: "level-note" }, "dB re 1 nm/s: vibration, not sound pressure"),
+    );
+    this.element.setAttribute("aria-busy", "false");
+    setText(this.live_, simulation.phases.map(spoken).join("; "));
+  }
+
+  private chip_(result: PhaseResult, direction: Direction, chosen: Direction): HTMLElement {
+    const { verdict } = result;
+    const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
+    paintSwatch(swatch, verdict.quiet_because === "sticks" ? "none (sticks)" : verdict.category);
+    const chip = h(
+      "button",
+      {
+        "type": "button",
+        "class": "chip",
+        "data-phase": result.phase,
+        "aria-pressed": String(direction === chosen),
+        "title": [
+          ...verdict.reasons,
+          "joint: its velocity level, dB re 1 nm/s; a vibration, not a sound pressure",
+          "(click: regard this direction)",
+        ].join("\n"),
+        "onclick": () => this.choose_(direction),
+      },
+      swatch,
+      h("span", { class: "phase" }, result.phase),
+      h("strong", {}, verdict.category),
+      h("span", { class: "detail" }, detail(result)),
+      rates(result),
+    );
+    return chip;
+  }
+}
+
+function detail(result: PhaseResult): string {
+  const { verdict } = result;
+  const what = verdict.category === "none" ? (verdict.quiet_because ?? "") : quantity(verdict.frequency, "Hz");
+  return `${what} · joint ${level(verdict.levels.joint.level)}`;
+}
+
+function rates(result: PhaseResult): HTMLElement {
+  const shares = result.verdict.judged_rates;
+  const text = (["slip", "stick", "separation"] as const)
+    .map((state) => `${state} ${percent(shares[state])}`)
+    .join(", ");
+  const bar = h("span", {
+    "class": "rates",
+    "role": "img",
+    "aria-label": text,
+    "title": `of the judged time: ${text}`,
+  });
+  for (const state of ["slip", "stick", "separation"] as const) {
+    const part = h("span", { class: `state-${state}` });
+    part.style.flexGrow = String(Math.max(shares[state], 0));
+    bar.append(part);
+  }
+  return bar;
+}
+
+function spoken(result: PhaseResult): string {
+  const { verdict } = result;
+  const name = result.phase === "all" ? "" : `${result.phase}: `;
+  const category = verdict.category === "none" ? `no noise, it ${verdict.quiet_because}` : verdict.category;
+  const pitch = verdict.category !== "none" && verdict.frequency ? ` at ${quantity(verdict.frequency, "Hz", 3)}` : "";
+  return name + category + pitch;
+}
