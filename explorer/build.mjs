@@ -14,35 +14,6 @@ const parts = [
 const here = dirname(fileURLToPath(import.meta.url));
 const out = process.argv[2] ?? join(here, "dist");
 
-// Ways of drawing that the page has no use for, and that nothing else in uPlot needs.
-const unused = [
-  "(paths.stepped = stepped);",
-  "(paths.bars    = bars);",
-  "(paths.spline  = monotoneCubic);",
-  "uPlot.join = join;",
-  "uPlot.tzDate  = tzDate;",
-  "uPlot.rangeAsinh = rangeAsinh;",
-  "uPlot.assign = assign;",
-  "uPlot.fmtNum = fmtNum;",
-  "uPlot.orient   = orient;",
-  "uPlot.fmtDate = fmtDate;",
-  "uPlot.addGap = addGap;",
-  "uPlot.clipGaps = clipGaps;",
-];
-const slimPlots = {
-  name: "slim-plots",
-  setup(bundler) {
-    bundler.onLoad({ filter: /uPlot\.esm\.js$/ }, async ({ path }) => {
-      let contents = await readFile(path, "utf8");
-      for (const line of unused) {
-        if (!contents.includes(line)) throw new Error(`uPlot has changed: no "${line}"`);
-        contents = contents.replace(line, "");
-      }
-      return { contents };
-    });
-  },
-};
-
 await rm(out, { recursive: true, force: true });
 await mkdir(out, { recursive: true });
 await build({
@@ -57,8 +28,6 @@ await build({
   charset: "utf8",
   legalComments: "none",
   logLevel: "warning",
-  mangleProps: /[a-z]_$/, // private members
-  plugins: [slimPlots],
 });
 await copyFile(join(here, "src/index.html"), join(out, "index.html"));
 
