@@ -7,6 +7,7 @@
 #include "stridor/explorer/link.hpp"
 #include "stridor/explorer/redirect.hpp"
 #include "stridor/explorer/server.hpp"
+#include "stridor/explorer/typescript.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/chart/toml_study.hpp"
@@ -40,6 +41,7 @@ struct ExploreOptions {
     int threads = 0;
     bool allow_remote = false;
     bool no_browser = false;
+    std::string typescript;  // part of the page to print instead; empty: none
 };
 
 void check(const ExploreOptions& options) {
@@ -148,6 +150,7 @@ private:
 };
 
 void explore(ExploreOptions options) {
+    if (!options.typescript.empty()) return print(explorer::typescript(options.typescript));
     check(options);
     if (explorer::is_link(options.file)) {
         options.fragment = explorer::fragment_of(options.file);
@@ -201,6 +204,11 @@ void add_explore(CLI::App& program) {
     command->add_option("--host-name", options->host_names, "name by which other machines ask for it (repeatable)")
         ->type_name("NAME")
         ->allow_extra_args(false);
+    // for who changes the program (explorer/README.md); users have no use for it
+    command->add_option("--typescript", options->typescript)
+        ->check(CLI::IsMember(
+            std::vector<std::string>(explorer::typescript_names.begin(), explorer::typescript_names.end())))
+        ->group("");
     command->footer(
         "The page is served to this machine alone, to who has the link; nothing is fetched from anywhere.\n"
         "Examples:\n  stridor explore\n  stridor explore door-seal.toml --port 8080 --no-browser\n"

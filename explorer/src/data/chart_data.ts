@@ -1,5 +1,5 @@
 /** What a chart shows, put together from the frames it comes in. Pure. */
-import type { Direction } from "../state/state.ts";
+import type { Direction } from "../program/words.ts";
 import { bytesOf, floatsOf } from "./frames.ts";
 import { namePlaces, spread, type NamePlace } from "./regions.ts";
 import type { BoundaryLine, ChartAxisFrame, ChartFrame } from "./types.ts";

@@ -1,5 +1,6 @@
 /** Decoding of what the server sends in pieces or in binary. Pure. */
-import type { ContactState, MotionHeader } from "./types.ts";
+import type { ContactState } from "../program/words.ts";
+import type { MotionHeader } from "./types.ts";
 
 /** Cuts text that arrives in pieces into lines. */
 export class Lines {

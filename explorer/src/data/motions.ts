@@ -1,5 +1,6 @@
 /** The present design's motion: coarse at once, as fine as the server gives it when there is time. */
-import type { Design, Direction } from "../state/state.ts";
+import type { Direction } from "../program/words.ts";
+import type { Design } from "../state/state.ts";
 import * as api from "./api.ts";
 import { lastAtMost, type Motion } from "./frames.ts";
 import { Latest } from "./latest.ts";

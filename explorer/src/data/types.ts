@@ -1,9 +1,6 @@
 /** What the server sends: names and units as the program's own JSON has them. */
-import type { Axis, Direction, Scale } from "../state/state.ts";
-
-export type Phase = Direction | "all";
-export type Category = "none" | "squeal" | "squeak" | "creak" | "undecided";
-export type ContactState = "stick" | "slip" | "separation";
+import type { Category, ContactState, Direction, Phase, Scale } from "../program/words.ts";
+import type { Axis } from "../state/state.ts";
 
 /** A resolved case: section -> name -> value; the title stands on its own. */
 export type Case = { title: string } & Record<string, Record<string, number | string> | string>;

@@ -1,5 +1,5 @@
 /** Axes around a picture: marks with their numbers, and titles. Painting only. */
-import type { Scale } from "../state/state.ts";
+import type { Scale } from "../program/words.ts";
 import type { Palette } from "./colours.ts";
 import { plain } from "./format.ts";
 import { share, ticks } from "./scale.ts";

@@ -1,9 +1,10 @@
 /**
  * Colours of categories, contact states and figures, in light and dark, and the hatching that says the same without
- * colour. In light they are those of Stridor's figures. In dark, quiet recedes and the noises keep their hue and their
- * order of lightness.
+ * colour. In light they are those of Stridor's figures, as the program writes them. In dark, quiet recedes and the
+ * noises keep their hue and their order of lightness.
  */
-import type { ContactState } from "../data/types.ts";
+import { kindFills, sequentialStops, stateColours } from "../program/palette.ts";
+import { chartKinds, type ContactState } from "../program/words.ts";
 
 export type Texture = "plain" | "dots" | "rising" | "falling" | "crossed";
 
@@ -12,6 +13,12 @@ export interface Fill {
   texture: Texture;
   mark: string;
 }
+
+/** 0 to 255 each. */
+export type Colour = [red: number, green: number, blue: number];
+
+/** What a cell may be filled for: a category, a contact that sticks, no result. */
+export type Kind = keyof typeof kindFills;
 
 export interface Palette {
   name: "light" | "dark";
@@ -26,7 +33,7 @@ export interface Palette {
   onAccent: string;
   warn: string;
   traces: readonly [string, string, string, string];
-  category: Record<string, Fill>;
+  category: Readonly<Record<Kind, Fill>>;
   state: Record<ContactState, string>;
 }
 
@@ -43,16 +50,8 @@ export const light: Palette = {
   onAccent: "#FFFFFF",
   warn: "#A3262A",
   traces: ["#004488", "#BB5566", "#8A6A12", "#3A7D44"],
-  category: {
-    "none": { ground: "#E6E6E6", texture: "plain", mark: "#E6E6E6" },
-    "none (sticks)": { ground: "#C4CCD4", texture: "plain", mark: "#C4CCD4" },
-    "squeak": { ground: "#DDAA33", texture: "dots", mark: "#7A5500" },
-    "squeal": { ground: "#BB5566", texture: "rising", mark: "#E8B4BC" },
-    "creak": { ground: "#004488", texture: "falling", mark: "#6F9CCC" },
-    "undecided": { ground: "#FFFFFF", texture: "dots", mark: "#666666" },
-    "failed": { ground: "#FFFFFF", texture: "crossed", mark: "#888888" },
-  },
-  state: { slip: "#88CCEE", stick: "#7A7A00", separation: "#301030" },
+  category: kindFills,
+  state: stateColours,
 };
 
 export const dark: Palette = {
@@ -80,35 +79,31 @@ export const dark: Palette = {
   state: { slip: "#88CCEE", stick: "#B5B52B", separation: "#8C5A9E" },
 };
 
-/** What each number in a chart's frame stands for; 255: no result. The last is none, too: the contact sticks. */
-export const categories = ["none", "squeal", "squeak", "creak", "undecided", "none (sticks)"] as const;
-
 /** The category alone, and why it is quiet if it is. */
 export function categoryAndQuiet(code: number): [string, string] {
-  const name = categories[code] ?? "";
+  const name = chartKinds[code] ?? "";
   if (name === "none (sticks)") return ["none", "sticks"];
   return [name, name === "none" ? "slides" : ""];
 }
 
 export function fillOf(palette: Palette, category: string | null | undefined): Fill {
-  return palette.category[category ?? "failed"] ?? (palette.category.failed as Fill);
+  return palette.category[category as Kind] ?? palette.category.failed;
 }
 
-// viridis (N. J. Smith and S. van der Walt, CC0) at equal distances
-const viridis = "440154482576414487355F8D2A788E21918C22A88444BF707AD151BDDF26FDE725";
-
 /** Red, green and blue of a share of the scale of figures, 0 to 255. */
-export function sequential(part: number): [number, number, number] {
-  const place = Math.min(Math.max(part, 0), 1) * 10;
-  const below = Math.min(Math.floor(place), 9);
-  const channel = (stop: number, k: number): number => parseInt(viridis.substr(6 * stop + 2 * k, 2), 16);
-  const mixed = (k: number): number =>
-    Math.round(channel(below, k) + (place - below) * (channel(below + 1, k) - channel(below, k)));
+export function sequential(part: number): Colour {
+  const last = sequentialStops.length - 1;
+  const place = Math.min(Math.max(part, 0), 1) * last;
+  const below = Math.min(Math.floor(place), last - 1);
+  const [low, high] = [stops[below], stops[below + 1]] as [Colour, Colour];
+  const mixed = (k: 0 | 1 | 2): number => Math.round(low[k] + (place - below) * (high[k] - low[k]));
   return [mixed(0), mixed(1), mixed(2)];
 }
 
-export function rgb(colour: string): [number, number, number] {
-  return [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16)) as [number, number, number];
+const stops = sequentialStops.map(rgb);
+
+export function rgb(colour: string): Colour {
+  return [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16)) as Colour;
 }
 
 /** Relative luminance (WCAG 2.2). */

@@ -2,7 +2,7 @@
 import type { Motion } from "../data/frames.ts";
 import { staysWithin } from "../data/motions.ts";
 import { columns, pyramid, type Pyramid } from "../data/pyramid.ts";
-import type { ContactState } from "../data/types.ts";
+import type { ContactState } from "../program/words.ts";
 import type { Palette } from "./colours.ts";
 import { plain, unitText } from "./format.ts";
 import { ticks } from "./scale.ts";

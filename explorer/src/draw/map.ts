@@ -1,9 +1,9 @@
 /** One direction of a chart, painted: cells with their hatching, boundaries, axes, the chosen cell. */
 import type { ChartData } from "../data/chart_data.ts";
 import type { ChartAxisFrame } from "../data/types.ts";
-import type { Direction } from "../state/state.ts";
+import { chartKinds, type Direction } from "../program/words.ts";
 import { paintAxes, type AxisLook, type Box } from "./axes.ts";
-import { categories, fillOf, sequential, textOn, tile, type Palette } from "./colours.ts";
+import { fillOf, sequential, textOn, tile, type Palette } from "./colours.ts";
 import { at, share } from "./scale.ts";
 import { font, type Surface } from "./surface.ts";
 
@@ -95,7 +95,7 @@ function brushesOf(surface: Surface, palette: Palette) {
   return (category: number) => {
     const known = made.get(category);
     if (known) return known;
-    const fill = fillOf(palette, categories[category]);
+    const fill = fillOf(palette, chartKinds[category]);
     const image = tile(fill, surface.ratio);
     const marks = image ? surface.pen.createPattern(image, "repeat") : null;
     marks?.setTransform(new DOMMatrix().scale(1 / surface.ratio));
@@ -157,7 +157,7 @@ function paintNames(surface: Surface, box: Box, data: ChartData, direction: Dire
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   for (const { d, category, x, y, cells } of data.names) {
-    const name = categories[category];
+    const name = chartKinds[category];
     if (data.directions[d] !== direction || !name) continue;
     const room = Math.min((cells * box.width) / data.x.points, (2 * cells * box.height) / data.y.points);
     const width = pen.measureText(name).width + 8;

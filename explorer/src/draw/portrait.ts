@@ -1,6 +1,6 @@
 /** Phase portrait of the joint: velocity over displacement, coloured by the state of the contact. Painting only. */
 import { lastAtMost, valueAt, type Motion } from "../data/frames.ts";
-import type { ContactState } from "../data/types.ts";
+import type { ContactState } from "../program/words.ts";
 import { paintAxes } from "./axes.ts";
 import type { Palette } from "./colours.ts";
 import type { Surface } from "./surface.ts";

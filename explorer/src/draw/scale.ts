@@ -1,5 +1,6 @@
 /** Axes: where a value lies, which values deserve a tick, and what a zoom leaves. Pure. */
-import type { Axis, Scale } from "../state/state.ts";
+import type { Scale } from "../program/words.ts";
+import type { Axis } from "../state/state.ts";
 
 /** Where a value lies between the ends of an axis: 0 at `from`, 1 at `to`. */
 export function share(value: number, from: number, to: number, scale: Scale): number {

@@ -3,9 +3,7 @@
  *
  * The chosen cell is no state of its own: it is where the design lies on the chart's axes.
  */
-
-export type Direction = "going" | "coming";
-export type Scale = "linear" | "log";
+import { directions, type Direction, type Scale } from "../program/words.ts";
 
 /** An axis of the chart; both ends belong to it. */
 export interface Axis {
@@ -170,7 +168,7 @@ export function fromFragment(fragment: string, defaults: State): State {
     design,
     ...(x.parameter === y.parameter ? { x: defaults.x, y: defaults.y } : { x, y }),
     figure: decode(named.get("figure") ?? "") || (named.has("preset") ? "category" : defaults.figure),
-    direction: word("direction", ["going", "coming"], defaults.direction),
+    direction: word("direction", directions, defaults.direction),
     view: word("view", views, defaults.view),
     span: from !== undefined && to !== undefined && from < to ? [from, to] : null,
     other: readOther(named.get("other") ?? null),

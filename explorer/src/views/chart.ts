@@ -3,7 +3,6 @@ import * as api from "../data/api.ts";
 import { merged, type ChartData } from "../data/chart_data.ts";
 import { Latest } from "../data/latest.ts";
 import type { Case, ChartFrame, Simulation, Start } from "../data/types.ts";
-import { categories } from "../draw/colours.ts";
 import { button, h, setText } from "../draw/dom.ts";
 import { between, exact, level, percent, plain, quantity, symbolText, title, unitText, words } from "../draw/format.ts";
 import {
@@ -20,7 +19,8 @@ import {
 import { holds, nearest, widened, zoomed } from "../draw/scale.ts";
 import { surface, type Surface } from "../draw/surface.ts";
 import { onTheme, palette } from "../draw/theme.ts";
-import { chartDesign, withValues, type Axis, type Direction, type State } from "../state/state.ts";
+import { chartKinds, type Direction } from "../program/words.ts";
+import { chartDesign, withValues, type Axis, type State } from "../state/state.ts";
 import type { Step, Store } from "../state/store.ts";
 import { AxisControls } from "./axis_controls.ts";
 import { Legend } from "./legend.ts";
@@ -433,7 +433,7 @@ export class Chart {
     const index = indexOf(data, direction, ix, iy);
     const part = (axis: ChartData["x"], i: number): string =>
       `${words(axis.parameter)} ${quantity(axis.values[i], axis.unit)}`;
-    const category = categories[data.category[index] as number] ?? "no result";
+    const category = chartKinds[data.category[index] as number] ?? "no result";
     const figure = data.figure ? `${words(this.store_.state.figure)} ${plain(data.figure[index] as number)}` : "";
     const source = data.computed ? (data.computed[index] ? "" : "inferred") : "";
     return [direction, part(data.x, ix), part(data.y, iy), category, figure, source].filter(Boolean).join(" · ");

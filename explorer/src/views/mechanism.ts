@@ -7,8 +7,8 @@ import { inRow, plain, quantity } from "../draw/format.ts";
 import { arrow, line, sign, springDashpot, wall, type Point } from "../draw/sketch.ts";
 import { font, surface, type Surface } from "../draw/surface.ts";
 import { onTheme, palette } from "../draw/theme.ts";
+import type { Direction } from "../program/words.ts";
 import { Clock, slowness } from "../state/clock.ts";
-import type { Direction } from "../state/state.ts";
 import { valueIn } from "./parameters.ts";
 import { phaseOf } from "./verdict.ts";
 

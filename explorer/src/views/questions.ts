@@ -5,7 +5,8 @@
 import * as api from "../data/api.ts";
 import type { Simulation } from "../data/types.ts";
 import { plain, quantity } from "../draw/format.ts";
-import type { Design, Direction, View } from "../state/state.ts";
+import type { Direction } from "../program/words.ts";
+import type { Design, View } from "../state/state.ts";
 
 export type Choice = readonly [value: string, text: string];
 

@@ -3,7 +3,7 @@ import type { PhaseResult, Simulation } from "../data/types.ts";
 import { h, setText } from "../draw/dom.ts";
 import { level, percent, quantity } from "../draw/format.ts";
 import { paintSwatch } from "../draw/theme.ts";
-import type { Direction } from "../state/state.ts";
+import type { Direction } from "../program/words.ts";
 
 /** Which direction a phase is: of a constant drive, that of its velocity. */
 export function directionOf(result: PhaseResult, simulation: Simulation): Direction {

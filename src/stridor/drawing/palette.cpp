@@ -38,6 +38,10 @@ double linear(std::uint8_t channel) {
 
 }  // namespace
 
+std::span<const Colour> sequential_stops() {
+    return viridis;
+}
+
 Colour sequential(double share) {
     const double place = std::clamp(share, 0.0, 1.0) * (viridis.size() - 1);
     const auto below = std::min(static_cast<std::size_t>(place), viridis.size() - 2);

@@ -2,6 +2,7 @@
 
 #include "stridor/drawing/scene.hpp"
 
+#include <span>
 #include <string>
 
 /// The colours of paper, ink and numbers. Those of categories and contact states stand in figures/category_colours.
@@ -14,7 +15,10 @@ inline constexpr Colour grid_ink{0xE2, 0xE2, 0xE2};   // grid lines
 inline constexpr Colour accent{0x00, 0x66, 0x99};     // the curve of a panel with one curve
 inline constexpr Colour highlight{0xF3, 0xF0, 0xE6};  // the ground under a stretch that is looked at closely
 
-/// The sequential map (viridis) at a share from 0 to 1; beyond that its ends.
+/// The sequential map (viridis) at equal distances, first and last stop included.
+std::span<const Colour> sequential_stops();
+
+/// The sequential map at a share from 0 to 1; beyond that its ends.
 Colour sequential(double share);
 
 /// A colour mixed with white; share 1 is the colour itself.

@@ -1,0 +1,88 @@
+/** The words of answers and requests. Written by `stridor explore --typescript words`, not by hand. */
+
+/** The way the plate moves. */
+export const directions = ["going", "coming"] as const;
+export type Direction = (typeof directions)[number];
+
+/** What of a run a verdict is about. */
+export const phases = ["all", "going", "coming"] as const;
+export type Phase = (typeof phases)[number];
+
+/** How the values of an axis are spaced. */
+export const scales = ["linear", "log"] as const;
+export type Scale = (typeof scales)[number];
+
+/** What the contact does. */
+export const contactStates = ["slip", "stick", "separation"] as const;
+export type ContactState = (typeof contactStates)[number];
+
+/** What is heard. */
+export const categories = ["none", "squeal", "squeak", "creak", "undecided"] as const;
+export type Category = (typeof categories)[number];
+
+/** Why nothing is heard. */
+export const quietReasons = ["slides", "sticks"] as const;
+export type QuietReason = (typeof quietReasons)[number];
+
+/** What each number in a chart's frame stands for; 255: no result. */
+export const chartKinds = ["none", "squeal", "squeak", "creak", "undecided", "none (sticks)"] as const;
+export type ChartKind = (typeof chartKinds)[number];
+
+/** A category, or why there is none. */
+export const verdictWords = [
+  "none",
+  "squeal",
+  "squeak",
+  "creak",
+  "undecided",
+  "invalid",
+  "step_limit",
+  "diverged",
+  "failed",
+] as const;
+export type VerdictWord = (typeof verdictWords)[number];
+
+/** How a run ended. */
+export const endings = [
+  "completed",
+  "settled",
+  "diverged",
+  "step_limit",
+  "cancelled",
+  "chattering",
+  "unbalanced",
+] as const;
+export type Ending = (typeof endings)[number];
+
+/** How steady sliding answers to a small push. */
+export const stabilityKinds = ["stable", "flutter", "divergence", "locked"] as const;
+export type StabilityKind = (typeof stabilityKinds)[number];
+
+/** What is known of a cell in numbers. */
+export const figureNames = [
+  "slip",
+  "stick",
+  "separation",
+  "judged_slip",
+  "judged_stick",
+  "judged_separation",
+  "regularity",
+  "repetition",
+  "variation",
+  "intervals",
+  "releases",
+  "lag",
+  "period",
+  "frequency",
+  "joint_rms",
+  "joint_peak",
+  "joint_level",
+  "plate_rms",
+  "plate_peak",
+  "plate_level",
+  "growth_rate",
+  "mode_frequency",
+  "energy_residual",
+  "proof_time",
+] as const;
+export type FigureName = (typeof figureNames)[number];

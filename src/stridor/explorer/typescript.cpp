@@ -1,0 +1,168 @@
+#include "stridor/explorer/typescript.hpp"
+
+#include "stridor/analysis/sliding_stability.hpp"
+#include "stridor/base/check.hpp"
+#include "stridor/classification/category.hpp"
+#include "stridor/drawing/palette.hpp"
+#include "stridor/drawing/text.hpp"
+#include "stridor/figures/category_colours.hpp"
+#include "stridor/figures/cell_kinds.hpp"
+#include "stridor/integration/outcome.hpp"
+#include "stridor/model/contact_state.hpp"
+#include "stridor/parameters/case.hpp"
+#include "stridor/parameters/field.hpp"
+#include "stridor/record/schedule.hpp"
+#include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/starts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace stridor::explorer {
+
+namespace {
+
+constexpr std::size_t widest = 120;  // columns of a line, as .prettierrc has it
+
+using Words = std::vector<std::string>;
+
+template <class Range>
+Words words_of(const Range& names) {
+    return {names.begin(), names.end()};
+}
+
+Words without(Words words, std::string_view word) {
+    std::erase(words, word);
+    return words;
+}
+
+std::string opening(std::string_view what, std::string_view name) {
+    return fmt::format("/** {} Written by `stridor explore --typescript {}`, not by hand. */\n", what, name);
+}
+
+std::string quoted(const std::string& word) {
+    return "\"" + word + "\"";
+}
+
+// `head` and the words in brackets: on one line where they fit, else below each other
+std::string list(const std::string& head, const Words& words, const std::string& tail) {
+    std::string line = head + "[";
+    for (const std::string& word : words)
+        line += (&word == words.data() ? "" : ", ") + quoted(word);
+    line += "]" + tail;
+    if (line.size() <= widest) return line + "\n";
+    std::string lines = head + "[\n";
+    for (const std::string& word : words)
+        lines += "  " + quoted(word) + ",\n";
+    return lines + "]" + tail + "\n";
+}
+
+// a list of words and the type of one of them
+std::string words_as_type(std::string_view sentence, const std::string& name, const std::string& type,
+                          const Words& words) {
+    return fmt::format("\n/** {} */\n", sentence) + list("export const " + name + " = ", words, " as const;") +
+           fmt::format("export type {} = (typeof {})[number];\n", type, name);
+}
+
+std::string_view name_of(drawing::Texture texture) {
+    switch (texture) {
+        case drawing::Texture::none:
+            break;
+        case drawing::Texture::dots:
+            return "dots";
+        case drawing::Texture::rising:
+            return "rising";
+        case drawing::Texture::falling:
+            return "falling";
+        case drawing::Texture::crossed:
+            return "crossed";
+    }
+    return "plain";
+}
+
+std::string fill_lines() {
+    const std::vector<drawing::Fill> fills = figures::kind_fills();
+    const std::vector<drawing::Text> names = figures::kind_names();
+    std::string lines;
+    for (std::size_t k = 0; k < fills.size(); ++k) {
+        const drawing::Fill& fill = fills[k];
+        // a plain ground has no marks to be seen
+        const drawing::Colour mark = fill.texture == drawing::Texture::none ? fill.colour : fill.ink;
+        lines += fmt::format("  \"{}\": {{ ground: \"{}\", texture: \"{}\", mark: \"{}\" }},\n",
+                             drawing::plain_text(names[k]), drawing::hex(fill.colour), name_of(fill.texture),
+                             drawing::hex(mark));
+    }
+    return lines;
+}
+
+std::string palette() {
+    std::string states;
+    for (const model::ContactState state :
+         {model::ContactState::slip, model::ContactState::stick, model::ContactState::separation})
+        states +=
+            fmt::format("{}{}: \"{}\"", states.empty() ? "" : ", ", model::contact_state_names[model::index_of(state)],
+                        drawing::hex(figures::state_colour(state)));
+    Words stops;
+    for (const drawing::Colour stop : drawing::sequential_stops())
+        stops.push_back(drawing::hex(stop));
+    return opening("The colours of Stridor's figures.", "palette") +
+           "\n/** The ground and the marks of each kind of cell; `failed` has no result. */\n"
+           "export const kindFills = {\n" +
+           fill_lines() +
+           "} as const;\n"
+           "\n/** Of each state of the contact. */\n"
+           "export const stateColours = { " +
+           states +
+           " } as const;\n"
+           "\n/** The map of figures, from the lowest value to the highest, at equal distances. */\n" +
+           list("export const sequentialStops = ", stops, " as const;");
+}
+
+// what the numbers of a chart's frame stand for (see answers_chart.cpp)
+Words chart_kinds() {
+    sweep::CellVerdict stuck{sweep::Status::done, classification::Category::none, classification::Quiet::sticks};
+    Words kinds = words_of(classification::category_names);
+    kinds.push_back(drawing::plain_text(figures::kind_names()[figures::kind_of(stuck)]));
+    return kinds;
+}
+
+Words figure_names() {
+    Words names;
+    for (const sweep::CellFigure& figure : sweep::cell_figures())
+        names.emplace_back(figure.name);
+    return names;
+}
+
+std::string words() {
+    return opening("The words of answers and requests.", "words") +
+           words_as_type("The way the plate moves.", "directions", "Direction", words_of(parameters::direction_names)) +
+           words_as_type("What of a run a verdict is about.", "phases", "Phase", words_of(record::phase_names)) +
+           words_as_type("How the values of an axis are spaced.", "scales", "Scale",
+                         words_of(parameters::scale_names)) +
+           words_as_type("What the contact does.", "contactStates", "ContactState",
+                         words_of(model::contact_state_names)) +
+           words_as_type("What is heard.", "categories", "Category", words_of(classification::category_names)) +
+           words_as_type(
+               "Why nothing is heard.", "quietReasons", "QuietReason",
+               without(words_of(classification::quiet_names), classification::name(classification::Quiet::no))) +
+           words_as_type("What each number in a chart's frame stands for; 255: no result.", "chartKinds", "ChartKind",
+                         chart_kinds()) +
+           words_as_type("A category, or why there is none.", "verdictWords", "VerdictWord",
+                         words_of(sweep::verdict_words)) +
+           words_as_type("How a run ended.", "endings", "Ending", words_of(integration::reason_names)) +
+           words_as_type("How steady sliding answers to a small push.", "stabilityKinds", "StabilityKind",
+                         words_of(analysis::stability_names)) +
+           words_as_type("What is known of a cell in numbers.", "figureNames", "FigureName", figure_names());
+}
+
+}  // namespace
+
+std::string typescript(std::string_view name) {
+    STRIDOR_EXPECT(std::find(typescript_names.begin(), typescript_names.end(), name) != typescript_names.end());
+    return name == "palette" ? palette() : words();
+}
+
+}  // namespace stridor::explorer
