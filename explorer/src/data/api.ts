@@ -6,11 +6,14 @@ import type {
   Analysis,
   ChartFrame,
   Library,
+  Refusal,
   ServerError,
+  Shared,
   Simulation,
   SoundOptions,
   Stability,
   Start,
+  Value,
 } from "./types.ts";
 
 /** The server refused, in its own words. */
@@ -48,7 +51,7 @@ async function checked(response: Response): Promise<Response> {
   if (response.ok) return response;
   let error: ServerError = { what: `The server answered ${response.status}`, why: response.statusText, suggestion: "" };
   try {
-    const answer = (await response.json()) as { error?: ServerError };
+    const answer = (await response.json()) as Partial<Refusal>;
     if (answer.error) error = answer.error;
   } catch {
     // an answer that is no JSON leaves the status to say what went wrong
@@ -163,12 +166,12 @@ export function recordingAnalysis(id: number, signal?: AbortSignal): Promise<Ana
 
 /** The number that a text with a unit is for a quantity, as `--set` takes it. */
 export async function value(key: string, text: string): Promise<number> {
-  return (await json<{ value: number }>(post("/api/value", { key, text }))).value;
+  return (await json<Value>(post("/api/value", { key, text }))).value;
 }
 
 /** The same case as one of the paper's with all that differs: it needs no file. */
 export async function share(design: Design): Promise<Design> {
-  const { preset, set } = await json<{ preset: string; set: string[] }>(post("/api/share", body(design)));
+  const { preset, set } = await json<Shared>(post("/api/share", body(design)));
   return { preset, set: Object.fromEntries(set.map((text) => text.split("=", 2) as [string, string])) };
 }
 

@@ -22,12 +22,13 @@ export interface ChartData {
 export function merged(before: ChartData | null, frame: ChartFrame, hasFigure: boolean): ChartData | null {
   const x = frame.x ?? before?.x;
   const y = frame.y ?? before?.y;
-  if (!x || !y) return null;
+  const directions = frame.directions ?? before?.directions;
+  if (!x || !y || !directions) return null;
   const figure = hasFigure && frame.figure ? floatsOf(frame.figure) : null;
   return {
     x,
     y,
-    directions: frame.directions ?? before?.directions,
+    directions,
     category: bytesOf(frame.category),
     computed: frame.computed_mask ? bytesOf(frame.computed_mask) : null,
     figure,

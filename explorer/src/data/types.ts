@@ -1,9 +1,34 @@
-/** What the server sends: names and units as the program's own JSON has them. */
-import type { Category, ContactState, Direction, Phase, Scale } from "../program/words.ts";
+/**
+ * What the server sends: names and units as the program's own JSON has them. Every key of an answer stands here,
+ * whether the page reads it or not. tests/browser/answers.test.mjs holds real answers against them.
+ */
+import type {
+  Category,
+  ContactState,
+  Direction,
+  Ending,
+  FigureName,
+  Phase,
+  QuietReason,
+  Scale,
+  StabilityKind,
+  VerdictWord,
+} from "../program/words.ts";
 import type { Axis } from "../state/state.ts";
 
-/** A resolved case: section -> name -> value; the title stands on its own. */
-export type Case = { title: string } & Record<string, Record<string, number | string> | string>;
+/** What a document begins with. */
+interface Document {
+  schema: string;
+  version: string;
+  commit: string;
+}
+
+/** Units by the place in a document: "phases.verdict.period". */
+export type Units = Record<string, string>;
+
+/** A resolved case: section -> name -> value; a column over the temperature is a list. The title stands on its own. */
+export type Case = { title: string } & Record<string, Section | string>;
+export type Section = Record<string, number | string | (number | string)[]>;
 
 export interface QuantityField {
   key: string;
@@ -14,8 +39,8 @@ export interface QuantityField {
   unit: string;
   low: number | null;
   high: number | null;
-  /** Between which values a designer varies it (of an imposed velocity: its magnitude); null for settings. */
-  usual: { from: number; to: number; scale: Scale } | null;
+  /** Between which values a designer varies it (of an imposed velocity: its magnitude); none for settings. */
+  usual?: { from: number; to: number; scale: Scale };
 }
 export interface ChoiceField {
   key: string;
@@ -43,12 +68,13 @@ export interface Preset {
 }
 
 export interface Figure {
-  name: string;
+  name: FigureName;
   unit: string;
   sentence: string;
 }
 
 export interface Start {
+  schema: string;
   version: string;
   presets: Preset[];
   fields: Field[];
@@ -80,15 +106,20 @@ export interface Levels {
 
 export interface Verdict {
   category: Category;
-  quiet_because: "slides" | "sticks" | null;
+  quiet_because: QuietReason | null;
   rates: Rates;
   judged_rates: Rates;
   regularity: number | null;
   repetition: number | null;
-  intervals: number | null;
+  variation: number | null;
+  mismatch: (number | null)[];
+  intervals: number;
+  releases: number;
+  lag: number;
+  beat: { from: ContactState; to: ContactState };
   period: number | null;
   frequency: number | null;
-  levels: { joint: Levels; plate: Levels };
+  levels: { joint: Levels; plate: Levels; reference: string };
   margins: Margin[];
   reasons: string[];
 }
@@ -99,14 +130,42 @@ export interface PhaseResult {
   verdict: Verdict;
 }
 
-export interface Simulation {
-  schema: string;
-  version: string;
+/** Step, beta_2 and the limit of the step belong to the engine of this name. */
+export interface Engine {
+  name: string;
+  impact: string;
+  steps: number;
+  step?: number;
+  beta_2?: number;
+  step_limit?: number;
+}
+
+export interface Outcome {
+  reason: Ending;
+  time: number;
+  silence?: { time: number; normal_force: number; slip_velocity: number };
+  limit_cycle?: { time: number; period: number; residual: number; events: number };
+  ending: { state: ContactState; since: number; future: string; release: number | null };
+}
+
+export interface Energy {
+  stored: number;
+  preload_work: number;
+  drive_work: number;
+  dashpot_loss: number;
+  friction_loss: number;
+  impact_loss: number;
+  residual: number;
+  relative_residual: number;
+}
+
+export interface Simulation extends Document {
   case: Case;
-  engine: Record<string, number | string>;
-  outcome: { reason: string; time: number } & Record<string, unknown>;
-  energy: Record<string, number>;
+  engine: Engine;
+  outcome: Outcome;
+  energy: Energy;
   phases: PhaseResult[];
+  units: Units;
 }
 
 export interface ChartAxisFrame extends Axis {
@@ -131,9 +190,9 @@ export interface ChartFrame {
   total: number;
   x?: ChartAxisFrame;
   y?: ChartAxisFrame;
-  directions: Direction[];
+  directions?: Direction[];
   category: string;
-  computed_mask?: string;
+  computed_mask: string;
   figure?: string;
   boundaries?: BoundaryLine[];
 }
@@ -153,30 +212,45 @@ export interface Mode {
   frequency: number;
 }
 
-export interface StabilityPoint {
-  value: number;
-  kind: string;
+/** Steady sliding with one value of what is varied. */
+export interface SlidingStability {
+  kind: StabilityKind;
   growth: number;
   frequency: number | null;
+  normal_force: number;
   modes: Mode[];
 }
 
-export interface StabilityDirection extends Omit<StabilityPoint, "value"> {
-  direction: Direction;
-  points: StabilityPoint[];
-  boundaries: { value: number; below: string; above: string; frequency: number | null }[];
+export interface StabilityPoint extends SlidingStability {
+  value: number;
 }
 
-export interface Stability {
+export interface StabilityDirection extends SlidingStability {
+  direction: Direction;
+  points: StabilityPoint[];
+  boundaries: { value: number; below: StabilityKind; above: StabilityKind; frequency: number | null }[];
+}
+
+export interface Stability extends Document {
+  case: Case;
   over?: { parameter: string; unit: string };
   directions: StabilityDirection[];
+  units: Units;
 }
 
 export interface Analysis {
+  schema: string;
+  unit: string;
+  rate: number;
+  duration: number;
   level: { time: number[]; decibels: (number | null)[]; unit: string };
   spectrum: { frequency: number[]; level: (number | null)[]; unit: string };
   spectrogram: { time: number[]; frequency: number[]; rows: number; columns: number; level: string };
-  verdict: { category: Category | null; reasons: string[] };
+  verdict: {
+    category: Category;
+    reasons: string[];
+    segments: { from: number; to: number; category: Category; reasons: string[] }[];
+  };
 }
 
 /** What is asked of a sound. */
@@ -188,15 +262,20 @@ export interface SoundOptions {
   seconds: number;
 }
 
-/** A verdict of a design: the loudest phase's category, and each phase's. */
+/** A verdict of a design: the loudest phase's word, each phase's, and whether it is quiet since it sticks. */
 export interface DesignVerdict {
-  category: string;
-  phases: Partial<Record<Phase, string>>;
+  category: VerdictWord;
+  phases: Partial<Record<Phase, VerdictWord>>;
+  sticks: boolean;
 }
 
+/** Where the verdict changes: the value beyond, and the last one before. */
 export interface AdviceBound extends DesignVerdict {
   value: number;
+  before: number;
   distance: number;
+  relative: number;
+  share: number;
 }
 
 export interface AdviceMargin {
@@ -206,22 +285,68 @@ export interface AdviceMargin {
   from: number;
   to: number;
   scale: Scale;
+  free: boolean;
   below: AdviceBound | null;
   above: AdviceBound | null;
-  scan: { value: number; category: string }[];
+  quiet_below: AdviceBound | null;
+  quiet_above: AdviceBound | null;
+  end_below: ScanEnd;
+  end_above: ScanEnd;
+  scan: { value: number; category: VerdictWord }[];
 }
 
-export interface Advice {
-  present: DesignVerdict;
+/** The last value that was tried on a side. */
+export interface ScanEnd {
+  value: number;
+  why: string;
+  reason?: string;
+}
+
+export interface Setting {
+  key: string;
+  from: number;
+  to: number;
+  unit: string;
+}
+
+export interface DesignChange {
+  set: Setting[];
+  distance: number;
+  options: string;
+  verified: DesignVerdict & { runs: number; neighbourhood: number; starts: string[] };
+}
+
+/** A share with its interval of confidence. */
+export interface Estimate {
+  share: number;
+  low: number;
+  high: number;
+}
+
+export interface Chance {
+  noise: number;
+  low: number;
+  high: number;
+  confidence: number;
+  samples: number;
+  seed: number;
+  not_quiet: Estimate;
+  by_category: Partial<Record<VerdictWord, Estimate>>;
+  tolerances: { key: string; value: number; tolerance: number; unit: string; spread: string }[];
+}
+
+export interface Advice extends Document {
+  case: Case;
+  units: Units;
+  phases: Phase[];
+  present: DesignVerdict & { quiet: boolean; message: string };
   margins: AdviceMargin[];
   ranking: string[];
-  nearest: { distance: number } | null;
-  change: {
-    set: { key: string; from: number; to: number }[];
-    distance: number;
-    verified: DesignVerdict & { runs: number };
-  } | null;
-  chance: { noise: number; low: number; high: number; samples: number; confidence: number } | null;
+  nearest: (DesignVerdict & { set: Setting[]; distance: number }) | null;
+  change: DesignChange | null;
+  changes: DesignChange[];
+  chance: Chance | null;
+  runs: number;
 }
 
 export interface LibraryEntry {
@@ -231,18 +356,36 @@ export interface LibraryEntry {
   [field: string]: unknown;
 }
 
-export interface Library {
-  library?: string;
+export interface Library extends Document {
+  library: string;
   entries: LibraryEntry[];
-  units: Record<string, string>;
+  units: Units;
 }
 
 export interface ServerError {
   what: string;
   why: string;
   suggestion: string;
+  /** Of the field that it is about; empty if it is about none. */
   key?: string;
   /** What else is wrong with the same request, and how much more of it was left out. */
   others?: ServerError[];
   untold?: number;
+}
+
+/** What the server says in place of an answer. */
+export interface Refusal {
+  schema: string;
+  error: ServerError;
+}
+
+export interface Value {
+  schema: string;
+  value: number;
+}
+
+export interface Shared {
+  schema: string;
+  preset: string;
+  set: string[];
 }

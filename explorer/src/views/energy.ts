@@ -5,8 +5,9 @@ import { level, percent, plain, quantity, words } from "../draw/format.ts";
 import { paintSwatch } from "../draw/theme.ts";
 import type { Context, ViewPart } from "./views.ts";
 
-const sources = ["drive_work", "preload_work"];
-const losses = ["friction_loss", "impact_loss", "dashpot_loss"];
+const sources = ["drive_work", "preload_work"] as const;
+const losses = ["friction_loss", "impact_loss", "dashpot_loss"] as const;
+const parts = [...sources, ...losses, "stored"] as const;
 
 export class Energy implements ViewPart {
   readonly element = h("div", { class: "energy" });
@@ -18,10 +19,10 @@ export class Energy implements ViewPart {
 }
 
 function balance({ energy, engine }: Simulation): HTMLElement {
-  const turnover = Math.max(...[...sources, ...losses, "stored"].map((name) => Math.abs(energy[name] ?? 0)), 1e-300);
-  const rows = [...sources, ...losses, "stored"].map((name) => {
-    const value = energy[name] ?? 0;
-    const bar = h("span", { class: `bar-fill ${losses.includes(name) ? "loss" : "gain"}` });
+  const turnover = Math.max(...parts.map((name) => Math.abs(energy[name])), 1e-300);
+  const rows = parts.map((name) => {
+    const value = energy[name];
+    const bar = h("span", { class: `bar-fill ${name.endsWith("_loss") ? "loss" : "gain"}` });
     bar.style.width = `${(100 * Math.abs(value)) / turnover}%`;
     return h(
       "tr",
@@ -40,10 +41,10 @@ function balance({ energy, engine }: Simulation): HTMLElement {
     h(
       "p",
       { class: "muted" },
-      `created or lost by the ${String(engine.name ?? "")} engine: `,
+      `created or lost by the ${engine.name} engine: `,
       h("span", { class: "number" }, quantity(energy.residual, "J", 2)),
       " (",
-      h("span", { class: "number" }, plain(energy.relative_residual ?? NaN, 2)),
+      h("span", { class: "number" }, plain(energy.relative_residual, 2)),
       " of the turnover)",
     ),
   );

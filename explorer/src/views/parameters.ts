@@ -1,6 +1,6 @@
 /** The design's parameters: a slider and a field each, made from the program's field table; presets; resets. */
 import * as api from "../data/api.ts";
-import type { Case, Field, Preset, QuantityField, ServerError, Start } from "../data/types.ts";
+import type { Case, Field, Preset, QuantityField, Section, ServerError, Start } from "../data/types.ts";
 import { button, h, select, symbol } from "../draw/dom.ts";
 import {
   exact,
@@ -32,7 +32,8 @@ const sectionTitles: Record<string, string> = {
 export function valueIn(resolved: Case, key: string): number | string | undefined {
   const [section = "", name = ""] = key.split(".", 2);
   const part = resolved[section];
-  return typeof part === "object" ? part[name] : undefined;
+  const value = typeof part === "object" ? part[name] : undefined;
+  return Array.isArray(value) ? undefined : value;
 }
 
 /** Does a quantity follow the temperature by a table of the file? It cannot be set then. */
@@ -47,8 +48,8 @@ type Usual = NonNullable<QuantityField["usual"]>;
 function usualOf(field: QuantityField, resolved: Case): Usual | null {
   const { key, usual } = field;
   if (valueIn(resolved, key) === undefined || followsTemperature(resolved, key)) return null;
-  if (key !== "temperature.value") return usual;
-  const at = (resolved.temperature as Record<string, unknown>).at as number[];
+  if (key !== "temperature.value") return usual ?? null;
+  const at = (resolved.temperature as Section).at as number[];
   return { from: at[0] as number, to: at.at(-1) as number, scale: "linear" };
 }
 
