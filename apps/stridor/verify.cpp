@@ -1,7 +1,7 @@
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/verification/check_groups.hpp"
 #include "terminal.hpp"
-#include "verify_checks.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace stridor::app {
 
 namespace {
 
-std::string row(const Check& check) {
+std::string row(const verification::Check& check) {
     return fmt::format("  {:<46}{:>14.7g}{:>14.7g}{:>12.2e}{:>10.1e}  {}\n", check.name, check.expected, check.computed,
                        check.computed - check.expected, check.tolerance,
                        check.passes() ? "ok" : styled("FAILS", Style::red, STDOUT_FILENO));
@@ -23,9 +23,9 @@ void verify() {
     print(fmt::format("  {:<46}{:>14}{:>14}{:>12}{:>10}\n", "", "expected", "computed", "difference", "tolerance"));
     int total = 0;
     int failed = 0;
-    for (const CheckGroup& group : check_groups()) {
+    for (const verification::CheckGroup& group : verification::check_groups()) {
         print(styled(std::string(group.title), Style::bold, STDOUT_FILENO) + " (" + std::string(group.source) + ")\n");
-        for (const Check& check : group.run()) {
+        for (const verification::Check& check : group.run()) {
             print(row(check));
             ++total;
             failed += check.passes() ? 0 : 1;

@@ -1,5 +1,7 @@
 // Table 1's system at constant velocity, where its motions are periodic and known to all digits.
 
+#include "stridor/verification/constant_drive.hpp"
+
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/constant_case.hpp"
@@ -10,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 
 namespace stridor {
 namespace {
@@ -48,18 +49,6 @@ Periods by_independent_engine(const Case& c, ContactState state) {
     return whole_periods(support::event_driven(c, 2e-6, 1 << 30).history, state, settled);
 }
 
-struct StickSlip {
-    double preload;         // [N]
-    double stick_fraction;  // [1] between 1 s and 2 s, no whole number of periods
-    double period;          // [s]
-};
-
-constexpr std::array<StickSlip, 3> stick_slips{{
-    {200.0, 0.247471, 1.0374406e-3},
-    {1000.0, 0.749445, 2.4849233e-3},
-    {2000.0, 0.880442, 5.2618757e-3},
-}};
-
 Case stick_slip_case(double preload) {
     Case c = constant_case(PaperCase::squeak, -0.1257);
     c.contact.preload = preload;
@@ -78,7 +67,7 @@ double stick_fraction(const record::ContactHistory& history) {
 }
 
 TEST(ConstantDrive, IndependentEngineGivesThePublishedDigits) {
-    for (const StickSlip& known : stick_slips) {
+    for (const verification::StickSlip& known : verification::stick_slips) {
         const auto history = support::event_driven(stick_slip_case(known.preload), 5e-6, 1 << 30).history;
         EXPECT_NEAR(stick_fraction(history), known.stick_fraction, 1e-6) << known.preload;  // last digit printed
         EXPECT_NEAR(whole_periods(history, ContactState::stick, 1.0).period, known.period, 1e-10) << known.preload;
@@ -90,7 +79,7 @@ TEST(ConstantDrive, IndependentEngineGivesThePublishedDigits) {
 // each for the knowledge of a change, is the error of the stick fraction. The period sees it much less: an early
 // stick slips as early.
 TEST(ConstantDrive, SticksForTheKnownShareAndPeriod) {
-    for (const StickSlip& known : stick_slips) {
+    for (const verification::StickSlip& known : verification::stick_slips) {
         const auto motion = integration::simulate(stick_slip_case(known.preload), {record::KeepHistory::yes, {}});
         const Periods periods = whole_periods(motion.record.histories.front(), ContactState::stick, 1.0);
         EXPECT_NEAR(stick_fraction(motion.record.histories.front()), known.stick_fraction, 4.0 * h / known.period)

@@ -1,19 +1,19 @@
-// The exact engine against closed forms of one mass: stick 2 lambda/w0, slip 2 (pi - atan lambda)/w0 (see belt_test),
-// the damped vibration, Den Hartog's dry-friction oscillator (see den_hartog_test), and bounces.
+// The exact engine against closed forms of one mass: stick-slip, the damped vibration, Den Hartog's oscillator.
 
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/model/mass_on_belt.hpp"
 #include "stridor/record/schedule.hpp"
+#include "stridor/verification/belt.hpp"
+#include "stridor/verification/damped_slip.hpp"
+#include "stridor/verification/den_hartog.hpp"
 #include "support/belt_run.hpp"
 #include "support/periods.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 namespace stridor {
 namespace {
@@ -36,7 +36,7 @@ TEST(ExactBelt, SticksAndSlipsForTheTimesOfTheClosedForm) {
         run.drive = support::constant_drive(w0 * distance / lambda);
         run.start = {parameters::Initial::stuck, 0.0};
         run.request = {record::KeepHistory::yes, {}};
-        const double stick = 2.0 * lambda / w0, slip = 2.0 * (std::numbers::pi - std::atan(lambda)) / w0;
+        const double stick = verification::belt_stick_time(lambda, w0), slip = verification::belt_slip_time(lambda, w0);
         run.duration = 20.5 * (stick + slip);
         const support::Periods periods =
             support::whole_periods(exactly(run).record.histories.front(), ContactState::stick, 1e-9);
@@ -58,11 +58,11 @@ TEST(ExactBelt, VibratesAsTheDampedOscillator) {
     run.request.trace = {0.0, 0.8, 1e-3};
     const record::Trace trace = exactly(run).record.trace;
     const double decay = c / (2.0 * m), rate = std::sqrt(k / m - decay * decay);
+    const verification::DampedSlip exact{mu * F / k, push, decay, rate};
     ASSERT_EQ(trace.time.size(), 801U);
     for (std::size_t i = 0; i < trace.time.size(); ++i) {
         const double t = trace.time[i];
-        const double x = mu * F / k + push / rate * std::exp(-decay * t) * std::sin(rate * t);
-        ASSERT_NEAR(trace.displacement[0][i], x, 1e-13 * push / rate) << t;
+        ASSERT_NEAR(trace.displacement[0][i], displacement(exact, t), 1e-13 * push / rate) << t;
     }
 }
 
@@ -85,8 +85,8 @@ double den_hartog_amplitude(double g, double r) {
 
 // samples 1e-3 apart miss a peak by g^2 1e-6 / 8 = 5e-7; the printed digits are good to 5e-7
 TEST(ExactDenHartog, HasThePublishedAmplitudes) {
-    for (const auto& [g, r, published] : {std::tuple{1.5, 0.2, 0.765942}, {1.5, 0.6, 0.400000}, {2.0, 0.4, 0.266667}})
-        EXPECT_NEAR(den_hartog_amplitude(g, r), published, 1e-6) << g << ' ' << r;
+    for (const verification::DenHartog& each : verification::den_hartog_motions)
+        EXPECT_NEAR(den_hartog_amplitude(each.g, each.r), each.amplitude, 1e-6) << each.g << ' ' << each.r;
 }
 
 }  // namespace

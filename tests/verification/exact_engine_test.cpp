@@ -3,6 +3,7 @@
 
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/verification/constant_drive.hpp"
 #include "support/event_driven.hpp"
 #include "support/periods.hpp"
 
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <tuple>
 #include <vector>
 
 namespace stridor {
@@ -60,9 +60,7 @@ double share(const record::Record& record, std::size_t state) {
 
 // physics.md, converged to all printed digits: stick share between 1 s and 2 s, and period
 TEST(ExactEngine, SticksForTheKnownShareAndPeriod) {
-    for (const auto& [preload, fraction, period] : {std::tuple{200.0, 0.247471, 1.0374406e-3},
-                                                    {1000.0, 0.749445, 2.4849233e-3},
-                                                    {2000.0, 0.880442, 5.2618757e-3}}) {
+    for (const auto& [preload, fraction, period] : verification::stick_slips) {
         Case c = constant_case(PaperCase::squeak, -0.1257, 2.0);
         c.contact.preload = preload;
         c.run.window = 1.0;

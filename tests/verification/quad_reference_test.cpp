@@ -4,6 +4,7 @@
 #include "support/quad_reference.hpp"
 
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/verification/constant_drive.hpp"
 #include "support/constant_case.hpp"
 #include "support/effort.hpp"
 #include "support/event_driven.hpp"
@@ -13,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -97,15 +97,7 @@ double time_in(ContactState state, const record::ContactHistory& history, double
 }
 
 TEST(QuadReference, GivesThePublishedDigitsOfStickSlip) {
-    struct Known {
-        double preload, stick_fraction, period;  // [N], [1] between 1 s and 2 s, [s]
-    };
-    constexpr std::array<Known, 3> all{{
-        {200.0, 0.247471, 1.0374406e-3},
-        {1000.0, 0.749445, 2.4849233e-3},
-        {2000.0, 0.880442, 5.2618757e-3},
-    }};
-    for (const Known& known : std::span(all).first(support::effort(3U, 1U))) {
+    for (const verification::StickSlip& known : std::span(verification::stick_slips).first(support::effort(3U, 1U))) {
         Case c = constant_case(PaperCase::squeak, -0.1257, 2.0);
         c.contact.preload = known.preload;
         c.run.initial = parameters::Initial::stuck;

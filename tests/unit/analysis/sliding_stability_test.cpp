@@ -2,6 +2,7 @@
 
 #include "stridor/model/mass_on_belt.hpp"
 #include "stridor/model/rubbing_system.hpp"
+#include "stridor/verification/sliding.hpp"
 #include "support/property.hpp"
 
 #include <gtest/gtest.h>
@@ -50,8 +51,8 @@ TEST(SlidingStability, OfFrictionlessSlidingHasTheModesOfTheClosedContact) {
     const SlidingStability result = at(0.0);
     EXPECT_EQ(result.kind, StabilityKind::stable);
     ASSERT_EQ(result.modes.size(), 2U);
-    EXPECT_NEAR(result.modes[0].frequency, 429.17, 0.01);
-    EXPECT_NEAR(result.modes[1].frequency, 916.36, 0.01);
+    EXPECT_NEAR(result.modes[0].frequency, verification::slip_frequencies[0], 0.01);
+    EXPECT_NEAR(result.modes[1].frequency, verification::slip_frequencies[1], 0.01);
     EXPECT_NEAR(result.normal_force, 20.0, 1e-12);
 }
 
@@ -69,17 +70,16 @@ TEST(SlidingStability, FrictionDrawsTheModesTogetherGoingAndApartComing) {
 TEST(Flutter, GrowthAtTheSquealCase) {
     const SlidingStability result = at(0.6);
     EXPECT_EQ(result.kind, StabilityKind::flutter);
-    EXPECT_NEAR(result.growth, 736.65, 0.01);
-    EXPECT_NEAR(result.frequency, 592.0, 0.05);
+    EXPECT_NEAR(result.growth, verification::squeal_growth, 0.01);
+    EXPECT_NEAR(result.frequency, verification::squeal_frequency, 0.05);
 }
 
 TEST(Flutter, BeginsWithTheDampingOfTable1) {
-    EXPECT_NEAR(damped_onset(70.0), 0.44942, 5e-6);
+    EXPECT_NEAR(damped_onset(70.0), verification::damped_flutter_onset, 5e-6);
 }
 
 TEST(Flutter, BeginsByAngle) {
-    for (const auto& [angle, onset] :
-         {std::pair{60.0, 0.641}, {65.0, 0.5385}, {70.0, 0.4494}, {75.0, 0.378}, {80.0, 0.337}, {85.0, 0.404}})
+    for (const auto& [angle, onset] : verification::flutter_onsets)
         EXPECT_NEAR(damped_onset(angle), onset, 5e-4) << angle;
 }
 
@@ -87,16 +87,18 @@ TEST(Flutter, BeginsByAngle) {
 TEST(Flutter, OfTheUndampedSystemIsABandOfFriction) {
     const auto kind = [](double mu) { return at(mu, 70.0, Direction::going, Damping::none).kind; };
     const double onset = bisected(0.2, 0.7, [&](double mu) { return kind(mu) == StabilityKind::flutter; });
-    EXPECT_NEAR(onset, 0.48554, 5e-6);
+    EXPECT_NEAR(onset, verification::undamped_flutter_onset, 5e-6);
     // growth and detuning rise as the square root of mu - onset: 740 1/s and 17 Hz at 0.1 above it
-    EXPECT_NEAR(at(onset, 70.0, Direction::going, Damping::none).frequency, 607.99, 0.01);
-    EXPECT_NEAR(bisected(1.0, 3.0, [&](double mu) { return kind(mu) == StabilityKind::divergence; }), 2.576, 5e-4);
+    EXPECT_NEAR(at(onset, 70.0, Direction::going, Damping::none).frequency, verification::undamped_flutter_frequency,
+                0.01);
+    EXPECT_NEAR(bisected(1.0, 3.0, [&](double mu) { return kind(mu) == StabilityKind::divergence; }),
+                verification::undamped_divergence_onset, 5e-4);
 }
 
 // the stiffness against the sliding force vanishes: N grows beyond all bounds, then there is no equilibrium at all
 TEST(Locking, BeginsWhereTheNormalForceHasItsPole) {
     const double onset = bisected(3.0, 5.0, [](double mu) { return at(mu).kind == StabilityKind::locked; });
-    EXPECT_NEAR(onset, 4.167, 5e-4);
+    EXPECT_NEAR(onset, verification::locking_onset, 5e-4);
     EXPECT_GT(at(onset - 1e-6).normal_force, 1e6);
     EXPECT_LT(at(onset + 1e-6).normal_force, -1e6);
     EXPECT_EQ(at(onset - 1e-6).kind, StabilityKind::divergence);

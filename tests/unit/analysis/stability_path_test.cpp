@@ -1,6 +1,7 @@
 #include "stridor/analysis/stability_path.hpp"
 
 #include "stridor/model/rubbing_system.hpp"
+#include "stridor/verification/sliding.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,11 +45,12 @@ TEST(StabilityPath, FindsTheBoundariesOfTable1) {
     };
     const StabilityPath path = stability_path(at, 0.0, 5.0, 51);
     ASSERT_EQ(path.boundaries.size(), 3U);
-    EXPECT_NEAR(path.boundaries[0].value, 0.44942, 5e-6);
+    EXPECT_NEAR(path.boundaries[0].value, verification::damped_flutter_onset, 5e-6);
     EXPECT_EQ(path.boundaries[0].above, StabilityKind::flutter);
-    EXPECT_NEAR(path.boundaries[1].value, 2.576, 5e-3);  // undamped; damping shifts it by some 1e-3
+    EXPECT_NEAR(path.boundaries[1].value, verification::undamped_divergence_onset,
+                5e-3);  // undamped; damping shifts it by some 1e-3
     EXPECT_EQ(path.boundaries[1].above, StabilityKind::divergence);
-    EXPECT_NEAR(path.boundaries[2].value, 4.167, 5e-4);
+    EXPECT_NEAR(path.boundaries[2].value, verification::locking_onset, 5e-4);
     EXPECT_EQ(path.boundaries[2].above, StabilityKind::locked);
 }
 

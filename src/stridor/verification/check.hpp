@@ -4,7 +4,9 @@
 #include <string_view>
 #include <vector>
 
-namespace stridor::app {
+/// What this program must reproduce, with the code that computes it: closed forms, published numbers, stored digits.
+/// `stridor verify` and the tests hold the engines against the same ones.
+namespace stridor::verification {
 
 /// One number held against a closed form or a published value.
 struct Check {
@@ -22,7 +24,4 @@ struct CheckGroup {
     std::vector<Check> (*run)();
 };
 
-/// Everything `stridor verify` computes, cheap groups first.
-const std::vector<CheckGroup>& check_groups();
-
-}  // namespace stridor::app
+}  // namespace stridor::verification
