@@ -33,14 +33,24 @@ export function floatsOf(base64: string): Float32Array<ArrayBuffer> {
   return new Float32Array(bytes.buffer, 0, Math.floor(bytes.length / 4));
 }
 
-/** A sampled motion: columns of equal length, uniform in time, and the stays of the contact in its states. */
+/** The stays of a contact in its states. */
+export interface Stays {
+  from: Float64Array; // [s] when each stay began; one more: when the last ended
+  state: ContactState[]; // of each stay
+}
+
+/** A sampled motion: columns of equal length, uniform in time, and the stays of each contact in its states. */
 export interface Motion {
   samples: number;
   start: number; // [s]
   interval: number; // [s]
   columns: Map<string, { unit: string; sentence: string; values: Float32Array }>;
-  from: Float64Array; // [s] when each stay began; one more: when the last ended
-  state: ContactState[]; // of each stay
+  contacts: Stays[];
+}
+
+/** The contact that views of one contact show: the first. */
+export function shownContact(motion: Motion): Stays {
+  return motion.contacts[0] ?? { from: new Float64Array([0]), state: [] };
 }
 
 function aligned(offset: number): number {
@@ -59,11 +69,14 @@ export function motionOf(buffer: ArrayBuffer): Motion {
     columns.set(column.name, { unit: column.unit, sentence: column.sentence, values });
     offset = aligned(offset + 4 * header.samples);
   }
-  const from = new Float64Array(buffer, offset, header.intervals + 1);
-  offset += 8 * (header.intervals + 1);
-  const numbers = new Uint8Array(buffer, offset, header.intervals);
-  const state = Array.from(numbers, (number) => header.states[number] ?? "separation");
-  return { samples: header.samples, start: header.start, interval: header.interval, columns, from, state };
+  const contacts = header.contacts.map(({ intervals }): Stays => {
+    const from = new Float64Array(buffer, offset, intervals + 1);
+    offset += 8 * (intervals + 1);
+    const numbers = new Uint8Array(buffer, offset, intervals);
+    offset = aligned(offset + intervals);
+    return { from, state: Array.from(numbers, (number) => header.states[number] ?? "separation") };
+  });
+  return { samples: header.samples, start: header.start, interval: header.interval, columns, contacts };
 }
 
 /** Index of the last element that is at most the value; -1 if all are above it. Ascending order. */
@@ -78,10 +91,10 @@ export function lastAtMost(values: ArrayLike<number>, value: number): number {
   return low;
 }
 
-/** The state of the contact at a time; the first or last state outside the motion. */
-export function stateAt(motion: Motion, time: number): ContactState {
-  const at = Math.min(Math.max(lastAtMost(motion.from, time), 0), motion.state.length - 1);
-  return motion.state[at] ?? "separation";
+/** The state of a contact at a time; the first or last state outside the motion. */
+export function stateAt(contact: Stays, time: number): ContactState {
+  const at = Math.min(Math.max(lastAtMost(contact.from, time), 0), contact.state.length - 1);
+  return contact.state[at] ?? "separation";
 }
 
 /** A column's value at a time, linear between samples. */

@@ -2,7 +2,7 @@
 import type { Direction } from "../program/words.ts";
 import type { Design } from "../state/state.ts";
 import * as api from "./api.ts";
-import { lastAtMost, type Motion } from "./frames.ts";
+import { lastAtMost, type Motion, type Stays } from "./frames.ts";
 import { Latest } from "./latest.ts";
 import type { Simulation } from "./types.ts";
 
@@ -93,8 +93,8 @@ export function plateTravel(motion: Motion): Float32Array {
 }
 
 /** The stays that a span of time touches: first and last index. */
-export function staysWithin(motion: Motion, from: number, to: number): [number, number] {
-  const last = motion.state.length - 1;
-  const first = Math.min(Math.max(lastAtMost(motion.from, from), 0), last);
-  return [first, Math.min(Math.max(lastAtMost(motion.from, to), first), last)];
+export function staysWithin(stays: Stays, from: number, to: number): [number, number] {
+  const last = stays.state.length - 1;
+  const first = Math.min(Math.max(lastAtMost(stays.from, from), 0), last);
+  return [first, Math.min(Math.max(lastAtMost(stays.from, to), first), last)];
 }

@@ -203,7 +203,7 @@ export interface MotionHeader {
   start: number;
   interval: number;
   columns: { name: string; unit: string; sentence: string }[];
-  intervals: number;
+  contacts: { intervals: number }[];
   states: ContactState[];
 }
 

@@ -1,5 +1,5 @@
 /** Time histories below each other on one canvas, with the contact's states above them. Painting only. */
-import type { Motion } from "../data/frames.ts";
+import { shownContact, type Motion } from "../data/frames.ts";
 import { staysWithin } from "../data/motions.ts";
 import { columns, pyramid, type Pyramid } from "../data/pyramid.ts";
 import type { ContactState } from "../program/words.ts";
@@ -116,12 +116,13 @@ function paintBand(surface: Surface, motion: Motion, view: LanesView, inner: num
   const count = Math.round(inner);
   const shares = bandStates.map(() => new Float32Array(count));
   const perSecond = count / (to - from);
-  const [first, last] = staysWithin(motion, from, to);
+  const stays = shownContact(motion);
+  const [first, last] = staysWithin(stays, from, to);
   for (let stay = first; stay <= last; ++stay) {
-    const share = shares[bandStates.indexOf(motion.state[stay] as ContactState)];
+    const share = shares[bandStates.indexOf(stays.state[stay] as ContactState)];
     if (!share) continue;
-    const start = Math.max(0, ((motion.from[stay] as number) - from) * perSecond);
-    const end = Math.min(count, ((motion.from[stay + 1] as number) - from) * perSecond);
+    const start = Math.max(0, ((stays.from[stay] as number) - from) * perSecond);
+    const end = Math.min(count, ((stays.from[stay + 1] as number) - from) * perSecond);
     for (let k = Math.floor(start); k < end; ++k)
       share[k] = (share[k] as number) + Math.min(end, k + 1) - Math.max(start, k);
   }

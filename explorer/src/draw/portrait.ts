@@ -1,5 +1,5 @@
 /** Phase portrait of the joint: velocity over displacement, coloured by the state of the contact. Painting only. */
-import { lastAtMost, valueAt, type Motion } from "../data/frames.ts";
+import { lastAtMost, shownContact, valueAt, type Motion } from "../data/frames.ts";
 import type { ContactState } from "../program/words.ts";
 import { paintAxes } from "./axes.ts";
 import type { Palette } from "./colours.ts";
@@ -54,12 +54,13 @@ export function paintPortrait(
   pen.rect(box.left, box.top, box.width, box.height);
   pen.clip();
   pen.lineWidth = 1.1;
-  let stay = Math.max(lastAtMost(motion.from, motion.start + first * motion.interval), 0);
+  const stays = shownContact(motion);
+  let stay = Math.max(lastAtMost(stays.from, motion.start + first * motion.interval), 0);
   const paths = new Map<ContactState, Path2D>();
   for (let k = first; k + stride <= last; k += stride) {
     const time = motion.start + k * motion.interval;
-    while (stay + 1 < motion.state.length && (motion.from[stay + 1] as number) <= time) ++stay;
-    const state = motion.state[stay] ?? "slip";
+    while (stay + 1 < stays.state.length && (stays.from[stay + 1] as number) <= time) ++stay;
+    const state = stays.state[stay] ?? "slip";
     const path = paths.get(state) ?? new Path2D();
     paths.set(state, path);
     path.moveTo(px(x[k] as number), py(v[k] as number));

@@ -1,5 +1,5 @@
 /** The rubbing system of the paper's Figure 2, moving in slow motion with its contact state and forces. */
-import { stateAt, valueAt, type Motion } from "../data/frames.ts";
+import { shownContact, stateAt, valueAt, type Motion } from "../data/frames.ts";
 import { plateTravel, tellingTime } from "../data/motions.ts";
 import type { Case, Simulation } from "../data/types.ts";
 import { button, h, select, setText } from "../draw/dom.ts";
@@ -294,7 +294,7 @@ export class Mechanism {
   private paintForces_(s: Surface, contact: Point, plateTop: number): void {
     const { pen } = s;
     const colours = palette();
-    const state = stateAt(this.motion_ as Motion, this.clock.time);
+    const state = stateAt(shownContact(this.motion_ as Motion), this.clock.time);
     const [N, T] = [this.at_("normal_force") * this.scales_.force, this.at_("friction_force") * this.scales_.force];
     if (state !== "separation") {
       arrow(pen, contact, { x: contact.x, y: contact.y - Math.min(N, 52) }, colours.traces[0], colours.panel);
@@ -342,7 +342,7 @@ export class Mechanism {
   }
 
   private tell_(): void {
-    const state = stateAt(this.motion_ as Motion, this.clock.time);
+    const state = stateAt(shownContact(this.motion_ as Motion), this.clock.time);
     const magnified = plain(this.scales_.length * 2.6e-4, 2); // a CSS pixel is 0.26 mm
     const told = [
       `t = ${(this.clock.time * 1000).toFixed(2)} ms`,

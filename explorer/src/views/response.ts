@@ -1,5 +1,5 @@
 /** The response in time: histories that zoom and pan over a million samples, contact states, phase portrait. */
-import { stateAt, valueAt, type Motion } from "../data/frames.ts";
+import { shownContact, stateAt, valueAt, type Motion } from "../data/frames.ts";
 import type { Motions } from "../data/motions.ts";
 import { button, h, setText } from "../draw/dom.ts";
 import { inRow, quantity } from "../draw/format.ts";
@@ -247,7 +247,7 @@ function readAt(motion: Motion, time: number): string {
   const value = (name: string, unit: string): string => quantity(valueAt(motion, name, time), unit, 3);
   return inRow([
     `t = ${(1000 * time).toFixed(3)} ms`,
-    stateAt(motion, time),
+    stateAt(shownContact(motion), time),
     `ẋ₁ = ${value("x1_velocity", "m/s")}`,
     `V = ${value("surface_velocity", "m/s")}`,
     `N = ${value("normal_force", "N")}`,

@@ -132,7 +132,6 @@ std::string motion_header(const record::TraceRequest& trace, const std::vector<C
                 {"columns", Json::array()}};
     for (const Column& column : columns)
         header["columns"].push_back({{"name", column.name}, {"unit", column.unit}, {"sentence", column.sentence}});
-    header["intervals"] = histories.front().size();
     header["contacts"] = Json::array();
     for (const record::ContactHistory& history : histories)
         header["contacts"].push_back({{"intervals", history.size()}});

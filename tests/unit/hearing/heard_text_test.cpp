@@ -56,7 +56,7 @@ TEST(HeardText, TakesNoWordsThatItDoesNotKnow) {
         sounds[0] = good;
         return refused;
     };
-    sounds[0].cell.status = static_cast<Status>(99);
+    sounds[0].cell.status = static_cast<sweep::Status>(99);
     EXPECT_TRUE(is_refused());
     sounds[0].cell.category = static_cast<classification::Category>(99);
     EXPECT_TRUE(is_refused());

@@ -63,7 +63,7 @@ TEST(Silence, IsNoBolderThanTheMotionIs) {
     traced.run.early_ending = parameters::EarlyEnding::never;
     record::Request request;
     request.trace = {early.silence->time, c.run.duration, 1e-4};
-    const record::Trace trace = simulate(traced, request).record.trace;
+    const record::ContactTrace trace = simulate(traced, request).record.trace.contacts.front();
     ASSERT_GT(trace.normal_force.size(), 100U);
     for (std::size_t k = 0; k < trace.normal_force.size(); ++k) {
         EXPECT_GE(trace.normal_force[k], early.silence->normal_force);

@@ -1,6 +1,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { bytesOf, floatsOf, lastAtMost, Lines, motionOf, stateAt, valueAt } from "../../../src/data/frames.ts";
+import {
+  bytesOf,
+  floatsOf,
+  lastAtMost,
+  Lines,
+  motionOf,
+  shownContact,
+  stateAt,
+  valueAt,
+} from "../../../src/data/frames.ts";
 import { random } from "../random.mjs";
 
 /** A motion as /api/motion sends it. */
@@ -34,7 +43,7 @@ const header = (samples, intervals) => ({
     { name: "x1", unit: "m", sentence: "" },
     { name: "gap", unit: "m", sentence: "" },
   ],
-  intervals,
+  contacts: [{ intervals }],
   states: ["stick", "slip", "separation"],
 });
 
@@ -48,8 +57,8 @@ test("a motion is read as it was packed, odd lengths too", () => {
       [...motion.columns.get("gap").values].map((value) => value + 0),
       gap.map((value) => value + 0),
     );
-    assert.deepEqual([...motion.from], [0.5, 0.75, 1, 1.5]);
-    assert.deepEqual(motion.state, ["slip", "separation", "stick"]);
+    assert.deepEqual([...motion.contacts[0].from], [0.5, 0.75, 1, 1.5]);
+    assert.deepEqual(motion.contacts[0].state, ["slip", "separation", "stick"]);
   }
 });
 
@@ -78,10 +87,10 @@ test("state and value are those of the time asked for", () => {
       [0, 1],
     ),
   );
-  assert.equal(stateAt(motion, 0), "stick");
-  assert.equal(stateAt(motion, 0.99), "stick");
-  assert.equal(stateAt(motion, 1), "slip");
-  assert.equal(stateAt(motion, 99), "slip");
+  assert.equal(stateAt(shownContact(motion), 0), "stick");
+  assert.equal(stateAt(shownContact(motion), 0.99), "stick");
+  assert.equal(stateAt(shownContact(motion), 1), "slip");
+  assert.equal(stateAt(shownContact(motion), 99), "slip");
   assert.equal(valueAt(motion, "x1", 0), 0);
   assert.equal(valueAt(motion, "x1", 0.875), 2.5);
   assert.equal(valueAt(motion, "x1", 99), 9);
