@@ -20,7 +20,7 @@ sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::pat
     options.progress = [&](const sweep::Progress& progress) { display.show(progress); };
     const sweep::RunReport report = sweep::run(study, *store, options);
     display.finish();
-    if (report.ending == sweep::Ending::stopped)
+    if (report.ending == sweep::SweepEnding::stopped)
         throw Error(ErrorKind::interrupted,
                     {fmt::format("stopped with {} of {} cells done", report.progress.done, report.progress.total),
                      "all of them are kept in " + store_file.string(), "Run the same command again to go on."});

@@ -115,7 +115,7 @@ std::string origin(recordings::Calibration calibration, const recordings::FullSc
 }
 
 std::string report(const io::SignalSummary& summary) {
-    const signal::Layout& layout = summary.layout;
+    const signal::ChannelLayout& layout = summary.layout;
     const auto frames = static_cast<double>(*layout.frames);
     std::string text =
         fmt::format("{}\n  format    {}\n  rate      {} Hz\n  duration  {:.6g} s ({} frames)\n", summary.facts.name,

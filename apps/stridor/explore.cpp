@@ -165,9 +165,9 @@ void explore(ExploreOptions options) {
                         [&](const std::string& token) { links->tell(token); });
     const Interrupt interrupt;
     const std::size_t stuck =
-        server->serve([&](const explorer::Request& request,
+        server->serve([&](const explorer::HttpRequest& request,
                           const std::stop_token& stop) { return explorer::answer(world, request, stop); },
-                      interrupt.token(), [&](const explorer::Request& request) { return gate.stop(request); });
+                      interrupt.token(), [&](const explorer::HttpRequest& request) { return gate.stop(request); });
     if (stuck == 0) return;
     // their threads still use what is here: all that is left behind is taken away, and they end with the program
     links.reset();

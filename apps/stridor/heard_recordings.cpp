@@ -113,7 +113,7 @@ io::HeardRecording hear_recording(const io::Expectation& expectation, const para
 }  // namespace
 
 classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds,
-                                            const sound::Progress& progress) {
+                                            const sound::AnalysisProgress& progress) {
     const std::vector<sound::SoundAnalysis> channels = sound::analyse(source, progress);
     return classification::classify_recording(channels[sound::loudest(channels)].stretches, thresholds);
 }

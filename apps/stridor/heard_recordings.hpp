@@ -15,7 +15,7 @@ namespace stridor::app {
 
 /// The verdict by ear on the loudest channel, as `stridor classify` has it; reads the source to its end.
 classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds,
-                                            const sound::Progress& progress = {});
+                                            const sound::AnalysisProgress& progress = {});
 
 /// Recordings by ear, each kept until all of them are heard; stderr says how far it is and how long it will take.
 /// Throws `Error`: interrupted when it is stopped, and what reading a recording throws.

@@ -22,7 +22,7 @@ namespace {
 
 using noise_library::Access;
 using noise_library::Entry;
-using noise_library::Extent;
+using noise_library::EntryExtent;
 using noise_library::Field;
 using noise_library::Library;
 
@@ -47,13 +47,13 @@ std::vector<std::string> parted_at_commas(const std::string& text) {
 }
 
 // no more than the table shows
-Extent extent_of(const ListOptions& options) {
-    if (options.csv) return Extent::figures;
-    Extent extent = Extent::summary;
+EntryExtent extent_of(const ListOptions& options) {
+    if (options.csv) return EntryExtent::figures;
+    EntryExtent extent = EntryExtent::summary;
     for (const std::string& name : parted_at_commas(options.columns)) {
         const Field* field = noise_library::find_field(name);
-        if (field != nullptr && is_document(*field)) return Extent::whole;
-        if (field == nullptr && name != "id") extent = Extent::figures;
+        if (field != nullptr && is_document(*field)) return EntryExtent::whole;
+        if (field == nullptr && name != "id") extent = EntryExtent::figures;
     }
     return extent;
 }

@@ -223,7 +223,7 @@ std::vector<std::int64_t> ids_to_judge(Library& library, const JudgeOptions& opt
         return options.ids;
     }
     noise_library::Query query = query_of(options.selection);
-    query.extent = noise_library::Extent::whole;
+    query.extent = noise_library::EntryExtent::whole;
     std::vector<std::int64_t> ids;
     library.visit(query, [&](const Entry& entry) {
         if (options.all || is_outdated(entry)) ids.push_back(entry.id);

@@ -33,7 +33,7 @@ void export_entries(const ExportOptions& options) {
     std::vector<Entry> entries;
     if (options.ids.empty()) {
         noise_library::Query query = query_of(options.selection);
-        query.extent = noise_library::Extent::whole;
+        query.extent = noise_library::EntryExtent::whole;
         entries = library.find(query);
     } else {
         entries = library.get(options.ids);

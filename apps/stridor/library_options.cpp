@@ -54,7 +54,7 @@ noise_library::Query query_of(const SelectionOptions& options) {
     query.sort = options.sort;
     if (query.sort.starts_with('-')) {
         query.sort.erase(0, 1);
-        query.direction = noise_library::Direction::falling;
+        query.direction = noise_library::SortOrder::falling;
     }
     return query;
 }

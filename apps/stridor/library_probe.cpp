@@ -106,7 +106,8 @@ recordings::OpenOptions open_options(const std::string& calibration, const std::
 }
 
 // empty, and said why, where nothing is a sound
-std::vector<std::size_t> channels_to_hear(const signal::Layout& layout, const std::string& named, const Entry& entry) {
+std::vector<std::size_t> channels_to_hear(const signal::ChannelLayout& layout, const std::string& named,
+                                          const Entry& entry) {
     if (!named.empty()) return {signal::channel_named(layout, named)};
     std::vector<std::size_t> places = audible_channels(layout);
     const auto without_verdict = [&](const std::string& why) {
@@ -133,7 +134,7 @@ void choose_loudest(io::SoundReport& report) {
     }
 }
 
-sound::Progress progress_of(const signal::Layout& layout, const Heard& heard) {
+sound::AnalysisProgress progress_of(const signal::ChannelLayout& layout, const Heard& heard) {
     if (!heard || !layout.frames) return {};
     const double whole = std::max(1.0, static_cast<double>(*layout.frames));
     return [whole, heard](std::uint64_t frames) { heard(static_cast<double>(frames) / whole); };
@@ -213,7 +214,7 @@ void judge(const recordings::SignalInput& input, const HearingOptions& options, 
 void measure_friction(const recordings::SignalInput& input, Entry& entry) {
     const std::unique_ptr<recordings::SignalFile> file =
         recordings::open_signal(input, open_options(entry.calibration, {}));
-    const signal::Layout& layout = file->layout();
+    const signal::ChannelLayout& layout = file->layout();
     const std::optional<FrictionChannels> channels = friction_channels(layout);
     if (!channels || !(entry.preload > 0.0)) return;
     std::vector<std::size_t> places{channels->force};
@@ -258,7 +259,7 @@ noise_library::Probe probe_of(const HearingOptions& options, const Heard& heard)
         const recordings::SignalInput input = recordings::open_input(path.string());
         const std::unique_ptr<recordings::SignalFile> file =
             recordings::open_signal(input, open_options(entry.calibration, options.full_scales));
-        const signal::Layout& layout = file->layout();
+        const signal::ChannelLayout& layout = file->layout();
         entry.rate = layout.rate;
         entry.channels = static_cast<double>(layout.channels.size());
         // judged by ear, it is read anyway, and its duration is known then

@@ -134,7 +134,7 @@ private:
         noise_library::Query query;
         query.conditions = {{"file", noise_library::Comparison::equal, name},
                             {"recorded", noise_library::Comparison::equal, "simulation"}};
-        query.extent = noise_library::Extent::whole;
+        query.extent = noise_library::EntryExtent::whole;
         for (const Entry& entry : library_.find(query))
             if (entry.case_text == case_text(noise.c)) return entry.id;
         return std::nullopt;

@@ -238,7 +238,7 @@ void match(const MatchOptions& options) {
     report.motion = motion_words(options.motion);
     report.rate = cell_rate(report.recording);
     report.level = options.with_level ? classification::LevelUse::counted : classification::LevelUse::ignored;
-    report.extent = options.every ? hearing::Extent::every : hearing::Extent::search;
+    report.extent = options.every ? hearing::SearchExtent::every : hearing::SearchExtent::search;
     hearing::CellListening listening;
     listening.sound.pickup = pickup_of(options.motion);
     listening.sound.rate = report.rate;

@@ -24,7 +24,7 @@ bool is_imposed(const signal::Channel& channel) {
 }
 
 template <typename Predicate>
-std::vector<std::size_t> places_of(const signal::Layout& layout, Predicate wanted) {
+std::vector<std::size_t> places_of(const signal::ChannelLayout& layout, Predicate wanted) {
     std::vector<std::size_t> places;
     for (std::size_t k = 0; k < layout.channels.size(); ++k)
         if (wanted(layout.channels[k])) places.push_back(k);
@@ -33,7 +33,7 @@ std::vector<std::size_t> places_of(const signal::Layout& layout, Predicate wante
 
 }  // namespace
 
-Forces forces_of(const signal::Layout& layout) {
+Forces forces_of(const signal::ChannelLayout& layout) {
     Forces forces;
     for (const std::size_t k : places_of(layout, [](const signal::Channel& channel) { return channel.unit == "N"; })) {
         const signal::Channel& channel = layout.channels[k];
@@ -43,7 +43,7 @@ Forces forces_of(const signal::Layout& layout) {
     return forces;
 }
 
-std::optional<std::size_t> imposed_velocity(const signal::Layout& layout) {
+std::optional<std::size_t> imposed_velocity(const signal::ChannelLayout& layout) {
     const auto is_velocity = [](const signal::Channel& channel) { return channel.unit == "m/s"; };
     const std::vector<std::size_t> velocities = places_of(layout, is_velocity);
     const std::vector<std::size_t> imposed =
@@ -53,7 +53,7 @@ std::optional<std::size_t> imposed_velocity(const signal::Layout& layout) {
     return std::nullopt;
 }
 
-std::optional<FrictionChannels> friction_channels(const signal::Layout& layout) {
+std::optional<FrictionChannels> friction_channels(const signal::ChannelLayout& layout) {
     const Forces forces = forces_of(layout);
     if (forces.rubbing.size() != 1) return std::nullopt;
     FrictionChannels channels{forces.rubbing.front(), imposed_velocity(layout), std::nullopt};
@@ -61,7 +61,7 @@ std::optional<FrictionChannels> friction_channels(const signal::Layout& layout) 
     return channels;
 }
 
-std::vector<std::size_t> audible_channels(const signal::Layout& layout) {
+std::vector<std::size_t> audible_channels(const signal::ChannelLayout& layout) {
     for (const std::string_view unit : {"Pa", "m/s^2", signal::full_scale, "V"}) {
         std::vector<std::size_t> places =
             places_of(layout, [&](const signal::Channel& channel) { return channel.unit == unit; });

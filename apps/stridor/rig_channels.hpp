@@ -24,17 +24,17 @@ struct Forces {
     std::vector<std::size_t> pressing{};
 };
 
-Forces forces_of(const signal::Layout& layout);
+Forces forces_of(const signal::ChannelLayout& layout);
 
 /// The imposed velocity: the channel that says "surface", or the only one in m/s.
-std::optional<std::size_t> imposed_velocity(const signal::Layout& layout);
+std::optional<std::size_t> imposed_velocity(const signal::ChannelLayout& layout);
 
 /// The channels of a file that has one friction force, as they say themselves; nothing for any other.
-std::optional<FrictionChannels> friction_channels(const signal::Layout& layout);
+std::optional<FrictionChannels> friction_channels(const signal::ChannelLayout& layout);
 
 /// The channels that may be heard: sound pressures; without any accelerations, then what is not calibrated, then
 /// velocities but the imposed one. A force is no sound.
-std::vector<std::size_t> audible_channels(const signal::Layout& layout);
+std::vector<std::size_t> audible_channels(const signal::ChannelLayout& layout);
 
 /// The usual speed [m/s] of a measured velocity: its 95th percentile.
 double usual_speed(std::span<const double> velocity);
@@ -45,13 +45,13 @@ public:
     /// The source must outlive it.
     PickedChannels(signal::Source& source, std::vector<std::size_t> places);
 
-    const signal::Layout& layout() const override { return layout_; }
+    const signal::ChannelLayout& layout() const override { return layout_; }
     std::size_t read(std::span<double> frames) override;
 
 private:
     signal::Source* source_;
     std::vector<std::size_t> places_;
-    signal::Layout layout_;
+    signal::ChannelLayout layout_;
     std::vector<double> block_{};
 };
 

@@ -49,7 +49,7 @@ struct FrictionOptions {
 }
 
 // by its name or its number from 1
-std::size_t channel_in(const signal::Layout& layout, const std::string& name, const std::string& unit) {
+std::size_t channel_in(const signal::ChannelLayout& layout, const std::string& name, const std::string& unit) {
     const std::size_t found = signal::channel_named(layout, name);
     if (layout.channels[found].unit != unit)
         refuse("channel \"" + name + "\" is in " + layout.channels[found].unit, "it must be in " + unit,
@@ -58,7 +58,7 @@ std::size_t channel_in(const signal::Layout& layout, const std::string& name, co
 }
 
 // what is named, else what the channels say themselves
-FrictionChannels channels_of(const signal::Layout& layout, const FrictionOptions& options) {
+FrictionChannels channels_of(const signal::ChannelLayout& layout, const FrictionOptions& options) {
     const Forces forces = forces_of(layout);
     FrictionChannels channels;
     if (!options.channel.empty())
@@ -149,7 +149,7 @@ void friction(const FrictionOptions& options) {
     recordings::OpenOptions open;
     if (!options.full_scale.empty()) open.full_scales = {recordings::parse_full_scale(options.full_scale)};
     const std::unique_ptr<recordings::SignalFile> file = recordings::open_signal(options.file, open);
-    const signal::Layout layout = file->layout();
+    const signal::ChannelLayout layout = file->layout();
     const FrictionChannels places = channels_of(layout, options);
     for (const std::string& note : file->facts().notes)
         say("stridor: note: " + note);

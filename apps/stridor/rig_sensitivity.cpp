@@ -149,7 +149,7 @@ std::string report(const Sensitivity& result, const SensitivityCommand& command)
 void run_sensitivity(const SensitivityCommand& command) {
     noise_library::Library library = open_library(command.library, noise_library::Access::read);
     noise_library::Query query = query_of(command.selection);
-    query.extent = noise_library::Extent::figures;
+    query.extent = noise_library::EntryExtent::figures;
     noise_library::SensitivityOptions options;
     options.quantity = command.over;
     options.unit = unit_over(command.over, library);

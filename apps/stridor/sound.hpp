@@ -30,11 +30,11 @@ public:
     double mean_square() const;            // [unit^2]
     std::uint64_t frames() const { return *layout_.frames; }
 
-    const signal::Layout& layout() const override { return layout_; }
+    const signal::ChannelLayout& layout() const override { return layout_; }
     std::size_t read(std::span<double> frames) override;
 
 private:
-    signal::Layout layout_;
+    signal::ChannelLayout layout_;
     recordings::Spool file_;
     std::uint64_t next_ = 0;  // [bytes] where the next read begins
     double peak_ = 0.0;

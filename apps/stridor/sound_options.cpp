@@ -21,7 +21,7 @@ void side_by_side(std::size_t count, const std::function<void(std::size_t)>& wor
 }
 
 // a line that is redrawn in a terminal, a line per 10 % of long recordings anywhere else, nothing for short ones
-sound::Progress progress_of(const signal::Layout& layout) {
+sound::AnalysisProgress progress_of(const signal::ChannelLayout& layout) {
     constexpr double long_recording = 300.0;  // [s]
     const double whole = layout.frames ? static_cast<double>(*layout.frames) : 0.0;
     if (whole < long_recording * layout.rate) return {};

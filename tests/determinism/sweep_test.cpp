@@ -63,7 +63,7 @@ protected:
         Store store(folder_ / ("undisturbed-" + std::to_string(threads)), study_);
         RunOptions options;
         options.threads = threads;
-        EXPECT_EQ(run(study_, store, options).ending, Ending::completed);
+        EXPECT_EQ(run(study_, store, options).ending, SweepEnding::completed);
         return all_cells(load(study_, store));
     }
 
@@ -117,16 +117,16 @@ TEST_P(Sweep, HasTheSameBitsInAnyOrderByAnyInstructionSet) {
 TEST_P(Sweep, HasTheSameBitsHoweverOftenItWasStopped) {
     const std::vector<Cell> cells = undisturbed(2);
     Store store(folder_ / "disturbed", study_);
-    Ending ending = Ending::stopped;
+    SweepEnding ending = SweepEnding::stopped;
     int stops = 0;
-    for (int batches = 1; ending == Ending::stopped; ++batches) {
+    for (int batches = 1; ending == SweepEnding::stopped; ++batches) {
         ImpatientKeeper keeper(store, batches);
         RunOptions options;
         options.threads = 1 + stops % 3;
         options.stop = keeper.token();
         options.cells_per_commit = 4;
         ending = run(study_, keeper, options).ending;
-        if (ending == Ending::stopped) ++stops;
+        if (ending == SweepEnding::stopped) ++stops;
     }
     EXPECT_GE(stops, 3);
     EXPECT_TRUE(same_cells(all_cells(load(study_, store)), cells));

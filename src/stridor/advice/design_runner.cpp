@@ -74,9 +74,9 @@ struct DesignRunner::Threads {
                std::size_t first, std::size_t last) {
         std::mutex mutex;
         std::exception_ptr failure;
-        using Range = tbb::blocked_range<std::size_t>;
+        using IndexRange = tbb::blocked_range<std::size_t>;
         const sweep::ForkJoin all;
-        const auto judge_range = [&](const Range& range) {
+        const auto judge_range = [&](const IndexRange& range) {
             const sweep::ForkJoin::Task task;
             for (std::size_t k = range.begin(); k < range.end() && !stop.stop_requested(); ++k) {
                 try {
@@ -89,7 +89,7 @@ struct DesignRunner::Threads {
                 }
             }
         };
-        arena.execute([&] { tbb::parallel_for(Range(first, last, 1), judge_range, tbb::simple_partitioner()); });
+        arena.execute([&] { tbb::parallel_for(IndexRange(first, last, 1), judge_range, tbb::simple_partitioner()); });
         all.join();
         if (failure) std::rethrow_exception(failure);
         if (stop.stop_requested())

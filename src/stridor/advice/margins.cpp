@@ -100,13 +100,13 @@ std::vector<const ScanPoint*> outwards(const ParameterMargin& margin, double ori
 // a bracket, and where its result belongs
 struct Search {
     Bracket bracket;
-    Condition condition;
+    DesignCondition condition;
     std::optional<VerdictChange>* result;
     std::size_t parameter;
 };
 
 void look(const DesignSpace& space, std::vector<Search>& searches, const std::vector<const ScanPoint*>& points,
-          Condition condition, std::pair<std::size_t, std::optional<VerdictChange>*> result) {
+          DesignCondition condition, std::pair<std::size_t, std::optional<VerdictChange>*> result) {
     for (std::size_t k = 1; k < points.size(); ++k) {
         if (!condition(points[k]->verdict)) continue;
         const auto [parameter, place] = result;
@@ -121,7 +121,7 @@ void look(const DesignSpace& space, std::vector<Search>& searches, const std::ve
 
 void locate(const DesignSpace& space, const std::vector<Search>& searches, DesignRunner& runner) {
     std::vector<Bracket> brackets;
-    std::vector<Condition> conditions;
+    std::vector<DesignCondition> conditions;
     for (const Search& search : searches) {
         brackets.push_back(search.bracket);
         conditions.push_back(search.condition);
@@ -184,7 +184,7 @@ double distance(const Shares& a, const Shares& b) {
 }
 
 std::vector<Bracket> bisect(const DesignSpace& space, std::vector<Bracket> brackets,
-                            const std::vector<Condition>& conditions, double resolution, DesignRunner& runner) {
+                            const std::vector<DesignCondition>& conditions, double resolution, DesignRunner& runner) {
     STRIDOR_EXPECT(brackets.size() == conditions.size());
     while (true) {
         // all brackets at once: each round is as many runs as there are wide ones
@@ -215,7 +215,7 @@ std::vector<Bracket> bisect(const DesignSpace& space, std::vector<Bracket> brack
 
 std::vector<ParameterMargin> margins(const DesignSpace& space, const DesignVerdict& present, DesignRunner& runner) {
     std::vector<ParameterMargin> margins = scans(space, present, runner);
-    const Condition is_other = [&](const DesignVerdict& verdict) { return !are_alike(verdict, present); };
+    const DesignCondition is_other = [&](const DesignVerdict& verdict) { return !are_alike(verdict, present); };
     std::vector<Search> searches;
     for (ParameterMargin& margin : margins)
         for (const Side side : {Side::below, Side::above}) {

@@ -76,7 +76,7 @@ const VerdictChange* nearest_change(const DesignSpace& space, const ParameterMar
 const VerdictChange* nearest_quiet(const DesignSpace& space, const ParameterMargin& margin);
 
 /// What is looked for among designs.
-using Condition = std::function<bool(const DesignVerdict&)>;
+using DesignCondition = std::function<bool(const DesignVerdict&)>;
 
 /// Two designs between which a condition begins to hold.
 struct Bracket {
@@ -88,7 +88,7 @@ struct Bracket {
 /// The same brackets, bisected until their ends are at most `resolution` apart [1, distance of shares]; each with its
 /// own condition, shape [bracket].
 std::vector<Bracket> bisect(const DesignSpace& space, std::vector<Bracket> brackets,
-                            const std::vector<Condition>& conditions, double resolution, DesignRunner& runner);
+                            const std::vector<DesignCondition>& conditions, double resolution, DesignRunner& runner);
 
 /// Distance of two designs: the Euclidean one of their shares [1].
 double distance(const Shares& a, const Shares& b);

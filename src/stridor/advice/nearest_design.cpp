@@ -50,7 +50,7 @@ double exit_distance(const DesignSpace& space, const Heading& heading) {
 }
 
 std::optional<Bracket> first_meeting(const DesignSpace& space, std::span<const Shares> points,
-                                     std::span<const DesignVerdict> verdicts, const Target& target) {
+                                     std::span<const DesignVerdict> verdicts, const DesignTarget& target) {
     for (std::size_t k = 0; k < points.size(); ++k) {
         // once alone is a speck, unless the ray ends there
         const bool goes_on =
@@ -61,9 +61,9 @@ std::optional<Bracket> first_meeting(const DesignSpace& space, std::span<const S
     return std::nullopt;
 }
 
-std::vector<NearestDesign> located(const DesignSpace& space, std::vector<Bracket> brackets, const Target& target,
+std::vector<NearestDesign> located(const DesignSpace& space, std::vector<Bracket> brackets, const DesignTarget& target,
                                    DesignRunner& runner) {
-    const std::vector<Condition> conditions(brackets.size(), target.condition);
+    const std::vector<DesignCondition> conditions(brackets.size(), target.condition);
     std::vector<NearestDesign> designs;
     for (Bracket& bracket : bisect(space, std::move(brackets), conditions, ray_resolution, runner)) {
         const double far = distance(space.origin, bracket.beyond);
@@ -90,7 +90,7 @@ std::vector<Heading> variations(const Heading& heading, std::span<const std::siz
 
 // those of the headings that behave so somewhat nearer than `far`
 std::vector<NearestDesign> nearer(const DesignSpace& space, std::vector<Heading> headings, double far,
-                                  const Target& target, DesignRunner& runner) {
+                                  const DesignTarget& target, DesignRunner& runner) {
     std::erase_if(headings, [&](const Heading& heading) { return exit_distance(space, heading) < shrinking * far; });
     std::vector<Shares> points;
     for (const Heading& heading : headings)
@@ -129,7 +129,7 @@ Shares point_along(const DesignSpace& space, const Heading& heading, double dist
 }
 
 std::vector<std::optional<NearestDesign>> along_rays(const DesignSpace& space, std::span<const Heading> headings,
-                                                     const Target& target, DesignRunner& runner) {
+                                                     const DesignTarget& target, DesignRunner& runner) {
     std::vector<Shares> points;
     std::vector<std::size_t> followed;
     for (std::size_t k = 0; k < headings.size(); ++k) {
@@ -158,7 +158,7 @@ std::vector<std::optional<NearestDesign>> along_rays(const DesignSpace& space, s
 }
 
 std::vector<std::optional<NearestDesign>> counted(const DesignSpace& space, std::vector<NearestDesign> designs,
-                                                  const Target& target, DesignRunner& runner) {
+                                                  const DesignTarget& target, DesignRunner& runner) {
     std::vector<std::optional<NearestDesign>> kept(designs.size());
     std::vector<Shares> farther;
     if (target.specks == Specks::ignored)
@@ -170,7 +170,7 @@ std::vector<std::optional<NearestDesign>> counted(const DesignSpace& space, std:
     return kept;
 }
 
-std::vector<Heading> explored_headings(const DesignSpace& space, const Target& target, DesignRunner& runner) {
+std::vector<Heading> explored_headings(const DesignSpace& space, const DesignTarget& target, DesignRunner& runner) {
     const std::size_t dimensions = space.free.size();
     if (dimensions > most_sobol_dimensions) return {};
     std::vector<Shares> points;
@@ -195,7 +195,7 @@ std::vector<Heading> explored_headings(const DesignSpace& space, const Target& t
 }
 
 NearestDesign polished(const DesignSpace& space, NearestDesign best, std::span<const std::size_t> chosen,
-                       const Target& target, DesignRunner& runner) {
+                       const DesignTarget& target, DesignRunner& runner) {
     double difference = first_difference;
     for (int round = 0; round < most_rounds && difference > last_difference; ++round) {
         const Heading heading = heading_to(space, best.shares);

@@ -44,25 +44,25 @@ Heading flat_heading(const std::vector<double>& intercepts, std::span<const std:
 enum class Specks { ignored, counted };
 
 /// What is looked for.
-struct Target {
-    Condition condition{};
+struct DesignTarget {
+    DesignCondition condition{};
     Specks specks = Specks::ignored;
 };
 
 /// The nearest designs along rays, one per heading, shape [heading]; nothing where a ray meets none.
 std::vector<std::optional<NearestDesign>> along_rays(const DesignSpace& space, std::span<const Heading> headings,
-                                                     const Target& target, DesignRunner& runner);
+                                                     const DesignTarget& target, DesignRunner& runner);
 
 /// Those of some designs that count: all, or, without specks, those that behave so a little further on as well.
 std::vector<std::optional<NearestDesign>> counted(const DesignSpace& space, std::vector<NearestDesign> designs,
-                                                  const Target& target, DesignRunner& runner);
+                                                  const DesignTarget& target, DesignRunner& runner);
 
 /// Headings towards the nearest few of many designs around the present one that behave so.
-std::vector<Heading> explored_headings(const DesignSpace& space, const Target& target, DesignRunner& runner);
+std::vector<Heading> explored_headings(const DesignSpace& space, const DesignTarget& target, DesignRunner& runner);
 
 /// A nearer design than the one given, changing the chosen parameters only; at worst that one.
 NearestDesign polished(const DesignSpace& space, NearestDesign start, std::span<const std::size_t> chosen,
-                       const Target& target, DesignRunner& runner);
+                       const DesignTarget& target, DesignRunner& runner);
 
 /// The unit vector from the present design to another one.
 Heading heading_to(const DesignSpace& space, const Shares& shares);

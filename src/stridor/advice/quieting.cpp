@@ -22,7 +22,7 @@ constexpr std::array tried_safeties{safety, 0.03, 0.04, 0.06, 0.08, 0.1, 0.12};
 // a rounded value may lie so much farther than asked for [1, share of the range]
 constexpr double rounding_room = 0.01;
 
-Target target_for(Wanted wanted) {
+DesignTarget target_for(Wanted wanted) {
     if (wanted == Wanted::quiet) return {slips_quietly, Specks::ignored};
     // no noise is too small to count
     return {[](const DesignVerdict& verdict) { return !is_quiet(verdict) && !is_invalid(verdict); }, Specks::counted};
@@ -89,7 +89,7 @@ std::vector<Case> around(const DesignSpace& space, const DesignChange& change) {
 // the changes with what their runs say; nothing for those that do not meet the condition all around. Neighbours whose
 // values contradict each other are no designs, and asked for nothing.
 std::vector<std::optional<DesignChange>> verified(const DesignSpace& space, std::vector<DesignChange> changes,
-                                                  const Condition& condition, DesignRunner& runner) {
+                                                  const DesignCondition& condition, DesignRunner& runner) {
     std::vector<Case> cases;
     std::vector<std::size_t> counts;
     for (const DesignChange& change : changes) {
@@ -115,20 +115,20 @@ std::vector<std::optional<DesignChange>> verified(const DesignSpace& space, std:
 enum class Side { below, above };
 
 // the quiet stretches of a scan to one side, each as shares from its near to its far end
-struct Stretch {
+struct QuietStretch {
     double near = 0.0;
     double far = 0.0;
 };
 
-std::vector<Stretch> quiet_stretches(const DesignSpace& space, const ParameterMargin& margin, Side side,
-                                     const Condition& condition) {
+std::vector<QuietStretch> quiet_stretches(const DesignSpace& space, const ParameterMargin& margin, Side side,
+                                          const DesignCondition& condition) {
     const bool is_above = side == Side::above;
     const double origin = space.origin[margin.parameter];
     std::vector<const ScanPoint*> points;
     for (const ScanPoint& point : margin.scan)
         if (is_above ? point.share > origin : point.share < origin) points.push_back(&point);
     if (!is_above) std::reverse(points.begin(), points.end());
-    std::vector<Stretch> stretches;
+    std::vector<QuietStretch> stretches;
     bool is_within = false;
     for (const ScanPoint* point : points) {
         const bool quiet = condition(point->verdict);
@@ -145,10 +145,10 @@ std::vector<Stretch> quiet_stretches(const DesignSpace& space, const ParameterMa
 
 // what to try for one parameter, smallest change first
 std::vector<DesignChange> candidates(const DesignSpace& space, const ParameterMargin& margin,
-                                     const Condition& condition) {
+                                     const DesignCondition& condition) {
     std::vector<DesignChange> changes;
     for (const Side side : {Side::below, Side::above})
-        for (const Stretch& stretch : quiet_stretches(space, margin, side, condition)) {
+        for (const QuietStretch& stretch : quiet_stretches(space, margin, side, condition)) {
             const double outwards = side == Side::above ? 1.0 : -1.0;
             const double width = std::abs(stretch.far - stretch.near);
             for (const double beyond : tried_safeties) {
@@ -166,7 +166,7 @@ std::vector<DesignChange> candidates(const DesignSpace& space, const ParameterMa
 // the first candidate of each list that can be verified
 std::vector<DesignChange> first_verified(const DesignSpace& space,
                                          const std::vector<std::vector<DesignChange>>& candidates,
-                                         const Condition& condition, DesignRunner& runner) {
+                                         const DesignCondition& condition, DesignRunner& runner) {
     std::vector<DesignChange> found;
     std::vector<std::size_t> open(candidates.size());
     std::iota(open.begin(), open.end(), 0U);
@@ -323,7 +323,7 @@ double roundest(double near, double far) {
 
 std::vector<DesignChange> single_changes(const DesignSpace& space, std::span<const ParameterMargin> margins,
                                          Sticking sticking, DesignRunner& runner) {
-    const Condition condition = sticking == Sticking::refused ? slips_quietly : is_quiet;
+    const DesignCondition condition = sticking == Sticking::refused ? slips_quietly : is_quiet;
     std::vector<std::vector<DesignChange>> tried;
     for (const std::size_t k : space.free)
         tried.push_back(candidates(space, margins[k], condition));
@@ -360,7 +360,7 @@ const DesignChange* recommended(std::span<const DesignChange> changes) {
 
 std::optional<NearestDesign> nearest_design(const DesignSpace& space, std::span<const ParameterMargin> margins,
                                             Wanted wanted, DesignRunner& runner) {
-    const Target target = target_for(wanted);
+    const DesignTarget target = target_for(wanted);
     const std::vector<double> axes = intercepts(space, margins, wanted);
     std::vector<Heading> headings{flat_heading(axes, space.free)};
     for (const Heading& heading : explored_headings(space, target, runner))

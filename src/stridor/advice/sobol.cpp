@@ -13,14 +13,14 @@ constexpr std::size_t most_degree = 7;
 
 // one line of the table of Joe and Kuo: a primitive polynomial x^s + a1 x^(s-1) + ... + 1 and the
 // first direction numbers
-struct Line {
+struct DirectionNumbers {
     unsigned degree = 0;                             // s
     unsigned coefficients = 0;                       // a, the bits a1 ... a(s-1)
     std::array<std::uint32_t, most_degree> first{};  // m1 ... ms
 };
 
 // dimensions 2 to 21; the first one is van der Corput's sequence
-constexpr std::array<Line, most_sobol_dimensions - 1> table{{
+constexpr std::array<DirectionNumbers, most_sobol_dimensions - 1> table{{
     {1, 0, {1}},
     {2, 1, {1, 3}},
     {3, 1, {1, 3, 1}},
@@ -53,7 +53,7 @@ constexpr Directions van_der_corput() {
 }
 
 // Bratley and Fox (1988): v(k) = v(k-s) ^ (v(k-s) >> s) ^ the v(k-i) whose a(i) is set
-constexpr Directions directions(const Line& line) {
+constexpr Directions directions(const DirectionNumbers& line) {
     Directions v{};
     const std::size_t s = line.degree;
     for (std::size_t k = 0; k < s; ++k)

@@ -44,11 +44,11 @@ std::size_t onset_of(std::span<const double> r, std::size_t peak, std::size_t va
 }
 
 // r at `last` on the least-squares line through the `count` samples that end there
-struct Line {
+struct FittedLine {
     double value = 0.0;
     double slope = 0.0;  // per sample
 };
-Line line_at_end(std::span<const double> r, std::size_t last, std::size_t count) {
+FittedLine line_at_end(std::span<const double> r, std::size_t last, std::size_t count) {
     double sum = 0.0, moment = 0.0, n = 0.0, s1 = 0.0, s2 = 0.0;
     for (std::size_t j = 0; j < count; ++j) {
         const double value = r[last - j];
@@ -100,7 +100,7 @@ Release release_of(const Fall& fall, std::span<const double> r) {
     // noise asks for many samples, the shape of the climb for few: a quarter of it
     const std::size_t climb = fall.onset - fall.rise_from;
     const std::size_t count = std::clamp<std::size_t>(climb / 4, 1, most_line_samples);
-    const Line line = line_at_end(r, fall.onset, count);
+    const FittedLine line = line_at_end(r, fall.onset, count);
     const double climb_rate = count >= 4 ? line.slope : r[fall.onset] - r[std::max<std::size_t>(fall.onset, 1) - 1];
     release.resolution = std::isfinite(climb_rate) ? std::max(0.0, climb_rate) : 0.0;
     // the contact let go somewhere between this sample and the next

@@ -16,7 +16,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_samples = 16;
 
 // samples [from, to) of one direction
-struct Stretch {
+struct ForceStretch {
     std::size_t from = 0;
     std::size_t to = 0;
     int direction = 1;
@@ -85,13 +85,13 @@ std::vector<double> ratios(const FrictionMeasurement& m, const FrictionTraceOpti
     return r;
 }
 
-void add_stretch(std::vector<Stretch>& stretches, const Stretch& stretch) {
+void add_stretch(std::vector<ForceStretch>& stretches, const ForceStretch& stretch) {
     if (stretch.to >= stretch.from + 3) stretches.push_back(stretch);
 }
 
-std::vector<Stretch> stretches_by_velocity(std::span<const double> velocity, double share) {
+std::vector<ForceStretch> stretches_by_velocity(std::span<const double> velocity, double share) {
     const double least = share * quantile(magnitudes(velocity), 0.95);
-    std::vector<Stretch> stretches;
+    std::vector<ForceStretch> stretches;
     std::size_t begin = 0;
     int direction = 0;
     for (std::size_t k = 0; k <= velocity.size(); ++k) {
@@ -106,9 +106,9 @@ std::vector<Stretch> stretches_by_velocity(std::span<const double> velocity, dou
 }
 
 // a reversal lies where the force passed zero last before the other sign grew large
-std::vector<Stretch> stretches_by_force(std::span<const double> r, double share) {
+std::vector<ForceStretch> stretches_by_force(std::span<const double> r, double share) {
     const double least = share * quantile(magnitudes(r), 0.95);
-    std::vector<Stretch> stretches;
+    std::vector<ForceStretch> stretches;
     std::size_t begin = 0, zero = 0;
     int direction = 0;
     for (std::size_t k = 0; k < r.size(); ++k) {
@@ -157,7 +157,7 @@ double variation_of(const std::vector<double>& intervals) {
 
 // everything found in one stretch
 struct StretchFigures {
-    Stretch stretch;
+    ForceStretch stretch;
     std::vector<DropFigures> drops;
     std::vector<double> blocks;   // [1] means of r in tenths of the steady part
     double first_peak = unknown;  // [1] highest r before the steady part
@@ -166,7 +166,7 @@ struct StretchFigures {
     double distance = 0.0;  // [m]
 };
 
-StretchFigures study(const FrictionMeasurement& m, const std::vector<double>& signed_ratio, const Stretch& stretch,
+StretchFigures study(const FrictionMeasurement& m, const std::vector<double>& signed_ratio, const ForceStretch& stretch,
                      double threshold, double noise, const FrictionTraceOptions& options) {
     StretchFigures result;
     result.stretch = stretch;
@@ -282,9 +282,9 @@ FrictionTrace friction_trace(const FrictionMeasurement& measurement, const Frict
     const std::vector<double> r = ratios(measurement, options);
     const double level = quantile(magnitudes(r), 0.95);
     const double noise = noise_of(r);
-    const std::vector<Stretch> stretches = measurement.velocity.empty()
-                                               ? stretches_by_force(r, options.reversal)
-                                               : stretches_by_velocity(measurement.velocity, options.moving_velocity);
+    const std::vector<ForceStretch> stretches =
+        measurement.velocity.empty() ? stretches_by_force(r, options.reversal)
+                                     : stretches_by_velocity(measurement.velocity, options.moving_velocity);
     if (stretches.empty())
         refuse("nothing slides in this trace",
                measurement.velocity.empty() ? "its friction force is zero" : "its velocity is zero", "");
@@ -293,7 +293,7 @@ FrictionTrace friction_trace(const FrictionMeasurement& measurement, const Frict
     trace.threshold = std::max(options.least_drop * level, options.noise_factor * noise);
     trace.noise = noise_of(measurement.force);
     std::vector<StretchFigures> all;
-    for (const Stretch& stretch : stretches)
+    for (const ForceStretch& stretch : stretches)
         all.push_back(study(measurement, r, stretch, trace.threshold, noise, options));
     for (const StretchFigures& stretch : all)
         for (const DropFigures& drop : stretch.drops)

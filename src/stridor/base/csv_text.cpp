@@ -22,7 +22,7 @@ std::string plain(std::string text) {
     return text;
 }
 
-std::string heading(const Column& column) {
+std::string heading(const TableColumn& column) {
     const bool has_unit = !column.unit.empty() && column.unit != "1";
     return has_unit ? column.name + " [" + column.unit + "]" : column.name;
 }
@@ -52,8 +52,8 @@ std::string quoted(std::string_view words) {
     return result + "\"";
 }
 
-Table::Table(const Facts& facts, const std::vector<Column>& columns) : text_(first_line(facts)) {
-    for (const Column& column : columns)
+Table::Table(const Facts& facts, const std::vector<TableColumn>& columns) : text_(first_line(facts)) {
+    for (const TableColumn& column : columns)
         word(heading(column));
     end_row();
 }

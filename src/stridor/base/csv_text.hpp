@@ -21,7 +21,7 @@ inline constexpr std::string_view fact_mark = " | ";
 using Fact = std::pair<std::string, std::string>;
 using Facts = std::vector<Fact>;
 
-struct Column {
+struct TableColumn {
     std::string name;
     std::string unit{};  // empty or "1": words, or a number without dimension
 };
@@ -39,7 +39,7 @@ std::string quoted(std::string_view words);
 /// Rows of fields behind the first line and the names.
 class Table {
 public:
-    Table(const Facts& facts, const std::vector<Column>& columns);
+    Table(const Facts& facts, const std::vector<TableColumn>& columns);
 
     void word(std::string_view word) { field(quoted(word)); }
     /// NaN is an empty field.

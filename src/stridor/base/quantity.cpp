@@ -83,7 +83,7 @@ constexpr std::array names{
 };
 
 /// A unit, or the part of its text that is unknown.
-struct Attempt {
+struct ConversionAttempt {
     std::optional<Unit> unit{};
     std::string_view unknown{};
 };
@@ -103,7 +103,7 @@ std::optional<Unit> find_symbol(std::string_view text) {
 }
 
 // one symbol with an optional power: "mm", "s^2", "s²", "s^-1"
-Attempt try_factor(std::string_view text) {
+ConversionAttempt try_factor(std::string_view text) {
     int power = 1;
     const std::size_t caret = text.find('^');
     if (caret != std::string_view::npos) {
@@ -136,7 +136,7 @@ Unit product(const Unit& a, const Unit& b, int sign) {
         sign > 0 ? a.factor * b.factor : a.factor / b.factor};
 }
 
-Attempt try_unit(std::string_view text) {
+ConversionAttempt try_unit(std::string_view text) {
     text = trimmed(text);
     if (text.empty()) return {{}, text};
     Unit unit;
@@ -145,7 +145,7 @@ Attempt try_unit(std::string_view text) {
         std::size_t end = text.find_first_of(" */");
         const std::size_t dot = text.find("·");
         if (dot < end) end = dot;
-        const Attempt factor = try_factor(text.substr(0, end));
+        const ConversionAttempt factor = try_factor(text.substr(0, end));
         if (!factor.unit) return factor;
         unit = product(unit, *factor.unit, sign);
         if (end == std::string_view::npos) return {unit, {}};
@@ -284,7 +284,7 @@ std::optional<Unit> find_unit(std::string_view text) {
 }
 
 Unit parse_unit(std::string_view text) {
-    const Attempt attempt = try_unit(text);
+    const ConversionAttempt attempt = try_unit(text);
     if (!attempt.unit) throw bad_unit(text, attempt.unknown, "");
     return *attempt.unit;
 }
@@ -310,7 +310,7 @@ double parse_quantity(std::string_view text, std::string_view unit) {
                      "Write " + (repaired.empty() ? "1234.5, not 1,234.5" : "\"" + repaired + "\"") + "."});
     }
     const Unit wanted = parse_unit(unit);
-    const Attempt attempt = rest.empty() ? Attempt{wanted, {}} : try_unit(rest);
+    const ConversionAttempt attempt = rest.empty() ? ConversionAttempt{wanted, {}} : try_unit(rest);
     if (!attempt.unit) throw bad_unit(rest, attempt.unknown, unit);
     const Unit found = *attempt.unit;
     if (!(found.dimension == wanted.dimension))

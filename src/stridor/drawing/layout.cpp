@@ -52,7 +52,7 @@ std::vector<Range> divided(Range room, const std::vector<double>& shares, const 
 }
 
 // a tick that the axis brought along may lie beyond its end
-bool is_on(const Axis& axis, const Tick& tick) {
+bool is_on(const PanelAxis& axis, const Tick& tick) {
     const double share = position(axis, tick.value);
     return share >= -1e-9 && share <= 1.0 + 1e-9;
 }
@@ -223,9 +223,9 @@ private:
             axis_title_left_.push_back(parts[c].from - columns[c].left + 0.5 * mm_.line);
     }
 
-    Axis bar_axis() const {
+    PanelAxis bar_axis() const {
         const ColourBar& bar = *scene_.colour_bar;
-        Axis axis;
+        PanelAxis axis;
         axis.label = bar.label;
         axis.unit = bar.unit;
         axis.scale = bar.colours.scale;
@@ -254,7 +254,7 @@ private:
         return bar.area.left - 1.2 * mm_.em;
     }
 
-    void place_x_numbers(const Axis& axis, const PlacedPanel& placed) {
+    void place_x_numbers(const PanelAxis& axis, const PlacedPanel& placed) {
         const Rectangle& area = placed.area;
         for (const Tick& tick : placed.x.ticks)
             if (is_on(axis, tick) && !is_empty(tick.label))
@@ -264,7 +264,7 @@ private:
     }
 
     // right of the panel where they are aligned to the left
-    void place_y_numbers(const Axis& axis, const PlacedPanel& placed, Align align) {
+    void place_y_numbers(const PanelAxis& axis, const PlacedPanel& placed, Align align) {
         const Rectangle& area = placed.area;
         const double x = align == Align::left ? area.right + 0.8 * mm_.to_tick : area.left - 0.8 * mm_.to_tick;
         for (const Tick& tick : placed.y.ticks)

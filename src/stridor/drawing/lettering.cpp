@@ -29,7 +29,7 @@ namespace stridor::drawing {
 
 namespace {
 
-struct Release {
+struct CairoRelease {
     void operator()(gpointer object) const { g_object_unref(object); }
     void operator()(PangoAttrList* list) const { pango_attr_list_unref(list); }
     void operator()(PangoFontDescription* font) const { pango_font_description_free(font); }
@@ -39,7 +39,7 @@ struct Release {
 };
 
 template <typename Thing>
-using Held = std::unique_ptr<Thing, Release>;
+using Held = std::unique_ptr<Thing, CairoRelease>;
 
 // letters of one shape at every size and resolution, whatever language the user's is
 Held<PangoContext> context_for_paper() {
@@ -160,7 +160,7 @@ std::vector<Text> wrapped(const Text& text, double size, double width) {
     return lines;
 }
 
-Extent note_extent(const Text& text, double size) {
+TextExtent note_extent(const Text& text, double size) {
     const double em = size * millimetres_per_point;
     return {text_width(text, size) + 0.6 * em, 1.4 * em};
 }

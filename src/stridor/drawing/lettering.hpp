@@ -20,11 +20,11 @@ double text_width(const Text& text, double size);
 std::vector<Text> wrapped(const Text& text, double size, double width);
 
 /// Room that a note takes [mm], a little air included.
-struct Extent {
+struct TextExtent {
     double width = 0.0;
     double height = 0.0;
 };
-Extent note_extent(const Text& text, double size);
+TextExtent note_extent(const Text& text, double size);
 
 /// How letters are drawn: each where the raster of an image has room for it, or as the curves of its shape.
 enum class Letters { glyphs, outlines };

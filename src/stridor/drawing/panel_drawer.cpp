@@ -155,7 +155,7 @@ public:
     // the patch that keeps a texture away from the letters
     void operator()(const Note& note) const {
         if (!note.ground) return;
-        const Extent extent = note_extent(note.text, size_of(note));
+        const TextExtent extent = note_extent(note.text, size_of(note));
         const Dot start = start_of(note);
         const double air = 0.5 * (extent.width - text_width(note.text, size_of(note)));
         const double before = note.align == Align::left ? 0.0 : note.align == Align::centre ? 0.5 : 1.0;
@@ -204,7 +204,7 @@ private:
 
     static std::size_t colour_step(const ColourScale& colours, double value) {
         if (std::isnan(value)) return value_steps;
-        Axis axis;
+        PanelAxis axis;
         axis.scale = colours.scale;
         axis.range = colours.range;
         const double share = position(axis, value);
@@ -243,7 +243,7 @@ private:
 };
 
 // where the ticks of one size stand: shares of the axis
-std::vector<double> places(const Axis& axis, const TickSet& set, TickSize size) {
+std::vector<double> places(const PanelAxis& axis, const TickSet& set, TickSize size) {
     std::vector<double> shares;
     for (const Tick& tick : set.ticks)
         if (tick.size == size && is_within(position(axis, tick.value))) shares.push_back(position(axis, tick.value));

@@ -14,12 +14,12 @@ namespace {
 constexpr double shade_steps = 8.0;  // usual 8: finer steps are not told apart, and join less
 
 // the column a value lies in; -1 and `columns` stand for everything left and right of the axis
-long column_of(const Axis& axis, double value, std::size_t columns) {
+long column_of(const PanelAxis& axis, double value, std::size_t columns) {
     const double place = position(axis, value) * static_cast<double>(columns);
     return static_cast<long>(std::floor(std::clamp(place, -1.0, static_cast<double>(columns))));
 }
 
-bool is_missing(const Line& line, std::size_t i, const Axis& x) {
+bool is_missing(const Line& line, std::size_t i, const PanelAxis& x) {
     return std::isnan(line.y[i]) || std::isnan(position(x, line.x[i]));
 }
 
@@ -53,7 +53,7 @@ double shade_of(double covered) {
 
 }  // namespace
 
-Line reduced(const Line& line, const Axis& x, std::size_t columns) {
+Line reduced(const Line& line, const PanelAxis& x, std::size_t columns) {
     STRIDOR_EXPECT(line.x.size() == line.y.size() && columns > 0);
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     Line kept;

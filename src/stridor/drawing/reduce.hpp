@@ -11,7 +11,7 @@ namespace stridor::drawing {
 /// A line with at most four points for each stay in a pixel column: the first, the last, the lowest and the highest,
 /// in their order. Extremes survive exactly, so an impact of one sample is still seen. `columns` cut the axis' range
 /// evenly in its own scale; a NaN stays as one NaN.
-Line reduced(const Line& line, const Axis& x, std::size_t columns);
+Line reduced(const Line& line, const PanelAxis& x, std::size_t columns);
 
 /// A stretch of time in one row of a strip, with the share of it that was spent in the row's state.
 struct Shade {

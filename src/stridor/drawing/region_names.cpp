@@ -14,7 +14,7 @@ namespace stridor::drawing {
 
 namespace {
 
-struct Place {
+struct NamePlace {
     std::uint32_t row = 0;
     std::uint32_t column = 0;
 };
@@ -31,20 +31,20 @@ public:
 
     std::uint32_t columns() const { return static_cast<std::uint32_t>(x_.size() - 1); }
     std::uint32_t rows() const { return static_cast<std::uint32_t>(y_.size() - 1); }
-    std::size_t index(Place p) const { return std::size_t{p.row} * columns() + p.column; }
-    std::size_t kind(Place p) const { return cells_.kinds[index(p)]; }
-    double left(Place p) const { return x_[p.column]; }
-    double right(Place p) const { return x_[p.column + 1]; }
-    double bottom(Place p) const { return y_[p.row]; }
-    double top(Place p) const { return y_[p.row + 1]; }
-    double surface(Place p) const { return (x_[p.column + 1] - x_[p.column]) * (y_[p.row + 1] - y_[p.row]); }
+    std::size_t index(NamePlace p) const { return std::size_t{p.row} * columns() + p.column; }
+    std::size_t kind(NamePlace p) const { return cells_.kinds[index(p)]; }
+    double left(NamePlace p) const { return x_[p.column]; }
+    double right(NamePlace p) const { return x_[p.column + 1]; }
+    double bottom(NamePlace p) const { return y_[p.row]; }
+    double top(NamePlace p) const { return y_[p.row + 1]; }
+    double surface(NamePlace p) const { return (x_[p.column + 1] - x_[p.column]) * (y_[p.row + 1] - y_[p.row]); }
 
     // first and last cell under a rectangle; nothing if it leaves the map
-    std::optional<std::pair<Place, Place>> cells_under(const Rectangle& box) const {
+    std::optional<std::pair<NamePlace, NamePlace>> cells_under(const Rectangle& box) const {
         if (box.left < x_.front() || box.right > x_.back() || box.bottom < y_.front() || box.top > y_.back())
             return std::nullopt;
-        return std::pair{Place{before(y_, box.bottom), before(x_, box.left)},
-                         Place{before(y_, box.top), before(x_, box.right)}};
+        return std::pair{NamePlace{before(y_, box.bottom), before(x_, box.left)},
+                         NamePlace{before(y_, box.top), before(x_, box.right)}};
     }
 
 private:
@@ -60,15 +60,15 @@ private:
 };
 
 // the region that holds a cell; marks its cells as seen
-std::vector<Place> region_from(const Map& map, Place start, std::vector<char>& seen) {
-    std::vector<Place> region{start};
+std::vector<NamePlace> region_from(const Map& map, NamePlace start, std::vector<char>& seen) {
+    std::vector<NamePlace> region{start};
     seen[map.index(start)] = 1;
     for (std::size_t i = 0; i < region.size(); ++i) {
-        const Place here = region[i];
+        const NamePlace here = region[i];
         const auto visit = [&](std::uint32_t row, std::uint32_t column) {
             // unsigned steps below zero land beyond the other end
             if (row >= map.rows() || column >= map.columns()) return;
-            const Place next{row, column};
+            const NamePlace next{row, column};
             if (seen[map.index(next)] != 0 || map.kind(next) != map.kind(start)) return;
             seen[map.index(next)] = 1;
             region.push_back(next);
@@ -84,16 +84,16 @@ std::vector<Place> region_from(const Map& map, Place start, std::vector<char>& s
 // counts a region's cells in any rectangle of cells at once: a summed-area table
 class Counter {
 public:
-    Counter(const Map& map, const std::vector<Place>& region) : width_(map.columns() + 1U) {
+    Counter(const Map& map, const std::vector<NamePlace>& region) : width_(map.columns() + 1U) {
         sums_.assign(width_ * (map.rows() + 1U), 0);
-        for (const Place& p : region)
+        for (const NamePlace& p : region)
             at(p.row + 1, p.column + 1) = 1;
         for (std::size_t r = 1; r <= map.rows(); ++r)
             for (std::size_t c = 1; c < width_; ++c)
                 at(r, c) += at(r - 1, c) + at(r, c - 1) - at(r - 1, c - 1);
     }
 
-    bool is_full(Place first, Place last) {
+    bool is_full(NamePlace first, NamePlace last) {
         const long count = at(last.row + 1, last.column + 1) - at(first.row, last.column + 1) -
                            at(last.row + 1, first.column) + at(first.row, first.column);
         return count == static_cast<long>((last.row - first.row + 1) * (last.column - first.column + 1));
@@ -107,10 +107,10 @@ private:
 };
 
 // middles and corners of a region's cells: where the middle of a name may stand
-std::vector<Dot> candidates(const Map& map, const std::vector<Place>& region) {
+std::vector<Dot> candidates(const Map& map, const std::vector<NamePlace>& region) {
     std::vector<Dot> dots;
     dots.reserve(4 * region.size());
-    for (const Place& p : region)
+    for (const NamePlace& p : region)
         for (const double x : {0.5 * (map.left(p) + map.right(p)), map.right(p)})
             for (const double y : {0.5 * (map.bottom(p) + map.top(p)), map.top(p)})
                 dots.push_back({x, y});
@@ -118,7 +118,7 @@ std::vector<Dot> candidates(const Map& map, const std::vector<Place>& region) {
 }
 
 // the place around which a box of this extent has most room; nothing if it fits nowhere
-std::optional<Dot> roomiest(const Map& map, const std::vector<Place>& region, const Extent& extent) {
+std::optional<Dot> roomiest(const Map& map, const std::vector<NamePlace>& region, const TextExtent& extent) {
     Counter counter(map, region);
     std::vector<Dot> places = candidates(map, region);
     for (double growth = 1.0; !places.empty(); growth *= 1.1) {
@@ -143,21 +143,21 @@ std::vector<Note> region_names(const CategoryCells& cells, const std::vector<Tex
                                const Rectangle& area, double size) {
     STRIDOR_EXPECT(names.size() == cells.fills.size());
     const Map map(cells, panel, area);
-    std::vector<Extent> extents;
+    std::vector<TextExtent> extents;
     for (const Text& name : names)
         extents.push_back(note_extent(name, size));
     std::vector<char> seen(cells.kinds.size(), 0);
     std::vector<Note> notes;
     for (std::uint32_t row = 0; row < map.rows(); ++row)
         for (std::uint32_t column = 0; column < map.columns(); ++column) {
-            const Place start{row, column};
+            const NamePlace start{row, column};
             if (seen[map.index(start)] != 0) continue;
-            const std::vector<Place> region = region_from(map, start, seen);
+            const std::vector<NamePlace> region = region_from(map, start, seen);
             const std::size_t kind = map.kind(start);
             if (is_empty(names[kind])) continue;
-            const Extent& extent = extents[kind];
+            const TextExtent& extent = extents[kind];
             double surface = 0.0;
-            for (const Place& p : region)
+            for (const NamePlace& p : region)
                 surface += map.surface(p);
             if (surface < extent.width * extent.height) continue;
             const std::optional<Dot> best = roomiest(map, region, extent);

@@ -63,7 +63,7 @@ struct Tick {
 /// Do an axis' numbers and title stand beside it, or does a neighbour panel carry them?
 enum class AxisText { shown, hidden };
 
-struct Axis {
+struct PanelAxis {
     Text label;        // "preload F", without its unit
     std::string unit;  // as in the field table: "m/s^2", "1"
     AxisScale scale = AxisScale::linear;
@@ -178,8 +178,8 @@ struct Panel {
     Text title;
     std::size_t row = 0;     // from the top
     std::size_t column = 0;  // from the left
-    Axis x;
-    Axis y;
+    PanelAxis x;
+    PanelAxis y;
     Frame frame = Frame::open;
     Grid grid = Grid::none;
     std::vector<Layer> layers;

@@ -81,19 +81,19 @@ TickSet logarithmic_ticks(const Range& range, double length, double spacing) {
 
 }  // namespace
 
-TickSet ticks(const Axis& axis, double length, double spacing) {
+TickSet ticks(const PanelAxis& axis, double length, double spacing) {
     if (!axis.ticks.empty()) return {axis.ticks, 0};
     return axis.scale == AxisScale::linear ? linear_ticks(axis.range, length, spacing)
                                            : logarithmic_ticks(axis.range, length, spacing);
 }
 
-double position(const Axis& axis, double value) {
+double position(const PanelAxis& axis, double value) {
     const auto [from, to] = axis.range;
     return axis.scale == AxisScale::linear ? (value - from) / (to - from)
                                            : std::log(value / from) / std::log(to / from);
 }
 
-double value_at_position(const Axis& axis, double share) {
+double value_at_position(const PanelAxis& axis, double share) {
     const auto [from, to] = axis.range;
     return axis.scale == AxisScale::linear ? from + share * (to - from) : from * std::pow(to / from, share);
 }

@@ -17,13 +17,13 @@ struct TickSet {
 /// Linear: steps of 1, 2 or 5 times a power of ten. Logarithmic: decades, with 2 and 5 where there is room, minor ticks
 /// at the other whole multiples. Large and small numbers of a linear axis are counted in a power of ten.
 /// Ticks that the axis brings along are taken as they are.
-TickSet ticks(const Axis& axis, double length, double spacing);
+TickSet ticks(const PanelAxis& axis, double length, double spacing);
 
 /// Share of the axis' length at which a value lies: 0 at `from`, 1 at `to`, measured in the axis' own scale.
-double position(const Axis& axis, double value);
+double position(const PanelAxis& axis, double value);
 
 /// The value at a share of the axis' length; the inverse of `position`.
-double value_at_position(const Axis& axis, double share);
+double value_at_position(const PanelAxis& axis, double share);
 
 /// The axis' title: label and unit in brackets, the unit with the power of ten.
 Text axis_title(const Text& label, std::string_view unit, int exponent);

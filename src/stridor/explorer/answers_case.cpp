@@ -64,7 +64,7 @@ Json preset_object(const Preset& preset) {
 }
 
 /// A column of the motion that is sent: numbers of the trace, under the names that the page knows.
-struct Column {
+struct SentColumn {
     std::string name;
     std::string_view unit;
     std::string sentence;
@@ -72,8 +72,8 @@ struct Column {
 };
 
 // displacements and velocities of the rubbing system ("x1", "x1_velocity"), the surface's velocity, each contact's
-std::vector<Column> columns_of(int contacts) {
-    std::vector<Column> columns;
+std::vector<SentColumn> columns_of(int contacts) {
+    std::vector<SentColumn> columns;
     const std::vector<std::string> dofs = io::dof_names(io::dof_sentences.size());
     for (const record::DofColumn& column : std::span(record::dof_columns).first(2))
         for (std::size_t dof = 0; dof < dofs.size(); ++dof) {
@@ -123,14 +123,14 @@ void pad(std::string& bytes) {
     bytes.resize((bytes.size() + 7) / 8 * 8, '\0');
 }
 
-std::string motion_header(const record::TraceRequest& trace, const std::vector<Column>& columns, std::size_t samples,
-                          const std::vector<record::ContactHistory>& histories) {
+std::string motion_header(const record::TraceRequest& trace, const std::vector<SentColumn>& columns,
+                          std::size_t samples, const std::vector<record::ContactHistory>& histories) {
     Json header{{"schema", "stridor.explorer.motion/1"},
                 {"samples", samples},
                 {"start", trace.from},
                 {"interval", trace.interval},
                 {"columns", Json::array()}};
-    for (const Column& column : columns)
+    for (const SentColumn& column : columns)
         header["columns"].push_back({{"name", column.name}, {"unit", column.unit}, {"sentence", column.sentence}});
     header["contacts"] = Json::array();
     for (const record::ContactHistory& history : histories)
@@ -219,7 +219,7 @@ Response simulate(const World& world, const Json& body, const std::stop_token& s
 Response motion(const World& world, const Json& body, const std::stop_token& stop) {
     const parameters::Case c = case_in(world, body);
     record::Request request{record::KeepHistory::yes, trace_in(body, c)};
-    const std::vector<Column> columns = columns_of(1);
+    const std::vector<SentColumn> columns = columns_of(1);
     std::vector<std::vector<float>> values(columns.size());
     // block by block into the half as large numbers that are sent: a trace of doubles would be 100 MB
     request.trace.taker = [&](const record::Trace& trace) {

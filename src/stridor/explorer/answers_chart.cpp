@@ -107,7 +107,7 @@ Response chart(const World& world, const Json& body, const std::stop_token&) {
             options.stop = stop;
             options.round = [&] { frames.show(sweep::provisional(study, keeper), false); };
             const sweep::RunReport report = sweep::run(study, *keeper, options);
-            if (report.ending == sweep::Ending::completed) frames.show(sweep::load(study, keeper), true);
+            if (report.ending == sweep::SweepEnding::completed) frames.show(sweep::load(study, keeper), true);
         } catch (const Error& error) {
             send(error_document(error) + "\n");
         }

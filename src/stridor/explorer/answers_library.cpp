@@ -38,9 +38,9 @@ Entry entry_of(Library& library, std::int64_t id) {
 Response list(const World& world) {
     Library library = open(world);
     noise_library::Query query;
-    query.extent = noise_library::Extent::figures;
+    query.extent = noise_library::EntryExtent::figures;
     query.sort = "id";
-    query.direction = noise_library::Direction::falling;
+    query.direction = noise_library::SortOrder::falling;
     query.limit = most_listed;
     io::LibraryJson document;
     std::string text = document.opening(library.file().filename());

@@ -44,12 +44,12 @@ Response refusal(int status, const Error& error) {
     return response;
 }
 
-Response unknown(const Request& request) {
+Response unknown(const HttpRequest& request) {
     const std::string what = request.method + " " + request.path.substr(0, 100) + " means nothing here";
     return refusal(404, Error(ErrorKind::input, {what, "", ""}));
 }
 
-Response route(const World& world, const Request& request, const std::stop_token& stop) {
+Response route(const World& world, const HttpRequest& request, const std::stop_token& stop) {
     if (request.method == "GET") {
         if (request.path == "/api/start") return start(world);
         if (const PageFile* file = page_file(request.path))
@@ -64,7 +64,7 @@ Response route(const World& world, const Request& request, const std::stop_token
 
 }  // namespace
 
-Response answer(const World& world, const Request& request, const std::stop_token& stop) {
+Response answer(const World& world, const HttpRequest& request, const std::stop_token& stop) {
     try {
         return route(world, request, stop);
     } catch (const Error& error) {

@@ -7,6 +7,6 @@ namespace stridor::explorer {
 
 /// The explorer's page and data, for requests that the gate let pass. Never throws: what goes wrong is a document
 /// "stridor.explorer.error/1" with status 400 (input), 422 (no result), 503 (stopped) or 500.
-Response answer(const World& world, const Request& request, const std::stop_token& stop);
+Response answer(const World& world, const HttpRequest& request, const std::stop_token& stop);
 
 }  // namespace stridor::explorer

@@ -2,10 +2,9 @@
 
 // Requests as JSON. Private to this folder: nlohmann's types stay out of the headers others see.
 
+#include "stridor/base/json.hpp"
 #include "stridor/explorer/world.hpp"
 #include "stridor/sweep/study.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <optional>
 #include <string>
@@ -13,7 +12,7 @@
 
 namespace stridor::explorer {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 
 /// Most that a request may ask for.
 inline constexpr double longest_run = 60.0;  // [s] simulated

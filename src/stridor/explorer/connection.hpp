@@ -28,8 +28,8 @@ inline std::string text(beast::string_view view) {
     return {view.data(), view.size()};
 }
 
-inline Request request_of(http::request<http::string_body>&& message) {
-    Request request;
+inline HttpRequest request_of(http::request<http::string_body>&& message) {
+    HttpRequest request;
     request.method = text(message.method_string());
     const std::string target = text(message.target());
     const std::size_t mark = target.find('?');
@@ -130,7 +130,7 @@ private:
 
     void answer() {
         keep_alive_ = parser_->get().keep_alive();
-        Request request = request_of(parser_->release());
+        HttpRequest request = request_of(parser_->release());
         request.cookie = parser_->take_cookies();
         if (auto refusal = refused(request)) return send(std::move(*refusal));
         meet();
@@ -146,7 +146,7 @@ private:
         shared_.add(work, own([this, work, request = std::move(request)] { make(request, work); }));
     }
 
-    std::optional<Response> refused(const Request& request) const {
+    std::optional<Response> refused(const HttpRequest& request) const {
         try {
             return shared_.admit ? shared_.admit(request) : std::nullopt;
         } catch (...) {
@@ -196,7 +196,7 @@ private:
     }
 
     // on a thread of its own
-    void make(const Request& request, const std::shared_ptr<Work>& work) {
+    void make(const HttpRequest& request, const std::shared_ptr<Work>& work) {
         Response response = plain(500, "The explorer failed to answer; its terminal may say more.");
         try {
             response = shared_.handler(request, work->token());

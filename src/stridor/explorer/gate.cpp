@@ -68,7 +68,7 @@ Gate::Gate(std::vector<std::string> hosts, std::string name, std::function<void(
     announce_(token_);
 }
 
-std::optional<Response> Gate::stop(const Request& request) {
+std::optional<Response> Gate::stop(const HttpRequest& request) {
     const std::string name = host_name(request.host);
     if (name.empty() || std::find(hosts_.begin(), hosts_.end(), name) == hosts_.end())
         return plain(421, "This is no name of the explorer's. Use the link that the program prints.");
@@ -93,7 +93,7 @@ std::optional<Response> Gate::stop(const Request& request) {
     return std::nullopt;
 }
 
-Response Gate::open(const Request& request) {
+Response Gate::open(const HttpRequest& request) {
     {
         const std::lock_guard lock(mutex_);
         if (!is_same_secret(parameter(request.query, "token", '&'), token_))

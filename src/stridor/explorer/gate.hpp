@@ -36,10 +36,10 @@ public:
     Gate(std::vector<std::string> hosts, std::string name, std::function<void(const std::string& token)> announce);
 
     /// The answer to a request that does not pass, or to /open, which exchanges the token; nothing if it may go on.
-    std::optional<Response> stop(const Request& request);
+    std::optional<Response> stop(const HttpRequest& request);
 
 private:
-    Response open(const Request& request);
+    Response open(const HttpRequest& request);
 
     const std::vector<std::string> hosts_;
     const std::string cookie_;

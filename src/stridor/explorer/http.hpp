@@ -12,7 +12,7 @@
 namespace stridor::explorer {
 
 /// A request; header fields that are not there are empty.
-struct Request {
+struct HttpRequest {
     std::string method;  // "GET", "POST"
     std::string path;    // "/api/chart", as sent
     std::string query;   // "token=..", as sent; without "?"
@@ -38,11 +38,11 @@ struct Response {
 
 /// Answers a request. Called from several threads at a time; the token is stopped when the client goes away, the time
 /// for the request is over or the server ends.
-using Handler = std::function<Response(const Request&, const std::stop_token&)>;
+using Handler = std::function<Response(const HttpRequest&, const std::stop_token&)>;
 
 /// Decides which requests are answered at all: gives the refusal, or nothing for one that may go on. Called on the
 /// thread that carries bytes, so it is quick.
-using Admit = std::function<std::optional<Response>(const Request&)>;
+using Admit = std::function<std::optional<Response>(const HttpRequest&)>;
 
 /// "No such page": an answer of one line.
 Response plain(int status, std::string_view text);

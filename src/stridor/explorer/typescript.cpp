@@ -27,14 +27,14 @@ namespace {
 
 constexpr std::size_t widest = 120;  // columns of a line, as .prettierrc has it
 
-using Words = std::vector<std::string>;
+using WordList = std::vector<std::string>;
 
 template <class Range>
-Words words_of(const Range& names) {
+WordList words_of(const Range& names) {
     return {names.begin(), names.end()};
 }
 
-Words without(Words words, std::string_view word) {
+WordList without(WordList words, std::string_view word) {
     std::erase(words, word);
     return words;
 }
@@ -48,7 +48,7 @@ std::string quoted(const std::string& word) {
 }
 
 // `head` and the words in brackets: on one line where they fit, else below each other
-std::string list(const std::string& head, const Words& words, const std::string& tail) {
+std::string list(const std::string& head, const WordList& words, const std::string& tail) {
     std::string line = head + "[";
     for (const std::string& word : words)
         line += (&word == words.data() ? "" : ", ") + quoted(word);
@@ -62,7 +62,7 @@ std::string list(const std::string& head, const Words& words, const std::string&
 
 // a list of words and the type of one of them
 std::string words_as_type(std::string_view sentence, const std::string& name, const std::string& type,
-                          const Words& words) {
+                          const WordList& words) {
     return fmt::format("\n/** {} */\n", sentence) + list("export const " + name + " = ", words, " as const;") +
            fmt::format("export type {} = (typeof {})[number];\n", type, name);
 }
@@ -105,7 +105,7 @@ std::string palette() {
         states +=
             fmt::format("{}{}: \"{}\"", states.empty() ? "" : ", ", model::contact_state_names[model::index_of(state)],
                         drawing::hex(figures::state_colour(state)));
-    Words stops;
+    WordList stops;
     for (const drawing::Colour stop : drawing::sequential_stops())
         stops.push_back(drawing::hex(stop));
     return opening("The colours of Stridor's figures.", "palette") +
@@ -122,15 +122,15 @@ std::string palette() {
 }
 
 // what the numbers of a chart's frame stand for (see answers_chart.cpp)
-Words chart_kinds() {
+WordList chart_kinds() {
     sweep::CellVerdict stuck{sweep::Status::done, classification::Category::none, classification::Quiet::sticks};
-    Words kinds = words_of(classification::category_names);
+    WordList kinds = words_of(classification::category_names);
     kinds.push_back(drawing::plain_text(figures::kind_names()[figures::kind_of(stuck)]));
     return kinds;
 }
 
-Words figure_names() {
-    Words names;
+WordList figure_names() {
+    WordList names;
     for (const sweep::CellFigure& figure : sweep::cell_figures())
         names.emplace_back(figure.name);
     return names;

@@ -58,7 +58,7 @@ std::vector<Row> rows_of(const SweepResult& result, const std::vector<DiagramCel
 }
 
 // from the least to the largest value of all directions, with a little air
-drawing::Axis axis_over(const Row& row) {
+drawing::PanelAxis axis_over(const Row& row) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const std::vector<double>& values : row.values)
@@ -66,7 +66,7 @@ drawing::Axis axis_over(const Row& row) {
             low = std::min(low, value);
             high = std::max(high, value);
         }
-    drawing::Axis axis;
+    drawing::PanelAxis axis;
     axis.label = row.label;
     axis.unit = row.unit;
     if (!(low <= high)) return axis;

@@ -59,8 +59,8 @@ std::vector<double> cell_edges(const sweep::Axis& axis) {
     return edges;
 }
 
-drawing::Axis field_axis(const sweep::Axis& axis) {
-    drawing::Axis result;
+drawing::PanelAxis field_axis(const sweep::Axis& axis) {
+    drawing::PanelAxis result;
     if (const parameters::Field* field = parameters::find_field(axis.parameter)) {
         result.label = field_label(*field);
         if (const auto* quantity = std::get_if<parameters::Quantity>(&field->kind)) result.unit = quantity->unit;

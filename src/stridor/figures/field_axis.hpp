@@ -16,7 +16,7 @@ namespace stridor::figures {
 std::vector<double> cell_edges(const sweep::Axis& axis);
 
 /// The axis of a chart: name, symbol, unit and scale of the quantity, from the first cell's edge to the last one's.
-drawing::Axis field_axis(const sweep::Axis& axis);
+drawing::PanelAxis field_axis(const sweep::Axis& axis);
 
 /// Name and symbol of a field: "kinetic friction μ_d".
 drawing::Text field_label(const parameters::Field& field);

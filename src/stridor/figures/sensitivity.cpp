@@ -43,8 +43,8 @@ drawing::Points points_of(const CategoryRange& category, std::size_t number) {
 }
 
 // the values a panel shows, with some air around them
-drawing::Axis axis_over(const std::vector<double>& values) {
-    drawing::Axis axis;
+drawing::PanelAxis axis_over(const std::vector<double>& values) {
+    drawing::PanelAxis axis;
     double low = 0.0;
     double high = 0.0;
     bool is_first = true;
@@ -157,7 +157,7 @@ drawing::Scene sensitivity(const Sensitivity& sensitivity) {
         scene.panels.back().y.unit = "Hz";
         scene.row_heights.push_back(1.0);
     }
-    const drawing::Axis x = axis_over(values_of(sensitivity.records, &Observation::quantity));
+    const drawing::PanelAxis x = axis_over(values_of(sensitivity.records, &Observation::quantity));
     for (std::size_t row = 0; row < scene.panels.size(); ++row) {
         drawing::Panel& panel = scene.panels[row];
         panel.row = row;

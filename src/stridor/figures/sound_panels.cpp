@@ -33,7 +33,7 @@ drawing::Line waveform_line(const sound::SoundAnalysis& analysis) {
     drawing::Line line;
     line.stroke = {drawing::accent, 0.5, drawing::Dash::solid};
     for (std::size_t k = 0; k < analysis.waveform.extents.size(); ++k) {
-        const sound::Extent& extent = analysis.waveform.extents[k];
+        const sound::SampleExtent& extent = analysis.waveform.extents[k];
         const double time = (static_cast<double>(k) + 0.5) * analysis.waveform.interval;
         line.x.insert(line.x.end(), {time, time});
         line.y.insert(line.y.end(), {extent.low, extent.high});

@@ -47,21 +47,21 @@ drawing::Text contact_number(std::size_t contact, std::size_t contacts) {
     return drawing::Text(std::to_string(contact + 1), drawing::TextStyle::subscript);
 }
 
-void add_curves(std::vector<Curve>& curves, const record::Trace& trace, Signal signal, double cut) {
+void add_curves(std::vector<Curve>& curves, const record::Trace& trace, ShownSignal signal, double cut) {
     switch (signal) {
-        case Signal::imposed_velocity:
+        case ShownSignal::imposed_velocity:
             curves.push_back({drawing::symbol("V"), "m/s", &trace.surface_velocity});
             break;
-        case Signal::displacement:
+        case ShownSignal::displacement:
             add_motion(curves, trace.displacement, {"x", "y"}, "m");
             break;
-        case Signal::velocity:
+        case ShownSignal::velocity:
             add_motion(curves, trace.velocity, {"ẋ", "ẏ"}, "m/s");
             break;
-        case Signal::acceleration:
+        case ShownSignal::acceleration:
             add_motion(curves, trace.acceleration, {"ẍ", "ÿ"}, "m/s^2", cut);
             break;
-        case Signal::contact_forces:
+        case ShownSignal::contact_forces:
             for (std::size_t k = 0; k < trace.contacts.size(); ++k) {
                 const drawing::Text number = contact_number(k, trace.contacts.size());
                 curves.push_back({drawing::symbol("N") + number, "N", &trace.contacts[k].normal_force, cut});
@@ -228,7 +228,7 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
     std::vector<Curve> curves;
     const bool has_peaks = c.run.engine == parameters::Engine::beta_2 &&
                            std::any_of(record.histories.begin(), record.histories.end(), has_impacts);
-    for (const Signal signal : options.signals)
+    for (const ShownSignal signal : options.signals)
         add_curves(curves, record.trace, signal, has_peaks ? peak_share : 0.0);
     drawing::Range whole = options.whole;
     if (!(whole.from < whole.to)) whole = traced(record);

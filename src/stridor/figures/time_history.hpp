@@ -10,7 +10,7 @@
 namespace stridor::figures {
 
 /// What a time history shows, a row of panels per curve.
-enum class Signal {
+enum class ShownSignal {
     imposed_velocity,  // V
     displacement,      // of each degree of freedom
     velocity,
@@ -19,7 +19,7 @@ enum class Signal {
 };
 
 struct TimeHistoryOptions {
-    std::vector<Signal> signals{Signal::imposed_velocity, Signal::acceleration};
+    std::vector<ShownSignal> signals{ShownSignal::imposed_velocity, ShownSignal::acceleration};
     drawing::Range whole{0.0, 0.0};      // [s] of the left column; empty: all of the trace
     std::optional<drawing::Range> zoom;  // [s] of a second column beside it
 };

@@ -109,15 +109,15 @@ private:
         tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
         tbb::task_arena arena(count);
         tbb::enumerable_thread_specific<integration::Workspace> workspaces;
-        using Range = tbb::blocked_range<std::size_t>;
+        using IndexRange = tbb::blocked_range<std::size_t>;
         const sweep::ForkJoin all;
-        const auto compute_range = [&](const Range& range) {
+        const auto compute_range = [&](const IndexRange& range) {
             const sweep::ForkJoin::Task task;
             for (std::size_t run = range.begin(); run < range.end() && !halt_.stop_requested(); ++run)
                 compute(run, workspaces.local());
         };
         const std::size_t runs = sounds_.size() / sweep::directions_per_run(study_);
-        arena.execute([&] { tbb::parallel_for(Range(0, runs, 1), compute_range, tbb::simple_partitioner()); });
+        arena.execute([&] { tbb::parallel_for(IndexRange(0, runs, 1), compute_range, tbb::simple_partitioner()); });
         all.join();
     }
 

@@ -32,9 +32,9 @@ Phase phase_of(const Case& c, Direction direction) {
 }
 
 // the sound of a run from somewhat before its first stretch on
-class Recorder {
+class SoundRecorder {
 public:
-    Recorder(const Case& c, const AuralisationSettings& settings)
+    SoundRecorder(const Case& c, const AuralisationSettings& settings)
         : settings_(settings),
           auralisation_(whole(settings)),
           sound_{settings.rate, sound::unit_of(settings.pickup.quantity), {}} {
@@ -47,8 +47,8 @@ public:
             taker(trace);
         };
     }
-    Recorder(const Recorder&) = delete;
-    Recorder& operator=(const Recorder&) = delete;
+    SoundRecorder(const SoundRecorder&) = delete;
+    SoundRecorder& operator=(const SoundRecorder&) = delete;
 
     const record::Request& request() const { return request_; }
 
@@ -142,7 +142,7 @@ void check_audible(const Case& c, const AuralisationSettings& settings) {
 std::optional<RunSound> sound_of_run(const Case& c, const AuralisationSettings& settings, const std::stop_token& stop,
                                      integration::Workspace& workspace) {
     if (parameters::findings(c).empty()) check_audible(c, settings);
-    Recorder recorder(c, settings);
+    SoundRecorder recorder(c, settings);
     std::optional<sweep::Attempt> run = sweep::attempt(c, recorder.request(), stop, workspace);
     if (!run) return std::nullopt;
     RunSound sound{std::move(*run), {}};

@@ -85,7 +85,7 @@ private:
 
     int first_stride() const {
         int stride = 1;
-        if (options_.extent == Extent::every) return stride;
+        if (options_.extent == SearchExtent::every) return stride;
         const auto cells = [&] {
             return grid_points(study_.x.points, stride).size() * grid_points(study_.y.points, stride).size() *
                    study_.directions.size();
@@ -155,15 +155,15 @@ private:
         tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
         tbb::task_arena arena(threads);
         tbb::enumerable_thread_specific<integration::Workspace> workspaces;
-        using Range = tbb::blocked_range<std::size_t>;
+        using IndexRange = tbb::blocked_range<std::size_t>;
         const sweep::ForkJoin all;
-        const auto listen_to = [&](const Range& range) {
+        const auto listen_to = [&](const IndexRange& range) {
             const sweep::ForkJoin::Task task;
             for (std::size_t k = range.begin(); k < range.end() && !options_.stop.stop_requested(); ++k) {
                 sounds[k] = sound_of(asked[k], workspaces.local());
             }
         };
-        arena.execute([&] { tbb::parallel_for(Range(0, asked.size(), 1), listen_to, tbb::simple_partitioner()); });
+        arena.execute([&] { tbb::parallel_for(IndexRange(0, asked.size(), 1), listen_to, tbb::simple_partitioner()); });
         all.join();
         for (std::optional<CellSound>& sound : sounds)
             if (sound) take(std::move(*sound));

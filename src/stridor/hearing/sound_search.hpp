@@ -17,7 +17,7 @@
 /// all. What is listened to follows from the chart and the recording alone, never from threads.
 namespace stridor::hearing {
 
-enum class Extent { search, every };
+enum class SearchExtent { search, every };
 
 /// How far a search is.
 struct SearchProgress {
@@ -27,7 +27,7 @@ struct SearchProgress {
 };
 
 struct SoundSearch {
-    Extent extent = Extent::search;
+    SearchExtent extent = SearchExtent::search;
     std::size_t keep = 5;          // [1] of the best cells
     std::size_t first_grid = 400;  // [1] most cells of the first grid
     classification::LevelUse level = classification::LevelUse::ignored;

@@ -36,7 +36,7 @@ using record::Outlook;
 constexpr double margin_rounding = 0x1p-40;
 
 // a margin of the stick over time
-struct Margin {
+struct ForceMargin {
     double now = 0.0;        // [N] its forced part at this instant; of a sinusoidal drive without what oscillates
     double slope = 0.0;      // [N/s] of the forced part
     double amplitude = 0.0;  // [N] of what oscillates with the drive
@@ -67,8 +67,8 @@ public:
         return stiffness_.llt().info() == Eigen::Success && damping_.ldlt().isPositive();
     }
 
-    std::array<Margin, 2> under_constant_drive() const;
-    std::array<Margin, 2> under_sinusoidal_drive(double omega) const;
+    std::array<ForceMargin, 2> under_constant_drive() const;
+    std::array<ForceMargin, 2> under_sinusoidal_drive(double omega) const;
 
 private:
     // mu_s N - T, which ends in slip backward, and mu_s N + T, forward
@@ -106,7 +106,7 @@ double Stick::vibration(std::size_t k, const VectorXd& e, const VectorXd& e_rate
     return std::sqrt(twice_energy * (a.dot(stiffness_.inverse() * a) + b.dot(mass_.inverse() * b)));
 }
 
-std::array<Margin, 2> Stick::under_constant_drive() const {
+std::array<ForceMargin, 2> Stick::under_constant_drive() const {
     const double V = now_.surface_velocity;
     const MatrixXd flexibility = stiffness_.inverse();
     const VectorXd q_slope = flexibility * (free_.transpose() * (s_.stiffness * carried_)) * -V;
@@ -118,7 +118,7 @@ std::array<Margin, 2> Stick::under_constant_drive() const {
     const VectorXd e = free_.transpose() * (now_.displacement - u_now);
     const VectorXd e_rate = free_.transpose() * (now_.velocity - u_slope);
 
-    std::array<Margin, 2> margins;
+    std::array<ForceMargin, 2> margins;
     for (std::size_t k = 0; k < margins.size(); ++k) {
         margins[k].now = margin_of(f_now, k);
         margins[k].slope = margin_of(f_slope, k);
@@ -131,7 +131,7 @@ std::array<Margin, 2> Stick::under_constant_drive() const {
 }
 
 // x = x_c + Re(X exp(i omega t)), so V = Re(i omega X) and V' = -omega² Re X
-std::array<Margin, 2> Stick::under_sinusoidal_drive(double omega) const {
+std::array<ForceMargin, 2> Stick::under_sinusoidal_drive(double omega) const {
     using Complex = std::complex<double>;
     const Complex X(-now_.surface_acceleration / (omega * omega), -now_.surface_velocity / omega);
     const double centre = x_ - X.real();
@@ -148,7 +148,7 @@ std::array<Margin, 2> Stick::under_sinusoidal_drive(double omega) const {
     const VectorXd e = free_.transpose() * (now_.displacement - u_centre - u_swing.real());
     const VectorXd e_rate = free_.transpose() * (now_.velocity - (u_swing * Complex(0.0, omega)).real());
 
-    std::array<Margin, 2> margins;
+    std::array<ForceMargin, 2> margins;
     for (std::size_t k = 0; k < margins.size(); ++k) {
         margins[k].now = margin_of(f_centre, k);
         const Complex swing = margin_of(f_swing, k);
@@ -160,9 +160,9 @@ std::array<Margin, 2> Stick::under_sinusoidal_drive(double omega) const {
     return margins;
 }
 
-Outlook judge(const std::array<Margin, 2>& margins, double time) {
+Outlook judge(const std::array<ForceMargin, 2>& margins, double time) {
     Outlook outlook{Future::sticks};
-    for (const Margin& margin : margins) {
+    for (const ForceMargin& margin : margins) {
         const double steady = margin.now - margin.amplitude;
         const bool ends = margin.slope < 0.0 || steady < -margin.rounding;
         const bool holds = steady - margin.vibration > margin.rounding;

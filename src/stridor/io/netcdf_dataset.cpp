@@ -64,17 +64,17 @@ int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensi
                            const Description& description) {
     const int number = define(name, NC_DOUBLE, dimensions, description);
     const double missing = std::numeric_limits<double>::quiet_NaN();
-    if (description.missing == Missing::as_nan) check(nc_def_var_fill(id_, number, NC_FILL, &missing));
+    if (description.missing == MissingNumbers::as_nan) check(nc_def_var_fill(id_, number, NC_FILL, &missing));
     check(nc_put_var_double(id_, number, values.data()));
     return number;
 }
 
-int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensions, Packing packing,
+int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensions, VariablePacking packing,
                            const Description& description) {
     const int number = define(name, NC_DOUBLE, dimensions, description);
     const double missing = std::numeric_limits<double>::quiet_NaN();
     check(nc_def_var_fill(id_, number, NC_FILL, &missing));
-    if (packing == Packing::none) return number;
+    if (packing == VariablePacking::none) return number;
     // a row of the last dimension is packed for itself, and the library's cache for the variable holds that row only:
     // it would hold 16 MB
     std::vector<std::size_t> chunk(dimensions.size(), 1);

@@ -9,17 +9,17 @@
 namespace stridor::io {
 
 /// May numbers be missing (NaN)? Coordinates may not.
-enum class Missing { no, as_nan };
+enum class MissingNumbers { no, as_nan };
 
 /// What a variable is, for its attributes.
 struct Description {
     std::string_view units;      // empty: none
     std::string_view long_name;  // empty: none
-    Missing missing = Missing::as_nan;
+    MissingNumbers missing = MissingNumbers::as_nan;
 };
 
 /// How numbers lie in the file: as they are, or packed without loss, which is worth the time where most are missing.
-enum class Packing { none, deflate };
+enum class VariablePacking { none, deflate };
 
 /// A netCDF-4 file being made, a thin cover over the C library; `name` appears in errors.
 ///
@@ -42,7 +42,7 @@ public:
     int doubles(const std::string& name, std::span<const int> dimensions, std::span<const double> values,
                 const Description& description);
     /// Numbers that come in parts, by `put`; until then they are missing.
-    int doubles(const std::string& name, std::span<const int> dimensions, Packing packing,
+    int doubles(const std::string& name, std::span<const int> dimensions, VariablePacking packing,
                 const Description& description);
     /// Puts values into the box of a variable that begins at `start` and is `count` wide, each of shape [dimension].
     void put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,

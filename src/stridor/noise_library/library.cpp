@@ -121,14 +121,14 @@ std::vector<Entry> Library::read(const Query& query) {
     std::vector<Entry> entries;
     while (rows.step())
         entries.push_back(entry_in(rows));
-    if (query.extent == Extent::summary) return entries;
+    if (query.extent == EntryExtent::summary) return entries;
 
     std::map<std::int64_t, Entry*> by_id;
     for (Entry& entry : entries)
         by_id.emplace(entry.id, &entry);
     const std::string of_these = " WHERE entry IN (SELECT e.id" + selection.rows +
                                  (query.limit == 0 ? "" : selection.order) + ") ORDER BY entry, name";
-    if (query.extent == Extent::whole) {
+    if (query.extent == EntryExtent::whole) {
         Statement documents = database_.prepare("SELECT entry, name, text FROM document" + of_these);
         bind(documents, selection);
         while (documents.step()) {
@@ -149,7 +149,7 @@ std::vector<Entry> Library::read(const Query& query) {
 std::vector<Entry> Library::read(std::span<const std::int64_t> ids) {
     Query query;
     query.ids.assign(ids.begin(), ids.end());
-    query.extent = Extent::whole;
+    query.extent = EntryExtent::whole;
     const std::vector<Entry> found = ids.empty() ? std::vector<Entry>() : read(query);
     std::vector<Entry> entries;
     for (const std::int64_t id : ids) {

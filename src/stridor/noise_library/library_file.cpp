@@ -104,7 +104,7 @@ storage::DatabaseOptions database_options(const fs::path& file, const LibraryOpt
                       "run the same command again: nothing was changed."};
     database.identity = library_identity;
     database.ownership = storage::Ownership::shared;
-    database.missing = options.access == Access::fill ? storage::Missing::create : storage::Missing::refuse;
+    database.missing = options.access == Access::fill ? storage::MissingFile::create : storage::MissingFile::refuse;
     database.wait = options.wait;
     std::error_code error;
     if (options.access == Access::read && !fs::exists(file, error))

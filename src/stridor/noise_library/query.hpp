@@ -19,9 +19,9 @@ struct Condition {
 };
 
 /// How much of each entry is read: `summary` leaves documents and figures empty, `figures` the documents.
-enum class Extent { summary, figures, whole };
+enum class EntryExtent { summary, figures, whole };
 
-enum class Direction { rising, falling };
+enum class SortOrder { rising, falling };
 
 /// Which entries, and in which order. What is unknown meets no condition but "= unknown", and comes last.
 struct Query {
@@ -29,9 +29,9 @@ struct Query {
     std::vector<Condition> conditions{};  // all of them hold
     std::vector<std::string> words{};     // each stands somewhere in the text of the entry, in either case
     std::string sort{};                   // a field or a figure; empty: by id
-    Direction direction = Direction::rising;
+    SortOrder direction = SortOrder::rising;
     std::size_t limit = 0;  // [1] so many, the first in that order; 0: all
-    Extent extent = Extent::summary;
+    EntryExtent extent = EntryExtent::summary;
 };
 
 /// Conditions from "preload > 10 N and system = brake": name, one of = != < <= > >= ~ (contains), value; a value that

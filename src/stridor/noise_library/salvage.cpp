@@ -23,7 +23,7 @@ using storage::Transaction;
 
 namespace {
 
-using Page = std::array<std::uint8_t, storage::page_size>;
+using DatabasePage = std::array<std::uint8_t, storage::page_size>;
 
 // parts of a database's header (SQLite's documentation, "Database File Format", 1.3)
 constexpr std::size_t pages_place = 28;
@@ -54,14 +54,14 @@ storage::DatabaseOptions salvage_options(const fs::path& file) {
     return options;
 }
 
-void put_number(Page& page, std::size_t place, std::uint32_t value) {
+void put_number(DatabasePage& page, std::size_t place, std::uint32_t value) {
     for (std::size_t k = 4; k-- > 0; value >>= 8U)
         page[place + k] = static_cast<std::uint8_t>(value);
 }
 
 // the first page of a library with so many pages, none of them free: the tables of every library begin at the same
 // pages
-Page first_page(const fs::path& beside, std::uint32_t pages) {
+DatabasePage first_page(const fs::path& beside, std::uint32_t pages) {
     const Scratch empty(beside);
     {
         Database database(empty.file(), database_options(beside, {Access::fill}));
@@ -69,7 +69,7 @@ Page first_page(const fs::path& beside, std::uint32_t pages) {
         create_tables(database);
         transaction.commit();
     }
-    Page page{};
+    DatabasePage page{};
     std::ifstream(empty.file(), std::ios::binary).read(reinterpret_cast<char*>(page.data()), page.size());
     put_number(page, pages_place, pages);
     put_number(page, free_place, 0);
@@ -90,13 +90,13 @@ void read_along(Database& database, const std::string& sql, const std::function<
     }
 }
 
-struct Trace {
+struct RowTrace {
     int ways = 0;  // [1] that lead to it
     std::string digest{};
 };
 
-std::map<std::int64_t, Trace> traces_in(Database& database) {
-    std::map<std::int64_t, Trace> traces;
+std::map<std::int64_t, RowTrace> traces_in(Database& database) {
+    std::map<std::int64_t, RowTrace> traces;
     const auto along = [&](const std::string& way) {
         std::set<std::int64_t> ids;
         // from both ends: what lies beyond a break is met from the other one
@@ -153,7 +153,7 @@ std::int64_t given_last(const fs::path& file) {
 void copy_for_reading(Database& damaged, const fs::path& copy) {
     damaged.copy_bytes(copy);
     std::fstream stream(copy, std::ios::binary | std::ios::in | std::ios::out);
-    Page page{};
+    DatabasePage page{};
     stream.read(reinterpret_cast<char*>(page.data()), page.size());
     if (!damaged.is_checked() || storage::has_checksum(page, 1)) return;
     const auto pages = static_cast<std::uint32_t>(fs::file_size(copy) / storage::page_size);

@@ -18,7 +18,7 @@ std::string in_quotes(std::string_view text) {
 }
 
 // a name of a query: a column, a figure, or the id
-struct Target {
+struct QueryTerm {
     std::string expression;
     std::string unit;              // of a number
     const Field* field = nullptr;  // of a field
@@ -34,7 +34,7 @@ struct Target {
 }
 
 // figure names are [a-z0-9_], and this one is known: it may stand in the text
-Target target_of(const std::string& name, std::span<const FigureKind> figures) {
+QueryTerm target_of(const std::string& name, std::span<const FigureKind> figures) {
     if (name == "id") return {"e.id", "1", nullptr, true};
     if (const Field* field = find_field(name))
         return {is_document(*field)
@@ -48,7 +48,7 @@ Target target_of(const std::string& name, std::span<const FigureKind> figures) {
     refuse_name(name, figures);
 }
 
-std::string number_condition(const Target& target, const Condition& condition, Selection& selection) {
+std::string number_condition(const QueryTerm& target, const Condition& condition, Selection& selection) {
     if (condition.comparison == Comparison::contains)
         throw Error(ErrorKind::input,
                     {condition.name + " is a number", "~ looks for words", "Compare it with = != < <= > >=."});
@@ -74,7 +74,7 @@ void expect_choice(const Field& field, const std::string& value) {
     if (std::holds_alternative<Choice>(field.kind)) set_from_text(probe, field, value);
 }
 
-std::string word_condition(const Target& target, const Condition& condition, Selection& selection) {
+std::string word_condition(const QueryTerm& target, const Condition& condition, Selection& selection) {
     const bool is_order = condition.comparison != Comparison::equal && condition.comparison != Comparison::different &&
                           condition.comparison != Comparison::contains;
     if (is_order && !std::holds_alternative<Date>(target.field->kind))
@@ -117,7 +117,7 @@ Selection select(const Query& query, std::span<const FigureKind> figures) {
     selection.rows = " FROM entry e WHERE 1";
     if (!query.ids.empty()) selection.rows += " AND e.id IN (" + id_list(query.ids) + ")";
     for (const Condition& condition : query.conditions) {
-        const Target target = target_of(condition.name, figures);
+        const QueryTerm target = target_of(condition.name, figures);
         selection.rows += " AND " + (target.is_number ? number_condition(target, condition, selection)
                                                       : word_condition(target, condition, selection));
     }
@@ -125,13 +125,13 @@ Selection select(const Query& query, std::span<const FigureKind> figures) {
         selection.rows += " AND instr(lower(" + all_words() + "), lower(?)) > 0";
         selection.values.emplace_back(word);
     }
-    const std::string order = query.direction == Direction::falling ? " DESC" : "";
+    const std::string order = query.direction == SortOrder::falling ? " DESC" : "";
     const std::string limit = query.limit == 0 ? "" : " LIMIT " + std::to_string(query.limit);
     if (query.sort.empty()) {
         selection.order = " ORDER BY e.id" + order + limit;
         return selection;
     }
-    const Target target = target_of(query.sort, figures);
+    const QueryTerm target = target_of(query.sort, figures);
     const std::string unknown_last = target.expression + (target.is_number ? " IS NULL" : " = ''");
     selection.order = " ORDER BY " + unknown_last + ", " + target.expression +
                       (target.is_number ? "" : " COLLATE NOCASE") + order + ", e.id" + limit;

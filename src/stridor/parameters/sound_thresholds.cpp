@@ -13,44 +13,43 @@ namespace stridor::parameters {
 
 namespace {
 
-using Thresholds = SoundThresholds;
 constexpr Range share{0.0, 1.0, Range::Low::closed};
 constexpr Range level{-200.0, 200.0, Range::Low::closed};
 constexpr Range not_negative{0.0, 1e6, Range::Low::closed};
 
 constexpr std::array table{
     SoundThreshold{"least_clearness", "dB", "sound over background from which there is anything to judge", level,
-                   &Thresholds::least_clearness},
+                   &SoundThresholds::least_clearness},
     SoundThreshold{"quiet_depth", "dB", "what lies this far below the loudest stretch is background", level,
-                   &Thresholds::quiet_depth},
+                   &SoundThresholds::quiet_depth},
     SoundThreshold{"decay", "dB/s", "fall of the level from which a sound dies away by itself", not_negative,
-                   &Thresholds::decay},
+                   &SoundThresholds::decay},
     SoundThreshold{"decay_straightness", "1", "largest deviation from a straight fall, as a share of the fall", share,
-                   &Thresholds::decay_straightness},
+                   &SoundThresholds::decay_straightness},
     SoundThreshold{"creak_rest", "1", "share of time at rest between impulses from which a sound is creak", share,
-                   &Thresholds::creak_rest},
+                   &SoundThresholds::creak_rest},
     SoundThreshold{"creak_kurtosis", "1", "kurtosis from which a sound is creak", not_negative,
-                   &Thresholds::creak_kurtosis},
+                   &SoundThresholds::creak_kurtosis},
     SoundThreshold{"rubbing_tonality", "1", "share of the strongest line below which a sound may be mere rubbing",
-                   share, &Thresholds::rubbing_tonality},
+                   share, &SoundThresholds::rubbing_tonality},
     SoundThreshold{"rubbing_repetition", "1", "likeness of cycles below which a sound may be mere rubbing", share,
-                   &Thresholds::rubbing_repetition},
+                   &SoundThresholds::rubbing_repetition},
     SoundThreshold{"least_frequency", "Hz", "a strongest line below it is the rumble of rubbing and no tone",
-                   not_negative, &Thresholds::least_frequency},
+                   not_negative, &SoundThresholds::least_frequency},
     SoundThreshold{"creak_periodicity", "1", "likeness of the envelope's cycles from which rubbing is creak", share,
-                   &Thresholds::creak_periodicity},
+                   &SoundThresholds::creak_periodicity},
     SoundThreshold{"squeal_regularity", "1", "likeness of neighbouring cycles from which a tone is squeal", share,
-                   &Thresholds::squeal_regularity},
+                   &SoundThresholds::squeal_regularity},
     SoundThreshold{"squeal_movement", "1", "most movement of the strongest frequency in a squeal", share,
-                   &Thresholds::squeal_movement},
+                   &SoundThresholds::squeal_movement},
     SoundThreshold{"least_impulses", "1", "fewest impulses of a creak; fewer are undecided", not_negative,
-                   &Thresholds::least_impulses},
+                   &SoundThresholds::least_impulses},
     SoundThreshold{"creak_pause", "s", "longest rest between two impulses of one creak", not_negative,
-                   &Thresholds::creak_pause},
+                   &SoundThresholds::creak_pause},
     SoundThreshold{"least_duration", "s", "shortest noise that can be judged; shorter is undecided", not_negative,
-                   &Thresholds::least_duration},
+                   &SoundThresholds::least_duration},
     SoundThreshold{"majority", "1", "share of the energy that the category of a whole recording must have", share,
-                   &Thresholds::majority},
+                   &SoundThresholds::majority},
 };
 
 // decibels have no dimension that `parse_quantity` knows: their unit is cut off first

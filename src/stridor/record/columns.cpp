@@ -8,12 +8,12 @@ std::string contact_ending(std::size_t index, std::size_t contacts) {
     return contacts > 1 ? "_" + std::to_string(index + 1) : "";
 }
 
-std::vector<Column> columns(const Trace& trace, std::span<const std::string> dofs) {
+std::vector<NumberColumn> columns(const Trace& trace, std::span<const std::string> dofs) {
     STRIDOR_EXPECT(dofs.size() == trace.displacement.size());
     const auto once = [&](const TraceColumn& column) {
-        return Column{std::string(column.name), column.unit, &(trace.*column.samples)};
+        return NumberColumn{std::string(column.name), column.unit, &(trace.*column.samples)};
     };
-    std::vector<Column> all{once(time_column)};
+    std::vector<NumberColumn> all{once(time_column)};
     for (const DofColumn& column : dof_columns)
         for (std::size_t dof = 0; dof < dofs.size(); ++dof)
             all.push_back({std::string(column.name) + "_" + dofs[dof], column.unit, &(trace.*column.samples)[dof]});

@@ -54,7 +54,7 @@ inline constexpr std::string_view state_column = "state";
 std::string contact_ending(std::size_t index, std::size_t contacts);
 
 /// A column of numbers of a trace as it stands in a table.
-struct Column {
+struct NumberColumn {
     std::string name;
     std::string_view unit;
     const std::vector<double>* samples = nullptr;
@@ -62,6 +62,6 @@ struct Column {
 
 /// All columns of numbers, in the order of tables: time, those of the degrees of freedom by these names, the surface's,
 /// those of each contact. They point into the trace.
-std::vector<Column> columns(const Trace& trace, std::span<const std::string> dofs);
+std::vector<NumberColumn> columns(const Trace& trace, std::span<const std::string> dofs);
 
 }  // namespace stridor::record

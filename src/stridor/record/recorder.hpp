@@ -49,8 +49,8 @@ public:
     void sample(const Sample& sample);
 
     /// Ends the record at `time` and hands it over, with what the engine knows of the time after it for each contact:
-    /// shape [contact]; an empty list says that nothing is known. Throws `Error` (input) if histories were asked for and
-    /// did not fit.
+    /// shape [contact]; an empty list says that nothing is known. Throws `Error` (input) if histories were asked for
+    /// and did not fit.
     Record finish(double time, const std::vector<Outlook>& outlooks = {});
 
 private:

@@ -16,7 +16,7 @@ std::size_t find_end(const char* text, std::size_t from, std::size_t to) {
 
 }  // namespace
 
-base::Place place_of(const std::string& file, const Line& line, int column) {
+base::Place place_of(const std::string& file, const TextLine& line, int column) {
     return {file, line.number, column, std::string(line.text.substr(0, 500))};
 }
 
@@ -41,7 +41,7 @@ bool LineReader::fill() {
     return count > 0;
 }
 
-std::optional<Line> LineReader::next() {
+std::optional<TextLine> LineReader::next() {
     std::size_t length = 0;  // of the line, as far as it was looked at
     for (;;) {
         const std::size_t found = find_end(block_.data(), begin_ + length, end_);
@@ -55,7 +55,7 @@ std::optional<Line> LineReader::next() {
         if (is_whole || !fill()) break;
     }
     if (begin_ == end_) return std::nullopt;
-    const Line line{{block_.data() + begin_, length}, number_, start_ + begin_};
+    const TextLine line{{block_.data() + begin_, length}, number_, start_ + begin_};
     begin_ += length;
     const bool has_return = begin_ < end_ && block_[begin_] == '\r';
     if (has_return) ++begin_;

@@ -13,14 +13,14 @@
 namespace stridor::recordings {
 
 /// A line of a text.
-struct Line {
+struct TextLine {
     std::string_view text;     // without its end; valid until the next one is read
     int number = 0;            // [1] counted from where reading began
     std::uint64_t offset = 0;  // [bytes] of its first character
 };
 
 /// Where in a file a line, and in it a character, stands.
-base::Place place_of(const std::string& file, const Line& line, int column);
+base::Place place_of(const std::string& file, const TextLine& line, int column);
 
 /// The lines of a long text, one after the other; ends may be LF, CR LF or CR.
 ///
@@ -33,7 +33,7 @@ public:
     LineReader(std::shared_ptr<const Bytes> bytes, std::string name, std::uint64_t offset = 0, int number = 1);
 
     /// The next line; nothing at the end. Throws `Error` (input) for a line that is too long.
-    std::optional<Line> next();
+    std::optional<TextLine> next();
 
     /// Where the next line begins, and its number.
     std::uint64_t offset() const { return start_ + begin_; }

@@ -86,7 +86,7 @@ public:
           sidecar_(sidecar),
           described_(calibration_in(raw.description)) {}
 
-    void apply(signal::Layout& layout, SignalFacts& facts) const {
+    void apply(signal::ChannelLayout& layout, SignalFacts& facts) const {
         for (std::size_t k = 0; k < layout.channels.size(); ++k) {
             signal::Channel& channel = layout.channels[k];
             const std::string written = channel.unit;
@@ -126,7 +126,7 @@ private:
     std::optional<FullScale> described_;
 };
 
-void apply_sidecar(const Sidecar& sidecar, signal::Layout& layout, const std::string& name) {
+void apply_sidecar(const Sidecar& sidecar, signal::ChannelLayout& layout, const std::string& name) {
     if (!sidecar.channels.empty() && sidecar.channels.size() != layout.channels.size())
         throw refusal(name, "the sidecar names " + std::to_string(sidecar.channels.size()) + " channels",
                       "the recording has " + std::to_string(layout.channels.size()));
@@ -141,12 +141,12 @@ void apply_sidecar(const Sidecar& sidecar, signal::Layout& layout, const std::st
 }
 
 // "channel 1" is what writers call a channel without a name
-void drop_made_up_names(signal::Layout& layout) {
+void drop_made_up_names(signal::ChannelLayout& layout) {
     for (std::size_t k = 0; k < layout.channels.size(); ++k)
         if (layout.channels[k].name == "channel " + std::to_string(k + 1)) layout.channels[k].name.clear();
 }
 
-void check_options(const OpenOptions& options, const signal::Layout& layout, const std::string& name) {
+void check_options(const OpenOptions& options, const signal::ChannelLayout& layout, const std::string& name) {
     const std::size_t width = layout.channels.size();
     const std::size_t given = options.full_scales.size();
     if (given > 1 && given != width)
@@ -158,7 +158,7 @@ void check_options(const OpenOptions& options, const signal::Layout& layout, con
 }
 
 // from 1
-std::optional<std::size_t> channel_of(const OpenOptions& options, const signal::Layout& layout,
+std::optional<std::size_t> channel_of(const OpenOptions& options, const signal::ChannelLayout& layout,
                                       const std::string& name) {
     if (options.channel_name.empty()) return options.channel;
     try {
@@ -180,7 +180,8 @@ std::optional<std::string> sidecar_text(const std::string& path) {
 
 }  // namespace
 
-SignalFile::SignalFile(RawSignal raw, signal::Layout layout, SignalFacts facts, std::optional<std::size_t> channel)
+SignalFile::SignalFile(RawSignal raw, signal::ChannelLayout layout, SignalFacts facts,
+                       std::optional<std::size_t> channel)
     : raw_(std::move(raw)),
       layout_(std::move(layout)),
       facts_(std::move(facts)) {
@@ -220,7 +221,7 @@ SignalInput open_input(const std::string& path) {
 
 std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOptions& options) {
     RawSignal raw = open_raw(input, options);
-    signal::Layout layout = raw.source->layout();
+    signal::ChannelLayout layout = raw.source->layout();
     drop_made_up_names(layout);
     std::optional<Sidecar> sidecar;
     if (input.sidecar) sidecar = parse_sidecar(*input.sidecar, sidecar_path(input.name));

@@ -38,9 +38,9 @@ struct SignalFacts {
 /// A recording on a disk: samples in SI units, read in blocks.
 class SignalFile final : public signal::Source {
 public:
-    SignalFile(RawSignal raw, signal::Layout layout, SignalFacts facts, std::optional<std::size_t> channel);
+    SignalFile(RawSignal raw, signal::ChannelLayout layout, SignalFacts facts, std::optional<std::size_t> channel);
 
-    const signal::Layout& layout() const override { return layout_; }
+    const signal::ChannelLayout& layout() const override { return layout_; }
     std::size_t read(std::span<double> frames) override;
 
     const SignalFacts& facts() const { return facts_; }
@@ -49,7 +49,7 @@ private:
     double sample(std::size_t index, std::size_t channel) const;
 
     RawSignal raw_;
-    signal::Layout layout_;
+    signal::ChannelLayout layout_;
     SignalFacts facts_;
     std::vector<std::size_t> picked_;  // channels of the file, shape [channel]
     std::vector<double> block_;        // as in the file, shape [frame][channel of the file]

@@ -128,14 +128,14 @@ std::string change_words(const advice::DesignSpace& space, const advice::DesignC
 }
 
 // the parameters whose verdict changes nearest, with where it does
-Table margin_table(const advice::Advice& advice) {
+HtmlTable margin_table(const advice::Advice& advice) {
     constexpr std::size_t most_rows = 6;
     std::vector<std::pair<double, std::size_t>> order;
     for (const advice::ParameterMargin& margin : advice.margins)
         if (const advice::VerdictChange* change = advice::nearest_change(advice.space, margin))
             order.emplace_back(std::abs(change->share - advice.space.origin[margin.parameter]), margin.parameter);
     std::sort(order.begin(), order.end());
-    Table table{{"parameter", "now", "changes below", "changes above"}, {}};
+    HtmlTable table{{"parameter", "now", "changes below", "changes above"}, {}};
     for (std::size_t k = 0; k < std::min(most_rows, order.size()); ++k) {
         const advice::ParameterMargin& margin = advice.margins[order[k].second];
         const std::string& key = advice.space.parameters[margin.parameter].key;

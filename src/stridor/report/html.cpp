@@ -102,7 +102,7 @@ std::string row(const std::vector<std::string>& cells, std::string_view tag) {
     return text + "</tr>\n";
 }
 
-std::string table(const Table& table) {
+std::string table(const HtmlTable& table) {
     std::string text = "<div class=\"scroll\"><table><thead>" + row(table.columns, "th") + "</thead><tbody>\n";
     for (const std::vector<std::string>& cells : table.rows)
         text += row(cells, "td");

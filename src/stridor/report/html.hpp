@@ -8,7 +8,7 @@
 namespace stridor::report {
 
 /// A table; every row has as many cells as there are columns.
-struct Table {
+struct HtmlTable {
     std::vector<std::string> columns{};
     std::vector<std::vector<std::string>> rows{};
 };
@@ -40,7 +40,7 @@ struct Section {
     std::vector<std::string> paragraphs{};
     std::string svg{};      // a figure, as a file
     std::string caption{};  // of the figure, and what it shows to who cannot see it
-    Table table{};
+    HtmlTable table{};
     std::vector<Sound> sounds{};
     std::string code{};  // commands, as they stand
     TextFile file{};

@@ -4,7 +4,7 @@
 
 namespace stridor::signal {
 
-std::size_t channel_named(const Layout& layout, std::string_view name) {
+std::size_t channel_named(const ChannelLayout& layout, std::string_view name) {
     for (std::size_t k = 0; k < layout.channels.size(); ++k)
         if (!name.empty() && layout.channels[k].name == name) return k;
     for (std::size_t k = 0; k < layout.channels.size(); ++k)
@@ -14,7 +14,7 @@ std::size_t channel_named(const Layout& layout, std::string_view name) {
                  "Give its name, or its number from 1."});
 }
 
-std::string channel_list(const Layout& layout) {
+std::string channel_list(const ChannelLayout& layout) {
     std::string text;
     for (std::size_t k = 0; k < layout.channels.size(); ++k) {
         const Channel& channel = layout.channels[k];

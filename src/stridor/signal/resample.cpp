@@ -156,7 +156,7 @@ public:
         ready_.resize(width());
     }
 
-    const Layout& layout() const override { return layout_; }
+    const ChannelLayout& layout() const override { return layout_; }
 
     std::size_t read(std::span<double> frames) override {
         STRIDOR_EXPECT(frames.size() % width() == 0);
@@ -198,7 +198,7 @@ private:
     }
 
     std::unique_ptr<Source> source_;
-    Layout layout_;
+    ChannelLayout layout_;
     std::vector<Resampler> channels_;
     std::vector<std::vector<double>> ready_;  // shape [channel][frame]
     std::size_t next_ = 0;                    // first frame of ready_ that nobody has read

@@ -24,7 +24,7 @@ public:
         }
     }
 
-    const Layout& layout() const override { return layout_; }
+    const ChannelLayout& layout() const override { return layout_; }
 
     std::size_t read(std::span<double> frames) override {
         const std::size_t width = channels_.size();
@@ -39,14 +39,14 @@ public:
 
 private:
     std::vector<Signal> channels_;
-    Layout layout_;
+    ChannelLayout layout_;
     std::size_t next_ = 0;
 };
 
 }  // namespace
 
 std::vector<Signal> read_all(Source& source, std::uint64_t limit) {
-    const Layout& layout = source.layout();
+    const ChannelLayout& layout = source.layout();
     const std::size_t width = layout.channels.size();
     std::vector<Signal> channels(width);
     for (std::size_t channel = 0; channel < width; ++channel)

@@ -19,7 +19,7 @@ struct Channel {
 };
 
 /// What is known of a recording before its first sample.
-struct Layout {
+struct ChannelLayout {
     double rate = 0.0;  // [Hz] frames per second
     std::vector<Channel> channels{};
     std::optional<std::uint64_t> frames{};  // samples per channel; nothing where the file does not say
@@ -30,7 +30,7 @@ class Source {
 public:
     virtual ~Source() = default;
 
-    virtual const Layout& layout() const = 0;
+    virtual const ChannelLayout& layout() const = 0;
 
     /// Fills `frames` with the next samples in the channels' units, shape [frame][channel], and returns how many frames
     /// it could fill: fewer than fit only at the end, where it returns 0.

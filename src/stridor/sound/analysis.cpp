@@ -51,8 +51,8 @@ private:
     double rate_;
     std::size_t stride_;
     std::size_t filled_ = 0;
-    Extent current_{infinity, -infinity};
-    std::vector<Extent> extents_{};
+    SampleExtent current_{infinity, -infinity};
+    std::vector<SampleExtent> extents_{};
 };
 
 }  // namespace
@@ -131,7 +131,7 @@ SoundAnalysis ChannelOverview::finish() {
 
 namespace {
 
-void check(const signal::Layout& layout) {
+void check(const signal::ChannelLayout& layout) {
     constexpr double lowest = 1000.0;  // [Hz] below there is no sound to hear
     constexpr double highest = 1e7;    // [Hz] above there is no such recorder
     constexpr std::size_t most = 64;   // channels, a few megabytes each
@@ -189,9 +189,9 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
         work(k);
 }
 
-std::vector<SoundAnalysis> analyse(signal::Source& source, const Progress& progress, const Runner& run,
+std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgress& progress, const Runner& run,
                                    std::optional<SoundField> field) {
-    const signal::Layout layout = source.layout();
+    const signal::ChannelLayout layout = source.layout();
     check(layout);
     const std::size_t width = layout.channels.size();
     std::vector<StretchFinder> finders;

@@ -18,7 +18,7 @@
 namespace stridor::sound {
 
 /// A smallest and a largest sample: what a drawn waveform needs of a moment.
-struct Extent {
+struct SampleExtent {
     double low = 0.0;   // [unit]
     double high = 0.0;  // [unit]
 };
@@ -26,7 +26,7 @@ struct Extent {
 /// The shape of a waveform over equal moments.
 struct Waveform {
     double interval = 0.0;  // [s]
-    std::vector<Extent> extents{};
+    std::vector<SampleExtent> extents{};
 };
 
 /// All that is found in one channel of a recording.
@@ -65,7 +65,7 @@ private:
 };
 
 /// Called as a recording is read, with the frames that are done.
-using Progress = std::function<void(std::uint64_t frames)>;
+using AnalysisProgress = std::function<void(std::uint64_t frames)>;
 
 /// Does the pieces of work 0 ... count - 1, which do not touch each other, and returns when all are done:
 /// the place to bring threads.
@@ -78,7 +78,7 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
 ///
 /// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite
 /// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.
-std::vector<SoundAnalysis> analyse(signal::Source& source, const Progress& progress = {},
+std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgress& progress = {},
                                    const Runner& run = one_after_the_other, std::optional<SoundField> field = {});
 
 /// The channel with the greatest level, of equals the first: channels may have different units, so that their levels

@@ -18,9 +18,9 @@ constexpr double level_jump = 6.0;     // [dB]
 constexpr double drive_corner = 40.0;  // [Hz] below lies the motion of the drive
 
 // mean squares of 5 ms parts, the drive's motion taken away
-class Parts {
+class StretchParts {
 public:
-    explicit Parts(double rate)
+    explicit StretchParts(double rate)
         : section_(signal::high_pass(drive_corner, rate, 2).front()),
           length_(std::max<std::size_t>(1, static_cast<std::size_t>(part_time * rate))) {}
 
@@ -105,7 +105,7 @@ struct StretchFinder::State {
 
     double rate;
     FeatureFinder finder;
-    Parts parts;
+    StretchParts parts;
     std::vector<double> pending{};  // samples not yet described
     std::uint64_t described = 0;
     std::vector<SoundStretch> stretches{};

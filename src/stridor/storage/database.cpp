@@ -53,7 +53,7 @@ Database::Database(const std::filesystem::path& file, const DatabaseOptions& opt
     std::error_code error;
     const std::filesystem::path absolute = std::filesystem::absolute(file, error);
     sqlite3* handle = nullptr;
-    const int flags = SQLITE_OPEN_READWRITE | (options.missing == Missing::create ? SQLITE_OPEN_CREATE : 0);
+    const int flags = SQLITE_OPEN_READWRITE | (options.missing == MissingFile::create ? SQLITE_OPEN_CREATE : 0);
     const int code =
         error ? SQLITE_CANTOPEN : sqlite3_open_v2(absolute.c_str(), &handle, flags, files_ ? files_->name() : nullptr);
     handle_.reset(handle);

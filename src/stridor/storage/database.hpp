@@ -36,14 +36,14 @@ struct Words {
 enum class Ownership { alone, shared };
 
 /// What becomes of a file that is not there.
-enum class Missing { create, refuse };
+enum class MissingFile { create, refuse };
 
 struct DatabaseOptions {
     Words words{};
     Identity identity{};
     Damage damage = Damage::refuse;
     Ownership ownership = Ownership::alone;
-    Missing missing = Missing::create;
+    MissingFile missing = MissingFile::create;
     std::chrono::milliseconds wait{0};  // for a lock that another process holds
 };
 

@@ -159,14 +159,15 @@ public:
         tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
         tbb::task_arena arena(threads);
         tbb::enumerable_thread_specific<integration::Workspace> workspaces;
-        using Range = tbb::blocked_range<std::size_t>;
+        using IndexRange = tbb::blocked_range<std::size_t>;
         const ForkJoin all;
-        const auto compute_range = [&](const Range& range) {
+        const auto compute_range = [&](const IndexRange& range) {
             const ForkJoin::Task task;
             for (std::size_t k = range.begin(); k < range.end() && !options_.stop.stop_requested(); ++k)
                 compute(k, workspaces.local());
         };
-        arena.execute([&] { tbb::parallel_for(Range(0, cells_.size(), 1), compute_range, tbb::simple_partitioner()); });
+        arena.execute(
+            [&] { tbb::parallel_for(IndexRange(0, cells_.size(), 1), compute_range, tbb::simple_partitioner()); });
         all.join();
         if (options_.stop.stop_requested())
             throw Error(ErrorKind::interrupted, {"stopped while drawing the diagram", "what is computed is kept",

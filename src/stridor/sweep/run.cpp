@@ -153,7 +153,7 @@ RunReport run(const Study& study, CellKeeper& keeper, const RunOptions& options)
             // what was finished is kept before anybody hears of a failure
             ledger.finish();
             workers.rethrow();
-            return {Ending::stopped, ledger.computed(), ledger.progress()};
+            return {SweepEnding::stopped, ledger.computed(), ledger.progress()};
         }
         missing = refine(study, ledger.marks()).missing;
         if (missing.empty()) break;
@@ -161,7 +161,7 @@ RunReport run(const Study& study, CellKeeper& keeper, const RunOptions& options)
         ledger.expect(missing.size() * directions_per_run(study));
     }
     ledger.finish();
-    return {Ending::completed, ledger.computed(), ledger.progress()};
+    return {SweepEnding::completed, ledger.computed(), ledger.progress()};
 }
 
 }  // namespace stridor::sweep

@@ -26,14 +26,14 @@ struct RunOptions {
     double seconds_per_commit = 0.5;     // [s] so much time, may be lost to a kill
 };
 
-enum class Ending {
+enum class SweepEnding {
     completed,  // every cell that has to be computed is kept
     stopped,    // on request; the finished cells are kept, and the next run goes on
 };
 
 /// How a run of a sweep ended.
 struct RunReport {
-    Ending ending = Ending::completed;
+    SweepEnding ending = SweepEnding::completed;
     std::size_t computed = 0;  // [1] cells of this run
     Progress progress;         // at its end
 };

@@ -65,13 +65,13 @@ std::string insert_cell() {
     return sql + ")";
 }
 
-struct Line {
+struct KeyLine {
     std::string_view key;
     std::string_view text;
 };
 
-std::vector<Line> lines_of(std::string_view text) {
-    std::vector<Line> lines;
+std::vector<KeyLine> lines_of(std::string_view text) {
+    std::vector<KeyLine> lines;
     while (!text.empty()) {
         const std::string_view line = text.substr(0, text.find('\n'));
         lines.push_back({line.substr(0, line.find(" = ")), line});
@@ -80,23 +80,23 @@ std::vector<Line> lines_of(std::string_view text) {
     return lines;
 }
 
-const Line* find_key(const std::vector<Line>& lines, std::string_view key) {
-    const auto found = std::find_if(lines.begin(), lines.end(), [&](const Line& line) { return line.key == key; });
+const KeyLine* find_key(const std::vector<KeyLine>& lines, std::string_view key) {
+    const auto found = std::find_if(lines.begin(), lines.end(), [&](const KeyLine& line) { return line.key == key; });
     return found == lines.end() ? nullptr : &*found;
 }
 
 // where two studies part, in words: "the store holds contact.static_friction = 0.8, the file says 0.7"
 std::string difference(const std::string& stored, const std::string& wanted) {
-    const std::vector<Line> there = lines_of(stored);
-    const std::vector<Line> here = lines_of(wanted);
-    for (const Line& line : here) {
-        const Line* other = find_key(there, line.key);
+    const std::vector<KeyLine> there = lines_of(stored);
+    const std::vector<KeyLine> here = lines_of(wanted);
+    for (const KeyLine& line : here) {
+        const KeyLine* other = find_key(there, line.key);
         if (other == nullptr) return "the file says " + std::string(line.text) + ", which the store does not hold";
         if (other->text != line.text)
             return "the store holds " + std::string(other->text) + ", the file says " +
                    std::string(line.text.substr(std::min(line.text.size(), line.key.size() + 3)));
     }
-    for (const Line& line : there)
+    for (const KeyLine& line : there)
         if (find_key(here, line.key) == nullptr)
             return "the store holds " + std::string(line.text) + ", which the file does not say";
     return "its lines stand in another order";

@@ -34,18 +34,19 @@ void Workers::compute_all(int threads) {
         tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
         tbb::task_arena arena(count);
         tbb::task_group_context context;
-        using Range = tbb::blocked_range<std::size_t>;
+        using IndexRange = tbb::blocked_range<std::size_t>;
         tbb::enumerable_thread_specific<integration::Workspace> workspaces;
         const ForkJoin all;
-        const auto compute_range = [&](const Range& range) {
+        const auto compute_range = [&](const IndexRange& range) {
             const ForkJoin::Task task;
             for (std::size_t k = range.begin(); k < range.end() && !halt_.stop_requested(); ++k)
                 compute(runs_[k], workspaces.local());
             if (halt_.stop_requested()) context.cancel_group_execution();
         };
         // a run takes milliseconds to minutes: each is a task of its own
-        arena.execute(
-            [&] { tbb::parallel_for(Range(0, runs_.size(), 1), compute_range, tbb::simple_partitioner(), context); });
+        arena.execute([&] {
+            tbb::parallel_for(IndexRange(0, runs_.size(), 1), compute_range, tbb::simple_partitioner(), context);
+        });
         all.join();
     } catch (...) {
         keep_failure(std::current_exception());

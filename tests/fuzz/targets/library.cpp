@@ -18,7 +18,7 @@ using noise_library::Entry;
 std::string told_by(const std::filesystem::path& file) {
     noise_library::Library library(file, {noise_library::Access::read, std::chrono::milliseconds(0)});
     noise_library::Query query;
-    query.extent = noise_library::Extent::whole;
+    query.extent = noise_library::EntryExtent::whole;
     std::string text = std::to_string(library.count(query)) + " " + std::to_string(library.size());
     library.visit(query, [&](const Entry& entry) {
         text += "\n" + std::to_string(entry.id) + " " + noise_library::digest(entry);

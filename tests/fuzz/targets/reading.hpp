@@ -18,7 +18,7 @@ void read_signal(std::string_view bytes, Open open, std::uint64_t most_per_byte 
     try {
         const recordings::RawSignal raw =
             open(recordings::SignalInput{recordings::bytes_of(std::string(bytes)), "input", {}});
-        const signal::Layout& layout = raw.source->layout();
+        const signal::ChannelLayout& layout = raw.source->layout();
         const std::size_t width = layout.channels.size();
         require(width > 0 && layout.rate > 0.0 && std::isfinite(layout.rate));
         std::vector<double> block(16 * width);

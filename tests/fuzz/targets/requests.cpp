@@ -14,8 +14,8 @@ namespace stridor::fuzz {
 
 namespace {
 
+using explorer::HttpRequest;
 using explorer::Json;
-using explorer::Request;
 using explorer::Response;
 
 constexpr std::string_view host = "127.0.0.1:8000";
@@ -26,7 +26,7 @@ struct Door {
     Door() { renew(); }
 
     void renew() {
-        Request request;
+        HttpRequest request;
         request.method = "GET";
         request.path = "/open";
         request.query = "token=" + token;
@@ -50,8 +50,8 @@ std::string with_secrets(std::string text, const Door& door) {
 }
 
 // method, path, query, Host, Origin, Sec-Fetch-Site, Cookie, Content-Type, a line each; the rest is the body
-Request request_in(std::string_view bytes, const Door& door) {
-    Request request;
+HttpRequest request_in(std::string_view bytes, const Door& door) {
+    HttpRequest request;
     for (std::string* part : {&request.method, &request.path, &request.query, &request.host, &request.origin,
                               &request.fetch_site, &request.cookie, &request.content_type}) {
         const std::size_t end = std::min(bytes.find('\n'), bytes.size());
@@ -62,7 +62,7 @@ Request request_in(std::string_view bytes, const Door& door) {
     return request;
 }
 
-void knock(Door& door, const Request& request) {
+void knock(Door& door, const HttpRequest& request) {
     const std::string token = door.token;
     const std::optional<Response> stopped = door.gate.stop(request);
     if (stopped) {
@@ -107,7 +107,7 @@ void read_body(const std::string& text) {
 
 void requests(std::string_view bytes) {
     static Door door;
-    const Request request = request_in(bytes, door);
+    const HttpRequest request = request_in(bytes, door);
     knock(door, request);
     read_body(request.body);
 }

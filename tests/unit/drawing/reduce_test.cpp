@@ -13,8 +13,8 @@
 namespace stridor::drawing {
 namespace {
 
-Axis unit_axis() {
-    Axis axis;
+PanelAxis unit_axis() {
+    PanelAxis axis;
     axis.range = {0.0, 1.0};
     return axis;
 }

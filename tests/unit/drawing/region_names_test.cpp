@@ -72,7 +72,7 @@ RC_GTEST_PROP(RegionNames, StandOnCellsOfTheirKindOnly, ()) {
     for (std::uint16_t& kind : map.cells.kinds)
         kind = *support::whole_between(0, 9) == 0 ? 1U : 0U;
     for (const Note& note : names_of(map)) {
-        const Extent extent = note_extent(note.text, 8.0);
+        const TextExtent extent = note_extent(note.text, 8.0);
         const std::size_t kind = plain_text(note.text) == "none" ? 0 : 1;
         const double x = note.x * 12.0;
         const double y = note.y * 8.0;

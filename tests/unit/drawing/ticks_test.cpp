@@ -9,8 +9,8 @@
 namespace stridor::drawing {
 namespace {
 
-Axis axis(double from, double to, AxisScale scale = AxisScale::linear) {
-    Axis result;
+PanelAxis axis(double from, double to, AxisScale scale = AxisScale::linear) {
+    PanelAxis result;
     result.scale = scale;
     result.range = {from, to};
     return result;
@@ -49,7 +49,7 @@ TEST(Ticks, CountLargeAndSmallNumbersInPowersOfTen) {
 }
 
 TEST(Ticks, ThatAnAxisBringsAlongAreKept) {
-    Axis given = axis(0.0, 3.0);
+    PanelAxis given = axis(0.0, 3.0);
     given.ticks = {{0.5, "slip", TickSize::major}, {1.5, "stick", TickSize::major}};
     EXPECT_EQ(labels(ticks(given, 60.0, 12.0)), (std::vector<std::string>{"slip", "stick"}));
 }
@@ -69,7 +69,7 @@ RC_GTEST_PROP(Ticks, LieOnTheAxisAndAreAtLeastTwo, ()) {
 
 RC_GTEST_PROP(Position, IsUndoneByValueAtPosition, ()) {
     const AxisScale scale = *rc::gen::element(AxisScale::linear, AxisScale::logarithmic);
-    const Axis given = axis(0.5, 80.0, scale);
+    const PanelAxis given = axis(0.5, 80.0, scale);
     const double share = *support::number_between(0.0, 1.0);
     RC_ASSERT(std::abs(position(given, value_at_position(given, share)) - share) < 1e-12);
 }

@@ -30,7 +30,7 @@ World world() {
 }
 
 Response post(const std::string& path, const std::string& body) {
-    Request request;
+    HttpRequest request;
     request.method = "POST";
     request.path = path;
     request.body = body;
@@ -38,7 +38,7 @@ Response post(const std::string& path, const std::string& body) {
 }
 
 Response get(const std::string& path) {
-    Request request;
+    HttpRequest request;
     request.method = "GET";
     request.path = path;
     return answer(world(), request, {});
@@ -213,7 +213,7 @@ TEST(Api, ShowsPlaysAndHearsTheLibrary) {
         noise_library::add_recording(library, recording, [](const std::filesystem::path&, noise_library::Entry&) {});
     }
     const auto ask = [&](const std::string& path) {
-        Request request;
+        HttpRequest request;
         request.method = "GET";
         request.path = path;
         return answer(with_library, request, {});

@@ -29,7 +29,7 @@ World paper_world() {
 
 // the client leaves after a tenth of a second
 void expect_an_end(const std::string& path, const json& body) {
-    Request request;
+    HttpRequest request;
     request.method = "POST";
     request.path = path;
     request.body = body.dump();
@@ -95,7 +95,7 @@ TEST(FarRequests, EndOverRangesThatSpanAllNumbers) {
 // 1 MHz for a minute was made beforehand: 3.5 GiB
 TEST(FarRequests, AreRefusedWhereTheyWouldFillTheMemory) {
     for (const std::string frequency : {"1e6", "1e9", "1e74"}) {
-        Request request;
+        HttpRequest request;
         request.method = "POST";
         request.path = "/api/simulate";
         request.body =

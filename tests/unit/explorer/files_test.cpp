@@ -30,7 +30,7 @@ protected:
     FilesTest() { world_.presets = paper_presets(); }
 
     Response post(const std::string& path, const json& body) {
-        Request request;
+        HttpRequest request;
         request.method = "POST";
         request.path = path;
         request.body = body.dump();

@@ -20,16 +20,16 @@ protected:
     Gate gate_{
         {"localhost", "127.0.0.1", "[::1]"}, "8000", [this](const std::string& token) { tokens_.push_back(token); }};
 
-    Request get(const std::string& path) {
-        Request request;
+    HttpRequest get(const std::string& path) {
+        HttpRequest request;
         request.method = "GET";
         request.path = path;
         request.host = "127.0.0.1:8000";
         return request;
     }
 
-    Request open(const std::string& token) {
-        Request request = get("/open");
+    HttpRequest open(const std::string& token) {
+        HttpRequest request = get("/open");
         request.query = "token=" + token;
         return request;
     }
@@ -41,8 +41,8 @@ protected:
         return cookie.substr(0, cookie.find(';'));
     }
 
-    Request post(const std::string& cookie) {
-        Request request = get("/api/simulate");
+    HttpRequest post(const std::string& cookie) {
+        HttpRequest request = get("/api/simulate");
         request.method = "POST";
         request.cookie = cookie;
         request.origin = "http://127.0.0.1:8000";
@@ -50,19 +50,19 @@ protected:
         return request;
     }
 
-    int status(const Request& request) {
+    int status(const HttpRequest& request) {
         const std::optional<Response> response = gate_.stop(request);
         return response ? response->status : 0;
     }
 };
 
 TEST_F(GateTest, LetsItsOwnPageThrough) {
-    Request request = post("theme=dark; " + session());
+    HttpRequest request = post("theme=dark; " + session());
     EXPECT_EQ(status(request), 0);
     request.fetch_site = "same-origin";
     request.content_type = "application/json; charset=utf-8";
     EXPECT_EQ(status(request), 0);
-    Request page = get("/");
+    HttpRequest page = get("/");
     page.cookie = request.cookie;
     page.fetch_site = "none";
     EXPECT_EQ(status(page), 0);
@@ -91,7 +91,7 @@ TEST_F(GateTest, RefusesTokensThatAreMissingWrongOrCut) {
 }
 
 TEST_F(GateTest, RefusesForeignHostsEvenWithTheSession) {
-    Request request = post(session());
+    HttpRequest request = post(session());
     for (const char* host : {"", "evil.example", "evil.example:8000", "127.0.0.1.evil.example:8000", "localhost.:8000",
                              "127.0.0.1:8000@evil.example", "127.0.0.1:", "127.0.0.1:80:80", "127.0.0.1 :8000", "[::1",
                              "0", "2130706433:8000", "127.1:8000"}) {
@@ -102,7 +102,7 @@ TEST_F(GateTest, RefusesForeignHostsEvenWithTheSession) {
 }
 
 TEST_F(GateTest, RefusesForeignOriginsAndRequestsWithoutOne) {
-    Request request = post(session());
+    HttpRequest request = post(session());
     for (const char* origin : {"", "null", "http://evil.example", "https://127.0.0.1:8000", "http://127.0.0.1:3000",
                                "http://localhost:8000", "http://127.0.0.1:8000.evil.example"}) {
         request.origin = origin;
@@ -136,7 +136,7 @@ TEST_F(GateTest, FindsItsSessionAmongTheCookiesOfOthers) {
 
 // a browser that came from a file withholds the cookie from what it is redirected to
 TEST_F(GateTest, OpensFromAFileByAPageThatGoesOn) {
-    Request request = open(tokens_.back());
+    HttpRequest request = open(tokens_.back());
     request.fetch_site = "cross-site";
     const std::optional<Response> response = gate_.stop(request);
     ASSERT_TRUE(response);
@@ -146,7 +146,7 @@ TEST_F(GateTest, OpensFromAFileByAPageThatGoesOn) {
 }
 
 TEST_F(GateTest, RefusesOtherMethodsAndTypes) {
-    Request request = post(session());
+    HttpRequest request = post(session());
     request.content_type = "text/plain";
     EXPECT_EQ(status(request), 415);
     request.content_type = "";

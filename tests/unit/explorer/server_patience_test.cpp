@@ -11,7 +11,7 @@ constexpr const char* alive = "GET /alive HTTP/1.1\r\nHost: a\r\nConnection: clo
 class Deaf {
 public:
     Handler handler() {
-        return [state = state_](const Request& request, const std::stop_token&) {
+        return [state = state_](const HttpRequest& request, const std::stop_token&) {
             if (request.path == "/alive") return plain(200, "GET /alive");
             change(state->begun, 1);
             state->is_over.wait(false);
@@ -91,14 +91,14 @@ TEST_F(ServerTest, NoticesAClientThatLeavesBehindBytesItSent) {
 
 // the owner's requests say so; nobody else's are let through
 Admit owner_only() {
-    return [](const Request& request) -> std::optional<Response> {
+    return [](const HttpRequest& request) -> std::optional<Response> {
         if (request.cookie == "owner") return std::nullopt;
         return plain(401, "who are you?");
     };
 }
 
 TEST_F(ServerTest, StrangersWhoSayNothingKeepTheOwnerNeitherOutNorDisconnected) {
-    serve([](const Request&, const std::stop_token&) { return plain(200, "at your service"); }, owner_only());
+    serve([](const HttpRequest&, const std::stop_token&) { return plain(200, "at your service"); }, owner_only());
     const std::string request = "GET / HTTP/1.1\r\nHost: a\r\nCookie: owner\r\n\r\n";
     Client before(server_.port());
     before.send(request);
@@ -134,7 +134,7 @@ TEST_F(ServerTest, RefusesStrangersWhileAllWorkersAreBusy) {
 TEST(ServerLimits, LeaveRoomForTheCookiesOfOthers) {
     Server server({"127.0.0.1", 0, {}});
     std::stop_source stop;
-    const Handler handler = [](const Request& request, const std::stop_token&) {
+    const Handler handler = [](const HttpRequest& request, const std::stop_token&) {
         return plain(200, std::to_string(request.cookie.size()) + " bytes of cookies");
     };
     std::thread thread([&] { server.serve(handler, stop.get_token()); });
@@ -170,7 +170,9 @@ TEST(UnixSocket, IsForItsOwnerAloneAndGoesWithTheServer) {
         ASSERT_EQ(::stat(path.c_str(), &status), 0);
         EXPECT_EQ(status.st_mode & 0777U, 0600U);
         std::stop_source stop;
-        const Handler handler = [](const Request&, const std::stop_token&) { return plain(200, "through the file"); };
+        const Handler handler = [](const HttpRequest&, const std::stop_token&) {
+            return plain(200, "through the file");
+        };
         std::thread thread([&] { server.serve(handler, stop.get_token()); });
         Client client(path);
         client.send("GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");

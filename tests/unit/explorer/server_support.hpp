@@ -116,7 +116,7 @@ protected:
     }
 
     void serve_echo() {
-        serve([](const Request& request, const std::stop_token&) {
+        serve([](const HttpRequest& request, const std::stop_token&) {
             return plain(200, request.method + " " + request.path + "?" + request.query + " " + request.host + " " +
                                   std::to_string(request.body.size()));
         });
@@ -124,7 +124,7 @@ protected:
 
     // a run that ends once it is told to, or after 0.9 s; `stopped_` says which
     void serve_one_run() {
-        serve([this](const Request& request, const std::stop_token& stop) {
+        serve([this](const HttpRequest& request, const std::stop_token& stop) {
             if (request.path == "/alive") return plain(200, "GET /alive");
             begun_.set_value();
             stopped_.set_value(support::wait_for_stop(stop, 900ms));

@@ -139,7 +139,7 @@ TEST_F(ServerTest, StopsTheWorkWhenTheClientGoesAway) {
 }
 
 TEST_F(ServerTest, StopsTheWorkAtItsDeadline) {
-    serve([&](const Request&, const std::stop_token& stop) {
+    serve([&](const HttpRequest&, const std::stop_token& stop) {
         support::wait_for_stop(stop);
         return plain(503, "too long");
     });
@@ -160,7 +160,7 @@ Response counting(int parts, std::atomic<int>& made) {
 
 TEST_F(ServerTest, StreamsPartsAsTheyAreMade) {
     std::atomic<int> made = 0;
-    serve([&](const Request&, const std::stop_token&) { return counting(30, made); });
+    serve([&](const HttpRequest&, const std::stop_token&) { return counting(30, made); });
     const std::string answer = ask("GET / HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n");
     EXPECT_NE(answer.find("Transfer-Encoding: chunked"), std::string::npos);
     EXPECT_NE(answer.find("part 29;"), std::string::npos);
@@ -171,7 +171,7 @@ TEST_F(ServerTest, StreamsPartsAsTheyAreMade) {
 TEST_F(ServerTest, WaitsForASlowReaderAndGivesUpOnOneThatTakesNothing) {
     std::atomic<int> made = 0;
     std::promise<void> given_up;
-    serve([&](const Request& request, const std::stop_token&) {
+    serve([&](const HttpRequest& request, const std::stop_token&) {
         if (request.path == "/alive") return plain(200, "GET /alive");
         Response response = counting(100000, made);
         response.stream = [&given_up, parts = response.stream](const Send& send, const std::stop_token& stop) {
@@ -194,7 +194,7 @@ TEST_F(ServerTest, WaitsForASlowReaderAndGivesUpOnOneThatTakesNothing) {
 }
 
 TEST_F(ServerTest, ABodyThatIsCutOffIsNotTakenForAWholeOne) {
-    serve([&](const Request&, const std::stop_token&) {
+    serve([&](const HttpRequest&, const std::stop_token&) {
         Response response;
         response.stream = [](const Send& send, const std::stop_token&) {
             send("begun");
@@ -208,7 +208,7 @@ TEST_F(ServerTest, ABodyThatIsCutOffIsNotTakenForAWholeOne) {
 
 TEST_F(ServerTest, EndsWhileRequestsAreBeingAnswered) {
     std::atomic<int> made = 0;
-    serve([&](const Request&, const std::stop_token&) { return counting(1000000, made); });
+    serve([&](const HttpRequest&, const std::stop_token&) { return counting(1000000, made); });
     Client client(server_.port());
     client.send("GET / HTTP/1.1\r\nHost: a\r\n\r\n");
     client.receive("part 3;");

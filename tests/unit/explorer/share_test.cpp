@@ -32,7 +32,7 @@ World world_with(const Case& c) {
 }
 
 Response post(const World& world, const std::string& path, const json& body) {
-    Request request;
+    HttpRequest request;
     request.method = "POST";
     request.path = path;
     request.body = body.dump();
@@ -143,7 +143,7 @@ TEST(Start, HasTheChartOfItsFileWithAsManyPointsAsMayBeExplored) {
              "y = { parameter = \"contact.preload\", from = 5, to = 15, points = 20 }\nquantities = [\"frequency\"]\n",
          "seal.toml",
          {}});
-    Request request;
+    HttpRequest request;
     request.method = "GET";
     request.path = "/api/start";
     const json document = json::parse(answer(world, request, {}).body);

@@ -32,7 +32,7 @@ RC_GTEST_PROP(CellEdges, HoldTheirValueAndAreEquallyLong, ()) {
     const double from = *support::number_between(0.5, 100.0);
     const sweep::Axis axis{"contact.preload", from, from + *support::number_between(0.1, 5000.0), points, scale};
     const std::vector<double> edges = cell_edges(axis);
-    const drawing::Axis drawn = field_axis(axis);
+    const drawing::PanelAxis drawn = field_axis(axis);
     RC_ASSERT(edges.size() == static_cast<std::size_t>(points) + 1U);
     RC_ASSERT(drawn.range == (drawing::Range{edges.front(), edges.back()}));
     const auto length = [&](std::size_t i) {
@@ -51,7 +51,7 @@ TEST(CellEdges, RiseEvenIfTheAxisFalls) {
 }
 
 TEST(FieldAxis, IsCalledAsInTheFieldTable) {
-    const drawing::Axis axis = field_axis({"contact.preload", 1.0, 100.0, 3, Scale::logarithmic});
+    const drawing::PanelAxis axis = field_axis({"contact.preload", 1.0, 100.0, 3, Scale::logarithmic});
     EXPECT_EQ(drawing::plain_text(axis.label), "preload F");
     EXPECT_EQ(axis.unit, "N");
     EXPECT_EQ(axis.scale, drawing::AxisScale::logarithmic);

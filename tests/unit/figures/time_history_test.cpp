@@ -92,7 +92,7 @@ TEST(TimeHistory, SaysWhatTheZoomShows) {
 
 TEST(TimeHistory, PeaksOfVelocitiesSetTheirAxis) {
     TimeHistoryOptions options;
-    options.signals = {Signal::velocity, Signal::displacement};
+    options.signals = {ShownSignal::velocity, ShownSignal::displacement};
     const drawing::Scene scene = time_history({}, example(), options);
     ASSERT_EQ(scene.panels.size(), 7U);
     EXPECT_GT(scene.panels[0].y.range.to, 1e6);

@@ -33,7 +33,7 @@ bool has_its_bytes(const Library& library, const Entry& entry) {
 
 Query everything() {
     Query query;
-    query.extent = Extent::whole;
+    query.extent = noise_library::EntryExtent::whole;
     return query;
 }
 

@@ -37,7 +37,7 @@ std::string told_by(const fs::path& file) {
     for (const char* sort : {"", "preload", "system", "level"}) {
         Query query;
         query.sort = sort;
-        query.extent = Extent::whole;
+        query.extent = EntryExtent::whole;
         for (const Entry& entry : library.find(query))
             text += told(entry);
     }
@@ -46,7 +46,7 @@ std::string told_by(const fs::path& file) {
     for (const std::string& word : library.words("system"))
         text += word + "\n";
     Query by_audio;
-    by_audio.extent = Extent::whole;
+    by_audio.extent = EntryExtent::whole;
     for (const Entry& entry : library.find(by_audio)) {
         by_audio.conditions = {{"audio", Comparison::equal, entry.audio}};
         text += std::to_string(library.count(by_audio)) + library.sound_file(entry).filename().string() + "\n";

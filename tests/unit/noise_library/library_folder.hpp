@@ -57,7 +57,7 @@ inline std::set<std::string> files_of(const Library& library) {
 inline std::string broken_promise(Library& library, bool (*has_audio)(const Library&, const Entry&)) {
     std::set<std::string> expected;
     Query everything;
-    everything.extent = Extent::whole;
+    everything.extent = EntryExtent::whole;
     for (const Entry& entry : library.find(everything)) {
         if (!has_audio(library, entry)) return "entry " + std::to_string(entry.id) + " has not its audio";
         expected.insert(entry.audio + "." + entry.format);
@@ -73,7 +73,7 @@ inline bool has_its_bytes(const Library& library, const Entry& entry) {
 }
 
 inline Query whole(Query query = {}) {
-    query.extent = Extent::whole;
+    query.extent = EntryExtent::whole;
     return query;
 }
 

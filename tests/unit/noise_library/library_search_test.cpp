@@ -140,7 +140,7 @@ TEST_F(LibraryFile, SortsWithTheUnknownLast) {
         if (preload > 10.0) set_figure(entry, {"level", "dB", -preload});
         add_bytes(library, sound_, std::to_string(preload), entry);
     }
-    const auto order = [&](const char* key, Direction direction) {
+    const auto order = [&](const char* key, SortOrder direction) {
         Query query;
         query.sort = key;
         query.direction = direction;
@@ -149,10 +149,10 @@ TEST_F(LibraryFile, SortsWithTheUnknownLast) {
             ids += std::to_string(entry.id);
         return ids;
     };
-    EXPECT_EQ(order("preload", Direction::rising), "4132");
-    EXPECT_EQ(order("preload", Direction::falling), "3142");
-    EXPECT_EQ(order("level", Direction::rising), "3124");
-    EXPECT_EQ(order("", Direction::falling), "4321");
+    EXPECT_EQ(order("preload", SortOrder::rising), "4132");
+    EXPECT_EQ(order("preload", SortOrder::falling), "3142");
+    EXPECT_EQ(order("level", SortOrder::rising), "3124");
+    EXPECT_EQ(order("", SortOrder::falling), "4321");
 }
 
 TEST_F(LibraryFile, ReadsSummariesWithoutDocumentsAndFigures) {

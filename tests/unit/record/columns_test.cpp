@@ -9,7 +9,7 @@ namespace {
 
 std::vector<std::string> names(const Trace& trace, const std::vector<std::string>& dofs) {
     std::vector<std::string> all;
-    for (const Column& column : columns(trace, dofs))
+    for (const NumberColumn& column : columns(trace, dofs))
         all.push_back(column.name);
     return all;
 }
@@ -35,11 +35,11 @@ TEST(Columns, PointToTheSamplesOfTheirContact) {
     append(trace, {0.5, still, still, still, 0.1, contacts});
     const std::vector<std::string> dofs{"x"};
     std::vector<double> values;
-    for (const Column& column : columns(trace, dofs))
+    for (const NumberColumn& column : columns(trace, dofs))
         values.push_back(column.samples->at(0));
     EXPECT_EQ(values, (std::vector<double>{0.5, 0.0, 0.0, 0.0, 0.1, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0}));
     clear(trace);
-    for (const Column& column : columns(trace, dofs))
+    for (const NumberColumn& column : columns(trace, dofs))
         EXPECT_TRUE(column.samples->empty()) << column.name;
     EXPECT_TRUE(trace.contacts[1].state.empty());
 }

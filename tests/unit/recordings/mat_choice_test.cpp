@@ -11,14 +11,14 @@ namespace stridor::recordings::mat {
 namespace {
 
 Variable single(const std::string& name, double value) {
-    return {name, Kind::doubles, 1, 1, value};
+    return {name, MatKind::doubles, 1, 1, value};
 }
 
 Variable matrix(const std::string& name, std::uint64_t rows, std::uint64_t columns) {
-    return {name, Kind::doubles, rows, columns, 0.0};
+    return {name, MatKind::doubles, rows, columns, 0.0};
 }
 
-std::vector<std::string> names_of(const Choice& choice) {
+std::vector<std::string> names_of(const MatChoice& choice) {
     std::vector<std::string> names;
     for (const signal::Channel& channel : choice.channels)
         names.push_back(channel.name);
@@ -28,13 +28,13 @@ std::vector<std::string> names_of(const Choice& choice) {
 using Names = std::vector<std::string>;
 
 TEST(MatChoice, TakesEveryVectorAndColumnOfOneLength) {
-    const Choice choice = choose(
+    const MatChoice choice = choose(
         {single("Fs", 48000.0), matrix("force", 100, 1), matrix("data", 2, 100), single("temperature", 23.5)}, {}, "f");
     EXPECT_EQ(names_of(choice), (Names{"force", "data(1)", "data(2)"}));
     EXPECT_EQ(choice.frames, 100U);
     EXPECT_EQ(choice.rate, 48000.0);
     EXPECT_FALSE(choice.time);
-    EXPECT_EQ(choice.columns, (std::vector<Column>{{1, 0, 0}, {2, 0, 1}, {2, 1, 1}}));
+    EXPECT_EQ(choice.columns, (std::vector<MatColumn>{{1, 0, 0}, {2, 0, 1}, {2, 1, 1}}));
     ASSERT_EQ(choice.metadata.size(), 1U);
     EXPECT_EQ(choice.metadata[0].first, "temperature");
     EXPECT_EQ(choice.metadata[0].second, "23.5");
@@ -67,11 +67,11 @@ TEST(MatChoice, RefusesRatesThatAreNoneOrTwo) {
 }
 
 TEST(MatChoice, TakesWhatIsAsLongAsTheTimes) {
-    const Choice choice =
+    const MatChoice choice =
         choose({matrix("t", 1, 100), matrix("x", 100, 1), matrix("gains", 1, 3), matrix("y", 100, 200)},
                {.rate = {}, .channel = "x"}, "f");
     EXPECT_EQ(choice.columns.size(), 201U) << "y has 200 columns: the times say which side is time";
-    EXPECT_EQ(choice.time, (Column{0, 0, 1}));
+    EXPECT_EQ(choice.time, (MatColumn{0, 0, 1}));
     EXPECT_EQ(choice.notes, (Names{"left out: gains (1 x 3)"}));
     EXPECT_FALSE(choice.rate) << "the times tell it";
     expect_error(error_of([] {
@@ -81,9 +81,9 @@ TEST(MatChoice, TakesWhatIsAsLongAsTheTimes) {
 }
 
 TEST(MatChoice, TakesTheFirstColumnForTheTimeWhereNothingElseTellsIt) {
-    const Choice choice = choose({matrix("data", 100, 3)}, {}, "f");
+    const MatChoice choice = choose({matrix("data", 100, 3)}, {}, "f");
     EXPECT_EQ(names_of(choice), (Names{"data(2)", "data(3)"}));
-    EXPECT_EQ(choice.time, (Column{0, 0, 0}));
+    EXPECT_EQ(choice.time, (MatColumn{0, 0, 0}));
     EXPECT_EQ(choice.notes, (Names{"data(1) was taken for the time in seconds"}));
     EXPECT_FALSE(choose({matrix("data", 100, 3), single("fs", 1.0)}, {}, "f").time);
 }
@@ -99,9 +99,9 @@ TEST(MatChoice, AsksWhichOfSeveralLengthsAndTakesIt) {
 
 TEST(MatChoice, SaysWhatThereIsWhereNothingIsASignal) {
     const std::vector<Variable> variables{single("fs", 10.0),
-                                          {"s", Kind::structure, 1, 1, 0.0},
-                                          {"z", Kind::complex, 9, 1, 0.0},
-                                          {"c", Kind::text, 1, 5, 0.0}};
+                                          {"s", MatKind::structure, 1, 1, 0.0},
+                                          {"z", MatKind::complex, 9, 1, 0.0},
+                                          {"c", MatKind::text, 1, 5, 0.0}};
     expect_error(error_of([&] { choose(variables, {}, "f"); }),
                  "fs (1 x 1), s (a structure), z (complex numbers), c (text)", "f");
     expect_error(error_of([] { choose({}, {}, "f"); }), "no variables", "f");

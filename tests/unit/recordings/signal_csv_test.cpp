@@ -50,7 +50,7 @@ void expect_force(const std::string& text, double rate = 2.0) {
 class OneFrame final : public signal::Source {
 public:
     explicit OneFrame(std::vector<signal::Channel> channels) { layout_ = {100.0, std::move(channels), {}}; }
-    const signal::Layout& layout() const override { return layout_; }
+    const signal::ChannelLayout& layout() const override { return layout_; }
     std::size_t read(std::span<double> frames) override {
         if (std::exchange(is_read_, true)) return 0;
         std::fill_n(frames.begin(), layout_.channels.size(), 1.0);
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    signal::Layout layout_;
+    signal::ChannelLayout layout_;
     bool is_read_ = false;
 };
 

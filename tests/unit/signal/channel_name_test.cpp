@@ -7,8 +7,8 @@
 namespace stridor::signal {
 namespace {
 
-Layout three_channels() {
-    Layout layout;
+ChannelLayout three_channels() {
+    ChannelLayout layout;
     layout.channels = {{"force", "N"}, {"", "Pa"}, {"2", "m/s"}};
     return layout;
 }

@@ -33,7 +33,7 @@ protected:
 
 TEST_F(Run, StoresTheCellsOfEveryPoint) {
     const RunReport report = run(study_, store_);
-    EXPECT_EQ(report.ending, Ending::completed);
+    EXPECT_EQ(report.ending, SweepEnding::completed);
     EXPECT_EQ(report.computed, cell_count(study_));
     const std::vector<Cell> stored = cells();
     for (std::size_t index = 0; index < stored.size(); ++index) {
@@ -60,7 +60,7 @@ TEST_F(Run, DoesNothingWhenAllIsThere) {
     run(study_, store_);
     const std::vector<Cell> before = cells();
     const RunReport report = run(study_, store_);
-    EXPECT_EQ(report.ending, Ending::completed);
+    EXPECT_EQ(report.ending, SweepEnding::completed);
     EXPECT_EQ(report.computed, 0U);
     EXPECT_EQ(report.progress.done, report.progress.total);
     EXPECT_TRUE(same_cells(cells(), before));
@@ -101,7 +101,7 @@ TEST_F(Run, ComputesNothingWhenStoppedBefore) {
     RunOptions options;
     options.stop = source.get_token();
     const RunReport report = run(study_, store_, options);
-    EXPECT_EQ(report.ending, Ending::stopped);
+    EXPECT_EQ(report.ending, SweepEnding::stopped);
     EXPECT_EQ(report.computed, 0U);
     EXPECT_TRUE(store_.read().empty());
 }
@@ -119,7 +119,7 @@ TEST_F(Run, StopsRunsThatWouldTakeHours) {
     options.progress = [&](const Progress&) {
         if (++reports == 2) source.request_stop();
     };
-    EXPECT_EQ(run(study_, store, options).ending, Ending::stopped);
+    EXPECT_EQ(run(study_, store, options).ending, SweepEnding::stopped);
     EXPECT_TRUE(store.read().empty());
 }
 
@@ -168,7 +168,7 @@ protected:
 TEST_F(RefinedRun, ComputesAPartOfTheCellsAndHasTheRestRight) {
     Store store(folder_ / "refined.sqlite", study_);
     const RunReport report = run(study_, store);
-    EXPECT_EQ(report.ending, Ending::completed);
+    EXPECT_EQ(report.ending, SweepEnding::completed);
     EXPECT_EQ(report.progress.done, report.computed);
     EXPECT_EQ(report.progress.total, report.computed);
     const SweepResult refined = load(study_, store);
@@ -220,7 +220,7 @@ TEST_F(Run, PassesOnThatTheDiskIsFullAndGoesOnLater) {
         EXPECT_TRUE(thrown.says("cannot write the store")) << thrown.message;
     }
     EXPECT_LT(store_.read().size(), cell_count(study_));
-    EXPECT_EQ(run(study_, store_, options).ending, Ending::completed);
+    EXPECT_EQ(run(study_, store_, options).ending, SweepEnding::completed);
 }
 
 // refined, so that it has rounds

@@ -160,7 +160,7 @@ inline Step<dofs> step(const Coefficients<dofs>& c, State<dofs>& state, double i
 
 // sums over steps, in the order of time
 template <int dofs>
-struct Work {
+struct WorkRates {
     double preload = 0.0, drive = 0.0, dashpot = 0.0, friction = 0.0, impact = 0.0;  // [J/s], times h at the end
 };
 
@@ -218,7 +218,7 @@ private:
     ImposedMotion drive_;
     record::Recorder& recorder_;
     State<dofs> state_;
-    Work<dofs> work_;
+    WorkRates<dofs> work_;
     std::vector<record::Vibration> vibration_;  // shape [dof]
     double initial_energy_ = 0.0;               // [J]
     // largest that displacements and velocities have been at changes of state and ends of blocks

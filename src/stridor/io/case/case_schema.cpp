@@ -1,5 +1,6 @@
 #include "stridor/io/case/case_schema.hpp"
 
+#include "stridor/base/json.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
@@ -7,8 +8,6 @@
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/starts.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -21,7 +20,7 @@ namespace stridor::io {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using base::Json;
 using parameters::Case;
 using parameters::Choice;
 using parameters::Quantity;

@@ -36,7 +36,7 @@ std::string expected(const Field& field) {
 }
 
 enum class Pass { choices, the_rest };
-enum class Layer { file, everything };
+enum class SettingLayer { file, everything };
 
 // a list or table that stands for a value has complaints of its own for what is in it
 bool has_inner(const TomlDocument& document, const TomlEntry& entry) {
@@ -57,15 +57,15 @@ public:
         const std::vector<std::string> untold = read_temperature_table(*document_, c_, complaints_);
         unread_.insert(unread_.end(), untold.begin(), untold.end());
         of_file_.temperature = c_.temperature;
-        assign_all(of_file_, Pass::choices, Layer::file);
-        assign_all(c_, Pass::choices, Layer::everything);
+        assign_all(of_file_, Pass::choices, SettingLayer::file);
+        assign_all(c_, Pass::choices, SettingLayer::everything);
         const std::vector<std::string> missing = check_complete(c_, *document_, unread_, complaints_);
         unread_.insert(unread_.end(), missing.begin(), missing.end());
         if (knows_kinds()) check_belonging(of_file_, c_, *document_, complaints_);
     }
 
     void read_values() {
-        assign_all(c_, Pass::the_rest, Layer::everything);
+        assign_all(c_, Pass::the_rest, SettingLayer::everything);
         // a window nobody wrote is the default one or the whole run, whichever is shorter
         if (document_->find("run.window") == nullptr) c_.run.window = std::min(c_.run.window, c_.run.duration);
     }
@@ -86,12 +86,12 @@ public:
     const Complaints& complaints() const { return complaints_; }
 
 private:
-    void assign_all(Case& c, Pass pass, Layer layer) {
+    void assign_all(Case& c, Pass pass, SettingLayer layer) {
         for (const TomlEntry& entry : document_->entries) {
             const Field* field = parameters::find_field(entry.key);
-            if (field == nullptr || (layer == Layer::file && entry.origin != TomlOrigin::file)) continue;
+            if (field == nullptr || (layer == SettingLayer::file && entry.origin != TomlOrigin::file)) continue;
             const bool is_choice = std::holds_alternative<Choice>(field->kind);
-            const bool decides = layer == Layer::file || document_->find(entry.key) == &entry;
+            const bool decides = layer == SettingLayer::file || document_->find(entry.key) == &entry;
             if (!decides || is_choice != (pass == Pass::choices)) continue;
             if (!has_inner(*document_, entry) && complaints_.keep([&] { assign(c, *field, entry); })) continue;
             unread_.push_back(entry.key);

@@ -13,9 +13,9 @@
 
 namespace stridor::io {
 
-using base::csv_text::Column;
 using base::csv_text::Facts;
 using base::csv_text::Table;
+using base::csv_text::TableColumn;
 
 namespace {
 
@@ -30,12 +30,12 @@ std::vector<sweep::CellFigure> figures_in_order() {
     return figures;
 }
 
-std::vector<Column> chart_columns(const sweep::Study& study, const std::vector<sweep::CellFigure>& figures) {
-    std::vector<Column> columns{{"x", std::string(parameters::unit_of(study.x.parameter))},
-                                {"y", std::string(parameters::unit_of(study.y.parameter))},
-                                {"direction"},
-                                {"status"},
-                                {"category"}};
+std::vector<TableColumn> chart_columns(const sweep::Study& study, const std::vector<sweep::CellFigure>& figures) {
+    std::vector<TableColumn> columns{{"x", std::string(parameters::unit_of(study.x.parameter))},
+                                     {"y", std::string(parameters::unit_of(study.y.parameter))},
+                                     {"direction"},
+                                     {"status"},
+                                     {"category"}};
     for (const sweep::CellFigure& figure : figures)
         columns.push_back({std::string(figure.name), std::string(figure.unit)});
     columns.push_back({"quiet_because"});

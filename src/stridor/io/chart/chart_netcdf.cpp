@@ -51,7 +51,7 @@ int put_axis(NetcdfDataset& file, const std::string& name, const sweep::Axis& ax
         values.push_back(sweep::value_at(axis, index));
     const Field& field = *parameters::find_field(axis.parameter);
     const int variable =
-        file.doubles(name, std::array{dimension}, values, {units_of(field), field.sentence, Missing::no});
+        file.doubles(name, std::array{dimension}, values, {units_of(field), field.sentence, MissingNumbers::no});
     file.attribute(variable, "axis", letter);
     file.attribute(variable, "scale", std::string(sweep::scale_names[static_cast<std::size_t>(axis.scale)]));
     file.attribute(letter == "X" ? "x" : "y", axis.parameter);
@@ -131,7 +131,7 @@ public:
           columns_(static_cast<std::size_t>(study.x.points)),
           rows_(static_cast<std::size_t>(study.y.points)) {
         // of a refined chart most are missing
-        const Packing packing = study.refine > 0 ? Packing::deflate : Packing::none;
+        const VariablePacking packing = study.refine > 0 ? VariablePacking::deflate : VariablePacking::none;
         for (const sweep::CellFigure& figure : sweep::cell_figures())
             variables_.push_back(
                 file.doubles(std::string(figure.name), dimensions, packing, {figure.unit, figure.sentence}));

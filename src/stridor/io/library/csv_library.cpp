@@ -7,8 +7,8 @@
 
 namespace stridor::io {
 
-using base::csv_text::Column;
 using base::csv_text::Table;
+using base::csv_text::TableColumn;
 using noise_library::Entry;
 using noise_library::Field;
 
@@ -17,7 +17,7 @@ std::string library_csv(std::span<const Entry> entries) {
     for (const Entry& entry : entries)
         for (const noise_library::Figure& figure : entry.figures)
             figures.emplace(figure.name, figure.unit);
-    std::vector<Column> columns{{"id"}};
+    std::vector<TableColumn> columns{{"id"}};
     for (const Field& field : noise_library::fields()) {
         const std::string_view unit = noise_library::unit_of(field);
         if (!noise_library::is_document(field)) columns.push_back({std::string(field.name), std::string(unit)});

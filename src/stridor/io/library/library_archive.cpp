@@ -65,7 +65,7 @@ void write_audio(TarWriter& tar, const Library& library, const AudioName& audio,
 using ExpectedAudio = std::map<std::string, std::pair<AudioName, std::uint64_t>>;
 
 /// What a first reading of the manifest leaves in memory.
-struct Contents {
+struct ArchiveContents {
     ExpectedAudio audio;
     std::vector<bool> is_heard_otherwise{};  // shape [entry]
     std::string digest;
@@ -75,7 +75,7 @@ struct Contents {
 bool is_heard_otherwise(Library& library, const Entry& entry) {
     noise_library::Query query;
     query.conditions = {{"audio", noise_library::Comparison::equal, entry.audio}};
-    query.extent = noise_library::Extent::whole;
+    query.extent = noise_library::EntryExtent::whole;
     const std::vector<Entry> known = library.find(query);
     const std::string whole = noise_library::digest(entry);
     const std::string words = noise_library::digest(without_verdict(entry));
@@ -84,8 +84,8 @@ bool is_heard_otherwise(Library& library, const Entry& entry) {
     return std::none_of(known.begin(), known.end(), is_equal) && std::any_of(known.begin(), known.end(), is_alike);
 }
 
-Contents contents_of(Manifest& manifest, Library& library) {
-    Contents contents;
+ArchiveContents contents_of(Manifest& manifest, Library& library) {
+    ArchiveContents contents;
     while (const std::optional<Announced> each = manifest.next()) {
         contents.audio.emplace(archive_member(audio_of(each->entry)), std::pair(audio_of(each->entry), each->bytes));
         contents.is_heard_otherwise.push_back(is_heard_otherwise(library, each->entry));
@@ -168,7 +168,7 @@ Import import_library(Library& library, const fs::path& archive, const TarProgre
     expect_whole(archive);
     TarReader tar(archive, progress);
     Manifest announced(tar, archive.string());
-    const Contents contents = contents_of(announced, library);
+    const ArchiveContents contents = contents_of(announced, library);
     noise_library::Intake intake(library.audio_folder());
     std::vector<Staged> staged = stage_audio(tar, intake, archive, contents.audio);
     // the entries are read once more now that their audio is there, so that they never stand in memory together

@@ -23,36 +23,36 @@ constexpr std::uint64_t size_limit = std::uint64_t{1} << 33U;  // eleven octal d
 using Header = std::array<char, block_size>;
 
 // where a header's parts stand
-struct Part {
+struct HeaderPart {
     std::size_t from;
     std::size_t length;
 };
-constexpr Part name_part{0, 100};
-constexpr Part mode_part{100, 8};
-constexpr Part size_part{124, 12};
-constexpr Part checksum_part{148, 8};
+constexpr HeaderPart name_part{0, 100};
+constexpr HeaderPart mode_part{100, 8};
+constexpr HeaderPart size_part{124, 12};
+constexpr HeaderPart checksum_part{148, 8};
 constexpr std::size_t type_place = 156;
 constexpr char folder_type = '5';
-constexpr Part magic_part{257, 6};
-constexpr Part prefix_part{345, 155};
+constexpr HeaderPart magic_part{257, 6};
+constexpr HeaderPart prefix_part{345, 155};
 
-void put_octal(Header& header, Part part, std::uint64_t value) {
+void put_octal(Header& header, HeaderPart part, std::uint64_t value) {
     for (std::size_t k = part.length - 1; k-- > 0; value /= 8)
         header[part.from + k] = static_cast<char>('0' + value % 8);
 }
 
-void put_text(Header& header, Part part, std::string_view text) {
+void put_text(Header& header, HeaderPart part, std::string_view text) {
     std::copy_n(text.begin(), std::min(text.size(), part.length),
                 header.begin() + static_cast<std::ptrdiff_t>(part.from));
 }
 
-std::string_view text_of(const Header& header, Part part) {
+std::string_view text_of(const Header& header, HeaderPart part) {
     const std::string_view whole(header.data() + part.from, part.length);
     return whole.substr(0, whole.find('\0'));
 }
 
 // nothing for what is no octal number
-std::optional<std::uint64_t> octal_of(const Header& header, Part part) {
+std::optional<std::uint64_t> octal_of(const Header& header, HeaderPart part) {
     std::string_view digits = text_of(header, part);
     while (digits.starts_with(' '))
         digits.remove_prefix(1);

@@ -15,9 +15,9 @@
 
 namespace stridor::io {
 
-using base::csv_text::Column;
 using base::csv_text::Facts;
 using base::csv_text::Table;
+using base::csv_text::TableColumn;
 
 namespace {
 
@@ -36,7 +36,7 @@ std::string trace_csv(const parameters::Case& c, const record::Trace& trace, dou
     facts.emplace_back("rate", base::shortest(rate_of(trace, interval)) + " Hz");
     add_lines(facts, parameters::canonical_text(c));
     const std::size_t contacts = trace.contacts.size();
-    const std::vector<record::Column> numbers = record::columns(trace, dof_names(trace.displacement.size()));
+    const std::vector<record::NumberColumn> numbers = record::columns(trace, dof_names(trace.displacement.size()));
     // the states of a contact stand behind its numbers
     const std::size_t before = numbers.size() - contacts * record::contact_columns.size();
     const auto is_last_of_contact = [&](std::size_t column) {
@@ -44,7 +44,7 @@ std::string trace_csv(const parameters::Case& c, const record::Trace& trace, dou
                (column - before) % record::contact_columns.size() == record::contact_columns.size() - 1;
     };
     const auto contact_of = [&](std::size_t column) { return (column - before) / record::contact_columns.size(); };
-    std::vector<Column> columns;
+    std::vector<TableColumn> columns;
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         columns.push_back({numbers[k].name, std::string(numbers[k].unit)});
         if (is_last_of_contact(k))
@@ -65,7 +65,7 @@ std::string trace_csv(const parameters::Case& c, const record::Trace& trace, dou
 std::string history_csv(const parameters::Case& c, const std::vector<record::ContactHistory>& histories) {
     Facts facts = csv_opening("history", c);
     add_lines(facts, parameters::canonical_text(c));
-    std::vector<Column> columns{
+    std::vector<TableColumn> columns{
         {"state"}, {"from", "s"}, {"to", "s"}, {"slip_velocity", "m/s"}, {"gap_velocity", "m/s"}};
     const bool has_several = histories.size() > 1;
     if (has_several) columns.insert(columns.begin(), {"contact"});

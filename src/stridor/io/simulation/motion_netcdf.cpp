@@ -37,11 +37,11 @@ void put_trace(NetcdfDataset& file, const record::Trace& trace) {
     const std::vector<std::string> names = dof_names(trace.displacement.size());
     const int time = file.dimension("time", trace.time.size());
     const int dof = file.dimension("dof", names.size());
-    const auto put = [&](const record::TraceColumn& column, Missing missing) {
+    const auto put = [&](const record::TraceColumn& column, MissingNumbers missing) {
         file.doubles(std::string(column.name), std::array{time}, trace.*column.samples,
                      {column.unit, column.sentence, missing});
     };
-    put(record::time_column, Missing::no);
+    put(record::time_column, MissingNumbers::no);
     file.words("dof", std::array{dof}, names, {"", "degree of freedom"});
     for (const record::DofColumn& column : record::dof_columns) {
         std::vector<double> values;
@@ -49,7 +49,7 @@ void put_trace(NetcdfDataset& file, const record::Trace& trace) {
             values.insert(values.end(), row.begin(), row.end());
         file.doubles(std::string(column.name), std::array{dof, time}, values, {column.unit, column.sentence});
     }
-    put(record::surface_column, Missing::as_nan);
+    put(record::surface_column, MissingNumbers::as_nan);
     std::vector<int> along{time};
     if (trace.contacts.size() > 1) along.insert(along.begin(), file.dimension("contact", trace.contacts.size()));
     put_contacts(file, trace, along);
@@ -65,7 +65,7 @@ void put_histories(NetcdfDataset& file, const std::vector<record::ContactHistory
     }
     const std::array along{file.dimension("interval", stays.size())};
     if (histories.size() > 1)
-        file.doubles("interval_contact", along, contacts, {"1", "number of the contact, from 1", Missing::no});
+        file.doubles("interval_contact", along, contacts, {"1", "number of the contact, from 1", MissingNumbers::no});
     std::vector<signed char> states;
     for (const record::ContactInterval& interval : stays)
         states.push_back(static_cast<signed char>(interval.state));
@@ -77,8 +77,8 @@ void put_histories(NetcdfDataset& file, const std::vector<record::ContactHistory
             values.push_back(interval.*member);
         file.doubles(name, along, values, description);
     };
-    put("interval_from", &record::ContactInterval::from, {"s", "time at which the state began", Missing::no});
-    put("interval_to", &record::ContactInterval::to, {"s", "time at which it ended", Missing::no});
+    put("interval_from", &record::ContactInterval::from, {"s", "time at which the state began", MissingNumbers::no});
+    put("interval_to", &record::ContactInterval::to, {"s", "time at which it ended", MissingNumbers::no});
     put("interval_slip_velocity", &record::ContactInterval::slip_velocity, {"m/s", "slip velocity at its beginning"});
     put("interval_gap_velocity", &record::ContactInterval::gap_velocity,
         {"m/s", "velocity of the gap at its beginning; negative: the surfaces met"});

@@ -17,11 +17,11 @@ namespace {
 
 using classification::Category;
 using Row = std::vector<std::string>;
-using Place = base::Place;
+using RowPlace = base::Place;
 
 constexpr int most_files = 1000;  // of one row
 
-[[noreturn]] void refuse(const Place& place, std::string what, std::string why, std::string suggestion) {
+[[noreturn]] void refuse(const RowPlace& place, std::string what, std::string why, std::string suggestion) {
     throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)}, place);
 }
 
@@ -43,7 +43,7 @@ Row markdown_row(std::string_view line) {
 Row csv_row(std::string_view line, char delimiter) {
     Row row;
     if (base::trimmed(line).empty() || line.front() == '#') return row;
-    for (const recordings::csv_table::Field& field : recordings::csv_table::split(line, delimiter))
+    for (const recordings::csv_table::CsvField& field : recordings::csv_table::split(line, delimiter))
         row.push_back(field.text);
     return row;
 }
@@ -91,12 +91,12 @@ std::vector<std::string> names_in(const std::string& text) {
     return names;
 }
 
-struct Table {
+struct ExpectationTable {
     std::filesystem::path path;
     bool is_csv = false;
 };
 
-std::vector<Expectation> read_table(const Table& table, const std::filesystem::path& folder) {
+std::vector<Expectation> read_table(const ExpectationTable& table, const std::filesystem::path& folder) {
     const std::string text = storage::read_file(table.path.string());
     std::istringstream lines(text);
     std::vector<Expectation> expectations;
@@ -113,7 +113,7 @@ std::vector<Expectation> read_table(const Table& table, const std::filesystem::p
         const Row row = table.is_csv ? csv_row(line, delimiter) : markdown_row(line);
         if (row.empty() && has_header && !table.is_csv) break;  // the table's end
         if (row.empty()) continue;
-        const Place place{table.path.string(), number, 1, line};
+        const RowPlace place{table.path.string(), number, 1, line};
         if (!has_header) {
             const auto column = [&](const char* name) {
                 return static_cast<std::size_t>(std::find(row.begin(), row.end(), name) - row.begin());
@@ -151,9 +151,9 @@ std::vector<Expectation> read_expectations(const std::string& folder) {
     std::error_code ignored;
     if (!std::filesystem::is_directory(path, ignored))
         throw Error(ErrorKind::input, {folder + " is no folder", "recordings and their table stand in one", ""});
-    const Table csv{path / "expected.csv", true};
-    const Table page{path / "README.md", false};
-    for (const Table& table : {csv, page}) {
+    const ExpectationTable csv{path / "expected.csv", true};
+    const ExpectationTable page{path / "README.md", false};
+    for (const ExpectationTable& table : {csv, page}) {
         if (!std::filesystem::is_regular_file(table.path, ignored)) continue;
         std::vector<Expectation> found = read_table(table, path);
         if (!found.empty()) return found;

@@ -13,7 +13,7 @@ namespace stridor::io {
 namespace {
 
 using base::Json;
-using base::csv_text::Column;
+using base::csv_text::TableColumn;
 using classification::Category;
 using classification::Confusion;
 using hearing::Half;
@@ -128,9 +128,9 @@ Json recording_object(const HeardRecording& recording) {
             {"is_right", is_right(recording)},    {"reason", recording.reason}};
 }
 
-std::vector<Column> columns() {
-    std::vector<Column> columns{{"chart"},  {"index"},          {"x"},      {"y"},     {"direction"},
-                                {"status"}, {"contact_states"}, {"by_ear"}, {"agrees"}};
+std::vector<TableColumn> columns() {
+    std::vector<TableColumn> columns{{"chart"},  {"index"},          {"x"},      {"y"},     {"direction"},
+                                     {"status"}, {"contact_states"}, {"by_ear"}, {"agrees"}};
     for (const sweep::CellFigure& figure : sweep::cell_figures())
         columns.push_back({std::string(figure.name), std::string(figure.unit)});
     for (const SoundFigure& figure : sound_figures)

@@ -132,7 +132,7 @@ std::string match_json(const MatchReport& report) {
                          {"heard", report.result.heard},
                          {"without_result", report.result.without_result},
                          {"ruled_out", report.result.ruled_out},
-                         {"extent", report.extent == hearing::Extent::every ? "every" : "search"},
+                         {"extent", report.extent == hearing::SearchExtent::every ? "every" : "search"},
                          {"level", report.level == classification::LevelUse::counted ? "counted" : "ignored"}};
     Json matches = Json::array();
     for (const hearing::SoundMatch& match : report.result.best)

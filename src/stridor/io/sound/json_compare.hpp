@@ -20,7 +20,7 @@ struct MatchReport {
     std::string motion{};  // "joint velocity along x"
     double rate = 0.0;     // [Hz] at which cells were rendered
     classification::LevelUse level = classification::LevelUse::ignored;
-    hearing::Extent extent = hearing::Extent::search;
+    hearing::SearchExtent extent = hearing::SearchExtent::search;
     hearing::SoundSearchResult result{};
 };
 

@@ -14,8 +14,8 @@ namespace stridor::io {
 /// What a recording holds, after all of it was read.
 struct SignalSummary {
     recordings::SignalFacts facts;
-    signal::Layout layout;        // its `frames` are those that were read
-    std::vector<double> peaks{};  // [unit] largest magnitude, shape [channel]
+    signal::ChannelLayout layout;  // its `frames` are those that were read
+    std::vector<double> peaks{};   // [unit] largest magnitude, shape [channel]
 };
 
 /// A file that a recording was written to.
@@ -30,7 +30,7 @@ class WatchedSource final : public signal::Source {
 public:
     explicit WatchedSource(signal::Source& source);
 
-    const signal::Layout& layout() const override { return source_.layout(); }
+    const signal::ChannelLayout& layout() const override { return source_.layout(); }
     std::size_t read(std::span<double> frames) override;
 
     std::uint64_t frames() const { return frames_; }

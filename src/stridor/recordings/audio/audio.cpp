@@ -98,7 +98,7 @@ public:
         layout_.channels.assign(static_cast<std::size_t>(info_.channels), {"", ""});
     }
 
-    const signal::Layout& layout() const override { return layout_; }
+    const signal::ChannelLayout& layout() const override { return layout_; }
 
     std::size_t read(std::span<double> frames) override {
         const std::size_t width = layout_.channels.size();
@@ -149,7 +149,7 @@ private:
     Cursor cursor_;
     SF_INFO info_{};
     std::unique_ptr<SNDFILE, Closer> file_;
-    signal::Layout layout_;
+    signal::ChannelLayout layout_;
     std::uint64_t frames_ = 0;  // read so far
 };
 

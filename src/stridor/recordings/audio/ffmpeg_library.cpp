@@ -12,9 +12,9 @@ namespace {
 constexpr std::size_t largest_piece = std::size_t{1} << 28U;  // [bytes] of memory
 
 /// One of the libraries, open as long as the process lives.
-class Library {
+class LoadedLibrary {
 public:
-    Library(const std::string& name, int version)
+    LoadedLibrary(const std::string& name, int version)
         : handle_(::dlopen(("lib" + name + ".so." + std::to_string(version)).c_str(), RTLD_LAZY | RTLD_LOCAL)) {}
 
     template <typename Function>
@@ -27,7 +27,7 @@ private:
     void* handle_;
 };
 
-bool find_formats(Ffmpeg& ffmpeg, const Library& library) {
+bool find_formats(Ffmpeg& ffmpeg, const LoadedLibrary& library) {
     return library.find(ffmpeg.avformat_alloc_context, "avformat_alloc_context") &&
            library.find(ffmpeg.avformat_open_input, "avformat_open_input") &&
            library.find(ffmpeg.avformat_close_input, "avformat_close_input") &&
@@ -37,7 +37,7 @@ bool find_formats(Ffmpeg& ffmpeg, const Library& library) {
            library.find(ffmpeg.avio_context_free, "avio_context_free");
 }
 
-bool find_codecs(Ffmpeg& ffmpeg, const Library& library) {
+bool find_codecs(Ffmpeg& ffmpeg, const LoadedLibrary& library) {
     return library.find(ffmpeg.avcodec_find_decoder, "avcodec_find_decoder") &&
            library.find(ffmpeg.avcodec_get_name, "avcodec_get_name") &&
            library.find(ffmpeg.avcodec_alloc_context3, "avcodec_alloc_context3") &&
@@ -51,7 +51,7 @@ bool find_codecs(Ffmpeg& ffmpeg, const Library& library) {
            library.find(ffmpeg.av_packet_unref, "av_packet_unref");
 }
 
-bool find_tools(Ffmpeg& ffmpeg, const Library& library) {
+bool find_tools(Ffmpeg& ffmpeg, const LoadedLibrary& library) {
     return library.find(ffmpeg.av_frame_alloc, "av_frame_alloc") &&
            library.find(ffmpeg.av_frame_free, "av_frame_free") && library.find(ffmpeg.av_malloc, "av_malloc") &&
            library.find(ffmpeg.av_free, "av_free") && library.find(ffmpeg.av_max_alloc, "av_max_alloc") &&
@@ -61,7 +61,7 @@ bool find_tools(Ffmpeg& ffmpeg, const Library& library) {
            library.find(ffmpeg.av_force_cpu_flags, "av_force_cpu_flags");
 }
 
-bool find_conversion(Ffmpeg& ffmpeg, const Library& library) {
+bool find_conversion(Ffmpeg& ffmpeg, const LoadedLibrary& library) {
     return library.find(ffmpeg.swr_alloc_set_opts2, "swr_alloc_set_opts2") &&
            library.find(ffmpeg.swr_init, "swr_init") && library.find(ffmpeg.swr_convert, "swr_convert") &&
            library.find(ffmpeg.swr_free, "swr_free");
@@ -69,10 +69,10 @@ bool find_conversion(Ffmpeg& ffmpeg, const Library& library) {
 
 std::unique_ptr<const Ffmpeg> opened() {
     auto ffmpeg = std::make_unique<Ffmpeg>();
-    const bool is_whole = find_formats(*ffmpeg, Library("avformat", LIBAVFORMAT_VERSION_MAJOR)) &&
-                          find_codecs(*ffmpeg, Library("avcodec", LIBAVCODEC_VERSION_MAJOR)) &&
-                          find_tools(*ffmpeg, Library("avutil", LIBAVUTIL_VERSION_MAJOR)) &&
-                          find_conversion(*ffmpeg, Library("swresample", LIBSWRESAMPLE_VERSION_MAJOR));
+    const bool is_whole = find_formats(*ffmpeg, LoadedLibrary("avformat", LIBAVFORMAT_VERSION_MAJOR)) &&
+                          find_codecs(*ffmpeg, LoadedLibrary("avcodec", LIBAVCODEC_VERSION_MAJOR)) &&
+                          find_tools(*ffmpeg, LoadedLibrary("avutil", LIBAVUTIL_VERSION_MAJOR)) &&
+                          find_conversion(*ffmpeg, LoadedLibrary("swresample", LIBSWRESAMPLE_VERSION_MAJOR));
     if (!is_whole) return nullptr;
     ffmpeg->av_log_set_level(AV_LOG_QUIET);
     ffmpeg->av_max_alloc(largest_piece);

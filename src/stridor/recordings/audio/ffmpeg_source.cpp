@@ -96,7 +96,7 @@ public:
         take_frame();
     }
 
-    const signal::Layout& layout() const override { return layout_; }
+    const signal::ChannelLayout& layout() const override { return layout_; }
 
     std::size_t read(std::span<double> frames) override {
         const std::size_t width = layout_.channels.size();
@@ -270,7 +270,7 @@ private:
     std::unique_ptr<AVFrame, Free<&Ffmpeg::av_frame_free>> frame_;
     AVStream* stream_ = nullptr;
     int format_ = -1;  // of the samples, as they are decoded
-    signal::Layout layout_;
+    signal::ChannelLayout layout_;
     std::vector<double> samples_;  // shape [frame][channel], of the last packet
     std::size_t taken_ = 0;        // of them
     std::uint64_t frames_ = 0;     // decoded so far

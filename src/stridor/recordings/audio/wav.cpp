@@ -48,7 +48,7 @@ std::uint64_t bytes_of(WavSamples samples) {
     return samples == WavSamples::pcm_16 ? 2 : samples == WavSamples::pcm_24 ? 3 : 4;
 }
 
-std::vector<FullScale> full_scales_of(const signal::Layout& layout, const std::vector<FullScale>& given) {
+std::vector<FullScale> full_scales_of(const signal::ChannelLayout& layout, const std::vector<FullScale>& given) {
     std::vector<FullScale> scales;
     const bool fits = given.empty() || given.size() == 1 || given.size() == layout.channels.size();
     if (!fits)
@@ -90,7 +90,7 @@ struct Head {
     std::uint64_t fact_offset = 0;  // [bytes] of the number of frames; 0: none
 };
 
-Head head_of(const signal::Layout& layout, const WavOptions& options, const std::string& description) {
+Head head_of(const signal::ChannelLayout& layout, const WavOptions& options, const std::string& description) {
     const std::uint64_t channels = layout.channels.size();
     const auto rate = static_cast<std::uint64_t>(std::llround(layout.rate));
     const std::uint64_t frame_bytes = channels * bytes_of(options.samples);
@@ -155,7 +155,7 @@ void patch_sizes(storage::PiecewiseFile& file, const Head& head, std::uint64_t d
     if (head.fact_offset > 0) file.overwrite(head.fact_offset, little_endian(std::min(frames, largest_32), 4));
 }
 
-Sidecar sidecar_of(const signal::Layout& layout, const std::vector<FullScale>& scales) {
+Sidecar sidecar_of(const signal::ChannelLayout& layout, const std::vector<FullScale>& scales) {
     Sidecar sidecar;
     const bool is_whole = layout.rate == std::round(layout.rate);
     if (!is_whole) sidecar.rate = layout.rate;
@@ -198,7 +198,7 @@ void remove_sidecar(const std::string& recording) {
 }  // namespace
 
 WavWritten write_wav(const std::string& path, signal::Source& source, const WavOptions& options) {
-    const signal::Layout& layout = source.layout();
+    const signal::ChannelLayout& layout = source.layout();
     check_rate(layout.rate);
     const std::vector<FullScale> scales = full_scales_of(layout, options.full_scales);
     check_sidecar(path);
@@ -233,7 +233,7 @@ WavWritten write_wav(const std::string& path, signal::Source& source, const WavO
 
 std::string wav_bytes(const signal::Signal& signal, const FullScale& scale) {
     check_rate(signal.rate);
-    const signal::Layout layout{signal.rate, {{"", signal.unit}}, signal.samples.size()};
+    const signal::ChannelLayout layout{signal.rate, {{"", signal.unit}}, signal.samples.size()};
     const WavOptions options{WavSamples::pcm_16, {scale}};
     const Head head = head_of(layout, options, description_of(options, full_scales_of(layout, {scale})));
     std::string bytes = head.text;

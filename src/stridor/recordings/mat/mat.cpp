@@ -59,28 +59,28 @@ std::vector<mat::Variable> variables_of(mat::Answers& answers, const std::string
     for (std::uint32_t k = 0; k < opened.variables; ++k) {
         const auto head = answer<mat::VariableHead>(answers, file);
         constexpr std::uint64_t longest = std::uint64_t{1} << 48U;  // keeps products of sizes within their type
-        const bool is_sound = head.kind < mat::Kind::count && head.name_length <= mat::longest_name &&
+        const bool is_sound = head.kind < mat::MatKind::count && head.name_length <= mat::longest_name &&
                               head.rows <= longest && head.columns <= longest;
         if (!is_sound) throw damage(file, "what it says of its variable " + std::to_string(k + 1) + " makes no sense");
         std::string name(head.name_length, '\0');
         if (!answers.receive(std::as_writable_bytes(std::span(name)))) throw damage(file, answers.ending());
         const bool is_empty = head.rows == 0 || head.columns == 0;
-        const bool is_number = head.kind <= mat::Kind::integers;
-        variables.push_back({base::visible(name), is_number && is_empty ? mat::Kind::nothing : head.kind, head.rows,
+        const bool is_number = head.kind <= mat::MatKind::integers;
+        variables.push_back({base::visible(name), is_number && is_empty ? mat::MatKind::nothing : head.kind, head.rows,
                              head.columns, head.value});
     }
     return variables;
 }
 
 // asks for columns; their numbers come next
-void begin(mat::Answers& answers, std::span<const mat::Column> columns, const std::string& file) {
+void begin(mat::Answers& answers, std::span<const mat::MatColumn> columns, const std::string& file) {
     const std::uint64_t count = columns.size();
     ask(answers, std::span(&count, 1));
     ask(answers, columns);
     if (answer<std::uint32_t>(answers, file) != 1) throw damage(file, "its numbers cannot be read");
 }
 
-time_grid::Times times_of(mat::Answers& answers, const mat::Choice& choice, const std::string& file) {
+time_grid::Times times_of(mat::Answers& answers, const mat::MatChoice& choice, const std::string& file) {
     time_grid::Times times;
     const auto precision = [&](double time) {
         // singles know seven digits, wherever the point stands
@@ -106,20 +106,20 @@ time_grid::Times times_of(mat::Answers& answers, const mat::Choice& choice, cons
 
 class MatSource final : public signal::Source {
 public:
-    MatSource(std::shared_ptr<mat::Answers> answers, const mat::Choice& choice, std::optional<time_grid::Times> times,
-              const std::string& file)
+    MatSource(std::shared_ptr<mat::Answers> answers, const mat::MatChoice& choice,
+              std::optional<time_grid::Times> times, const std::string& file)
         : answers_(std::move(answers)),
           times_(std::move(times)),
           time_name_(choice.time_name),
           file_(file),
           layout_{*choice.rate, choice.channels, choice.frames} {
-        std::vector<mat::Column> columns = choice.columns;
+        std::vector<mat::MatColumn> columns = choice.columns;
         if (times_) columns.insert(columns.begin(), *choice.time);
         width_ = columns.size();
         begin(*answers_, columns, file_);
     }
 
-    const signal::Layout& layout() const override { return layout_; }
+    const signal::ChannelLayout& layout() const override { return layout_; }
 
     std::size_t read(std::span<double> frames) override {
         const std::size_t width = layout_.channels.size();
@@ -151,7 +151,7 @@ private:
     std::optional<time_grid::Times> times_;
     std::string time_name_;
     std::string file_;
-    signal::Layout layout_;
+    signal::ChannelLayout layout_;
     std::size_t width_ = 0;  // [1] numbers of a frame, with the time
     std::vector<double> block_;
     std::uint64_t next_ = 0;
@@ -210,7 +210,7 @@ bool is_mat(std::string_view beginning) {
 RawSignal open_mat_answers(std::shared_ptr<mat::Answers> answers, std::uint64_t file_size, const mat::Wishes& wishes,
                            const std::string& file) {
     const std::vector<mat::Variable> variables = variables_of(*answers, file);
-    mat::Choice choice = mat::choose(variables, wishes, file);
+    mat::MatChoice choice = mat::choose(variables, wishes, file);
     const std::uint64_t width = choice.columns.size() + 1;  // with the times
     if (choice.frames > file_size * most_per_byte / width)
         throw damage(file, "its variables are larger than its bytes can hold");

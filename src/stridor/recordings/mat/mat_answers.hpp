@@ -18,7 +18,7 @@ inline constexpr std::uint32_t most_variables = 4096;  // in a file
 inline constexpr std::uint32_t longest_name = 255;     // [bytes]; MATLAB's own are up to 63
 
 /// What a variable holds. Only numbers can be samples.
-enum class Kind : std::uint32_t {
+enum class MatKind : std::uint32_t {
     doubles,
     singles,
     integers,
@@ -40,7 +40,7 @@ struct Opened {
 };
 
 struct VariableHead {
-    Kind kind = Kind::object;
+    MatKind kind = MatKind::object;
     std::uint32_t name_length = 0;  // [bytes]
     std::uint64_t rows = 0;
     std::uint64_t columns = 0;
@@ -48,11 +48,11 @@ struct VariableHead {
 };
 
 /// One channel of a variable.
-struct Column {
+struct MatColumn {
     std::uint64_t variable = 0;  // from 0, as the file lists them
     std::uint64_t index = 0;     // from 0
     std::uint64_t is_flat = 0;   // its rows are the channels, and its columns the instants
-    friend bool operator==(const Column&, const Column&) = default;
+    friend bool operator==(const MatColumn&, const MatColumn&) = default;
 };
 
 /// Who answers.

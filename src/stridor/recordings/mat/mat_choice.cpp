@@ -51,7 +51,7 @@ bool is_time_variable(const std::string& name) {
 }
 
 bool holds_numbers(const Variable& variable) {
-    return variable.kind == Kind::doubles || variable.kind == Kind::singles || variable.kind == Kind::integers;
+    return variable.kind == MatKind::doubles || variable.kind == MatKind::singles || variable.kind == MatKind::integers;
 }
 
 bool is_single(const Variable& variable) {
@@ -66,8 +66,8 @@ std::uint64_t length(const Variable& variable) {
     return std::max(variable.rows, variable.columns);
 }
 
-std::string_view words_of(Kind kind) {
-    constexpr std::array<std::string_view, static_cast<std::size_t>(Kind::count)> words{
+std::string_view words_of(MatKind kind) {
+    constexpr std::array<std::string_view, static_cast<std::size_t>(MatKind::count)> words{
         "numbers",         "numbers",  "whole numbers", "truth values", "complex numbers",
         "a sparse matrix", "text",     "cells",         "a structure",  "more than two dimensions",
         "nothing in it",   "an object"};
@@ -106,7 +106,7 @@ public:
         }
     }
 
-    Choice choice() {
+    MatChoice choice() {
         read_single_numbers();
         if (candidates_.empty())
             throw refusal(file_, "the file holds no signal",
@@ -169,9 +169,9 @@ private:
             const Variable& variable = variables_[k];
             const bool fits = !wished || (*wished != k && fits_length(variables_[*wished], length(variable)));
             if (choice_.time || !is_vector(variable) || !is_time_variable(variable.name) || !fits) continue;
-            choice_.time = Column{k, 0, variable.rows == 1 ? 1U : 0U};
+            choice_.time = MatColumn{k, 0, variable.rows == 1 ? 1U : 0U};
             choice_.time_name = variable.name;
-            choice_.has_single_times = variable.kind == Kind::singles;
+            choice_.has_single_times = variable.kind == MatKind::singles;
             choice_.frames = length(variable);
         }
         if (choice_.time) std::erase(candidates_, choice_.time->variable);
@@ -224,9 +224,9 @@ private:
         if (candidates_.size() > 1 || is_vector(only))
             throw refusal(file_, "the file does not tell its sampling rate",
                           "it has no single number called fs or dt, and no vector called t or time", rate_help);
-        choice_.time = Column{candidates_.front(), 0, only.rows < only.columns ? 1U : 0U};
+        choice_.time = MatColumn{candidates_.front(), 0, only.rows < only.columns ? 1U : 0U};
         choice_.time_name = only.name + "(1)";
-        choice_.has_single_times = only.kind == Kind::singles;
+        choice_.has_single_times = only.kind == MatKind::singles;
         choice_.notes.push_back(choice_.time_name + " was taken for the time in seconds");
     }
 
@@ -236,7 +236,7 @@ private:
             const bool is_flat = variable.rows != choice_.frames;
             const std::uint64_t width = is_flat ? variable.rows : variable.columns;
             for (std::uint64_t index = 0; index < width && choice_.columns.size() <= most_channels; ++index) {
-                const Column column{k, index, is_flat ? 1U : 0U};
+                const MatColumn column{k, index, is_flat ? 1U : 0U};
                 if (choice_.time == column) continue;
                 const std::string suffix = width > 1 ? "(" + std::to_string(index + 1) + ")" : "";
                 choice_.columns.push_back(column);
@@ -253,12 +253,12 @@ private:
     const std::string& file_;
     std::vector<std::size_t> candidates_;  // vectors and matrices of numbers
     std::vector<std::size_t> left_out_;
-    Choice choice_;
+    MatChoice choice_;
 };
 
 }  // namespace
 
-Choice choose(const std::vector<Variable>& variables, const Wishes& wishes, const std::string& file) {
+MatChoice choose(const std::vector<Variable>& variables, const Wishes& wishes, const std::string& file) {
     return Chooser(variables, wishes, file).choice();
 }
 

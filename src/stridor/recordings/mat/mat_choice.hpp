@@ -15,7 +15,7 @@ namespace stridor::recordings::mat {
 
 struct Variable {
     std::string name;
-    Kind kind = Kind::object;
+    MatKind kind = MatKind::object;
     std::uint64_t rows = 0;
     std::uint64_t columns = 0;
     double value = 0.0;  // of a single number
@@ -28,14 +28,14 @@ struct Wishes {
 };
 
 /// What is to be read.
-struct Choice {
-    std::vector<Column> columns{};            // of the channels
+struct MatChoice {
+    std::vector<MatColumn> columns{};         // of the channels
     std::vector<signal::Channel> channels{};  // their names
     std::uint64_t frames = 0;
-    std::optional<double> rate{};   // [Hz]; nothing where the times must tell it
-    std::optional<Column> time{};   // [s]
-    std::string time_name{};        // "t", "data(1)"
-    bool has_single_times = false;  // of seven digits
+    std::optional<double> rate{};     // [Hz]; nothing where the times must tell it
+    std::optional<MatColumn> time{};  // [s]
+    std::string time_name{};          // "t", "data(1)"
+    bool has_single_times = false;    // of seven digits
     std::vector<std::string> notes{};
     std::vector<std::pair<std::string, std::string>> metadata{};  // other single numbers
 };
@@ -47,6 +47,6 @@ struct Choice {
 /// `t` or `time` in seconds, or the first column of a matrix that is alone and without a rate. Where there are times,
 /// what is as long as they are is chosen. Throws `Error` (input) with what there is where nothing or no one length can
 /// be chosen, and where there is neither a rate nor times.
-Choice choose(const std::vector<Variable>& variables, const Wishes& wishes, const std::string& file);
+MatChoice choose(const std::vector<Variable>& variables, const Wishes& wishes, const std::string& file);
 
 }  // namespace stridor::recordings::mat

@@ -21,17 +21,17 @@ struct Found {
     bool is_loaded = false;
 };
 
-mat::Kind kind_of(const matvar_t& info) {
-    if (info.class_type == MAT_C_SPARSE) return mat::Kind::sparse;
-    if (info.class_type == MAT_C_CHAR) return mat::Kind::text;
-    if (info.class_type == MAT_C_CELL) return mat::Kind::cells;
-    if (info.class_type == MAT_C_STRUCT) return mat::Kind::structure;
+mat::MatKind kind_of(const matvar_t& info) {
+    if (info.class_type == MAT_C_SPARSE) return mat::MatKind::sparse;
+    if (info.class_type == MAT_C_CHAR) return mat::MatKind::text;
+    if (info.class_type == MAT_C_CELL) return mat::MatKind::cells;
+    if (info.class_type == MAT_C_STRUCT) return mat::MatKind::structure;
     const bool is_number = info.class_type >= MAT_C_DOUBLE && info.class_type <= MAT_C_UINT64;
-    if (!is_number) return mat::Kind::object;
-    if (info.isComplex != 0) return mat::Kind::complex;
-    if (info.isLogical != 0) return mat::Kind::truth_values;
-    if (info.class_type == MAT_C_DOUBLE) return mat::Kind::doubles;
-    return info.class_type == MAT_C_SINGLE ? mat::Kind::singles : mat::Kind::integers;
+    if (!is_number) return mat::MatKind::object;
+    if (info.isComplex != 0) return mat::MatKind::complex;
+    if (info.isLogical != 0) return mat::MatKind::truth_values;
+    if (info.class_type == MAT_C_DOUBLE) return mat::MatKind::doubles;
+    return info.class_type == MAT_C_SINGLE ? mat::MatKind::singles : mat::MatKind::integers;
 }
 
 // a dimension of one does not count, but two are always there
@@ -42,9 +42,9 @@ mat::VariableHead head_of(const matvar_t& info) {
     for (std::size_t k = sizes.size(); k > 0 && sizes.size() > 2; --k)
         if (sizes[k - 1] == 1) sizes.erase(sizes.begin() + static_cast<std::ptrdiff_t>(k - 1));
     if (sizes.size() > 2)
-        head.kind = mat::Kind::several_dimensions;
+        head.kind = mat::MatKind::several_dimensions;
     else if (sizes.size() < 2 || sizes[0] == 0 || sizes[1] == 0)
-        head.kind = mat::Kind::nothing;
+        head.kind = mat::MatKind::nothing;
     else {
         head.rows = sizes[0];
         head.columns = sizes[1];
@@ -91,8 +91,8 @@ std::size_t size_of(const matvar_t& info) {
     return sizes.at(static_cast<std::size_t>(info.class_type - MAT_C_DOUBLE));
 }
 
-bool is_number(mat::Kind kind) {
-    return kind == mat::Kind::doubles || kind == mat::Kind::singles || kind == mat::Kind::integers;
+bool is_number(mat::MatKind kind) {
+    return kind == mat::MatKind::doubles || kind == mat::MatKind::singles || kind == mat::MatKind::integers;
 }
 
 bool load(const Matio& matio, mat_t* file, Found& found) {
@@ -125,7 +125,7 @@ std::vector<Found> list(const Matio& matio, mat_t* file) {
 
 // the numbers of some columns, row by row; all of them are loaded and equally long
 void send_columns(const ConfinedProcess::Channel& channel, const std::vector<Found>& all,
-                  const std::vector<mat::Column>& columns) {
+                  const std::vector<mat::MatColumn>& columns) {
     constexpr std::size_t block_size = 8192;
     struct Walk {
         const matvar_t* info;
@@ -133,7 +133,7 @@ void send_columns(const ConfinedProcess::Channel& channel, const std::vector<Fou
         std::size_t step;
     };
     std::vector<Walk> walks;
-    for (const mat::Column& column : columns) {
+    for (const mat::MatColumn& column : columns) {
         const Found& found = all[column.variable];
         const std::size_t rows = found.head.rows;
         if (column.is_flat != 0)
@@ -166,16 +166,16 @@ void answer_with_matio(const Matio& matio, const ConfinedProcess::Channel& chann
     for (Found& found : all) {
         const bool is_single = is_number(found.head.kind) && found.head.rows == 1 && found.head.columns == 1;
         // what cannot be read is no number that anybody may use
-        if (is_single && !load(matio, file, found)) found.head.kind = mat::Kind::object;
+        if (is_single && !load(matio, file, found)) found.head.kind = mat::MatKind::object;
         if (found.is_loaded) found.head.value = value_at(*found.info, 0);
         send(channel, found.head);
         channel.send(std::as_bytes(std::span(found.info->name, found.head.name_length)));
     }
     std::uint64_t count = 0;
     while (receive(channel, count)) {
-        std::vector<mat::Column> columns(count);
+        std::vector<mat::MatColumn> columns(count);
         if (!channel.receive(std::as_writable_bytes(std::span(columns)))) return;
-        const bool is_read = std::all_of(columns.begin(), columns.end(), [&](const mat::Column& column) {
+        const bool is_read = std::all_of(columns.begin(), columns.end(), [&](const mat::MatColumn& column) {
             return load(matio, file, all.at(column.variable));
         });
         send(channel, std::uint32_t{is_read});

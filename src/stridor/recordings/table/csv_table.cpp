@@ -21,8 +21,8 @@ Dialect sniff(std::string_view line) {
     return {};
 }
 
-std::vector<Field> split(std::string_view line, char delimiter) {
-    std::vector<Field> fields(1);
+std::vector<CsvField> split(std::string_view line, char delimiter) {
+    std::vector<CsvField> fields(1);
     bool is_quoted = false;
     int column = 0;
     for (const char byte : line) {
@@ -37,7 +37,7 @@ std::vector<Field> split(std::string_view line, char delimiter) {
             fields.back().text += byte;
         }
     }
-    for (Field& field : fields) {
+    for (CsvField& field : fields) {
         const std::size_t blanks = field.text.find_first_not_of(' ');
         field.column += blanks == std::string::npos ? 0 : static_cast<int>(blanks);
         field.text = base::from_spreadsheet_text(base::trimmed(field.text));
@@ -45,7 +45,7 @@ std::vector<Field> split(std::string_view line, char delimiter) {
     return fields;
 }
 
-void drop_empty_tail(std::vector<Field>& fields, std::size_t least) {
+void drop_empty_tail(std::vector<CsvField>& fields, std::size_t least) {
     while (fields.size() > least && fields.back().text.empty())
         fields.pop_back();
 }
@@ -67,9 +67,9 @@ std::optional<double> number_in(const std::string& field, Dialect dialect) {
     return code == std::errc::result_out_of_range ? std::strtod(text.c_str(), nullptr) : number;
 }
 
-bool is_number_row(const std::vector<Field>& fields, Dialect dialect) {
+bool is_number_row(const std::vector<CsvField>& fields, Dialect dialect) {
     return std::any_of(fields.begin(), fields.end(),
-                       [&](const Field& field) { return number_in(field.text, dialect).has_value(); });
+                       [&](const CsvField& field) { return number_in(field.text, dialect).has_value(); });
 }
 
 Title title_of(std::string_view text) {

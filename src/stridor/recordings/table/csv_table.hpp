@@ -19,7 +19,7 @@ struct Dialect {
 };
 
 /// One field of a row.
-struct Field {
+struct CsvField {
     std::string text;
     int column = 1;  // [1] of its first character
 };
@@ -28,10 +28,10 @@ struct Field {
 Dialect sniff(std::string_view line);
 
 /// The fields of a row without their quotes and surrounding blanks.
-std::vector<Field> split(std::string_view line, char delimiter);
+std::vector<CsvField> split(std::string_view line, char delimiter);
 
 /// Drops empty fields behind the `least` first: a delimiter at the end of every line is a habit of some programs.
-void drop_empty_tail(std::vector<Field>& fields, std::size_t least);
+void drop_empty_tail(std::vector<CsvField>& fields, std::size_t least);
 
 /// The text of a number with a decimal point.
 std::string numeral(std::string text, Dialect dialect);
@@ -40,7 +40,7 @@ std::string numeral(std::string text, Dialect dialect);
 std::optional<double> number_in(const std::string& field, Dialect dialect);
 
 /// Does any field hold a number?
-bool is_number_row(const std::vector<Field>& fields, Dialect dialect);
+bool is_number_row(const std::vector<CsvField>& fields, Dialect dialect);
 
 /// "velocity [mm/s]" or "velocity (mm/s)" taken apart; "gap (front) [m]" is "gap (front)" in m.
 struct Title {

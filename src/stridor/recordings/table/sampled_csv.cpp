@@ -16,26 +16,26 @@ namespace stridor::recordings {
 
 namespace {
 
+using csv_table::CsvField;
 using csv_table::Dialect;
-using csv_table::Field;
 
 /// One of the two columns.
-struct Column {
+struct SampleColumn {
     std::string_view quantity;  // "time"
     std::string_view unit;      // "s", what it becomes
     std::size_t index = 0;      // where it stands
     std::string given_unit;     // "ms"; empty: SI
 };
 
-struct Header {
-    Column time{"time", "s", 0, ""};
-    Column velocity{"velocity", "m/s", 1, ""};
+struct SampleHeader {
+    SampleColumn time{"time", "s", 0, ""};
+    SampleColumn velocity{"velocity", "m/s", 1, ""};
     std::size_t columns = 2;
     std::size_t lines = 0;  // how many lines of the table it takes
 };
 
-std::vector<Line> table_lines(std::string_view text) {
-    std::vector<Line> lines;
+std::vector<TextLine> table_lines(std::string_view text) {
+    std::vector<TextLine> lines;
     int number = 0;
     while (!text.empty()) {
         const std::size_t end = text.find_first_of("\r\n");
@@ -49,14 +49,14 @@ std::vector<Line> table_lines(std::string_view text) {
     return lines;
 }
 
-std::vector<Field> split(const Line& line, Dialect dialect) {
-    std::vector<Field> fields = csv_table::split(line.text, dialect.delimiter);
+std::vector<CsvField> split(const TextLine& line, Dialect dialect) {
+    std::vector<CsvField> fields = csv_table::split(line.text, dialect.delimiter);
     csv_table::drop_empty_tail(fields, 2);
     return fields;
 }
 
-std::size_t find_column(const std::vector<Field>& fields, const Column& column, const std::string& name,
-                        const Line& line) {
+std::size_t find_column(const std::vector<CsvField>& fields, const SampleColumn& column, const std::string& name,
+                        const TextLine& line) {
     std::string seen;
     for (std::size_t k = 0; k < fields.size(); ++k) {
         const std::string title = csv_table::lower(csv_table::title_of(fields[k].text).name);
@@ -69,7 +69,7 @@ std::size_t find_column(const std::vector<Field>& fields, const Column& column, 
                 place_of(name, line, 1));
 }
 
-void set_unit(Column& column, std::string_view unit, const base::Place& where) {
+void set_unit(SampleColumn& column, std::string_view unit, const base::Place& where) {
     if (base::trimmed(unit).empty()) return;
     try {
         const base::Unit found = base::parse_unit(unit);
@@ -84,18 +84,18 @@ void set_unit(Column& column, std::string_view unit, const base::Place& where) {
     }
 }
 
-void read_units(Header& header, const Line& line, Dialect dialect, const std::string& name) {
-    const std::vector<Field> fields = split(line, dialect);
-    for (Column* column : {&header.time, &header.velocity})
+void read_units(SampleHeader& header, const TextLine& line, Dialect dialect, const std::string& name) {
+    const std::vector<CsvField> fields = split(line, dialect);
+    for (SampleColumn* column : {&header.time, &header.velocity})
         if (column->index < fields.size()) {
-            const Field& field = fields[column->index];
+            const CsvField& field = fields[column->index];
             set_unit(*column, csv_table::bare_unit(field.text), place_of(name, line, field.column));
         }
 }
 
-Header read_header(const std::vector<Line>& lines, Dialect dialect, const std::string& name) {
-    const std::vector<Field> first = split(lines.front(), dialect);
-    Header header;
+SampleHeader read_header(const std::vector<TextLine>& lines, Dialect dialect, const std::string& name) {
+    const std::vector<CsvField> first = split(lines.front(), dialect);
+    SampleHeader header;
     header.columns = first.size();
     if (csv_table::is_number_row(first, dialect)) {
         if (first.size() == 2) return header;
@@ -105,9 +105,9 @@ Header read_header(const std::vector<Line>& lines, Dialect dialect, const std::s
                     place_of(name, lines.front(), 1));
     }
     header.lines = 1;
-    for (Column* column : {&header.time, &header.velocity}) {
+    for (SampleColumn* column : {&header.time, &header.velocity}) {
         column->index = find_column(first, *column, name, lines.front());
-        const Field& field = first[column->index];
+        const CsvField& field = first[column->index];
         set_unit(*column, csv_table::title_of(field.text).unit, place_of(name, lines.front(), field.column));
     }
     const bool has_units = lines.size() > 1 && !csv_table::is_number_row(split(lines[1], dialect), dialect);
@@ -118,7 +118,7 @@ Header read_header(const std::vector<Line>& lines, Dialect dialect, const std::s
     return header;
 }
 
-double read_number(const Field& field, const Column& column, Dialect dialect, const base::Place& where) {
+double read_number(const CsvField& field, const SampleColumn& column, Dialect dialect, const base::Place& where) {
     const auto refuse = [&](const std::string& what, const std::string& why, const std::string& suggestion) {
         return Error(ErrorKind::input,
                      {std::string(column.quantity) + " = \"" + field.text + "\" " + what, why, suggestion}, where);
@@ -143,24 +143,24 @@ SampledMotion read_sampled_csv(std::string_view text, const std::string& name) {
     if (text.starts_with(csv_table::utf8_mark)) text.remove_prefix(csv_table::utf8_mark.size());
     if (csv_table::is_utf16(text))
         throw Error(ErrorKind::input, {"the file is in UTF-16", "", "Save it as UTF-8."}, base::Place{name, 1, 1, ""});
-    const std::vector<Line> lines = table_lines(text);
+    const std::vector<TextLine> lines = table_lines(text);
     if (lines.empty())
         throw Error(ErrorKind::input, {"the file holds no table", "a velocity over time is expected", ""},
                     base::Place{name, 0, 0, ""});
     const Dialect dialect = csv_table::sniff(lines.front().text);
-    const Header header = read_header(lines, dialect, name);
+    const SampleHeader header = read_header(lines, dialect, name);
 
     SampledMotion motion;
     for (std::size_t k = header.lines; k < lines.size(); ++k) {
-        const Line& line = lines[k];
-        const std::vector<Field> fields = split(line, dialect);
+        const TextLine& line = lines[k];
+        const std::vector<CsvField> fields = split(line, dialect);
         if (fields.size() != header.columns)
             throw Error(ErrorKind::input,
                         {"the row has " + std::to_string(fields.size()) + " columns",
                          "the first row has " + std::to_string(header.columns), ""},
                         place_of(name, line, fields.back().column));
-        const auto read = [&](const Column& column) {
-            const Field& field = fields[column.index];
+        const auto read = [&](const SampleColumn& column) {
+            const CsvField& field = fields[column.index];
             return read_number(field, column, dialect, place_of(name, line, field.column));
         };
         const double time = read(header.time);

@@ -21,25 +21,25 @@ namespace stridor::recordings {
 
 namespace {
 
-using csv_table::Field;
-using signal_table::Column;
-using signal_table::Header;
+using csv_table::CsvField;
 using signal_table::highest_rate;
 using signal_table::is_table_line;
 using signal_table::next_row;
 using signal_table::Role;
+using signal_table::SignalColumn;
+using signal_table::TableHeader;
 
 constexpr std::size_t looked_at = 1024;  // rows that the rate is first taken from
 
 /// Rows of a table as numbers.
 class Rows {
 public:
-    Rows(const SignalInput& input, Header header)
+    Rows(const SignalInput& input, TableHeader header)
         : header_(std::move(header)),
           lines_(input.bytes, input.name, header_.data_offset, header_.data_number),
           values_(header_.columns.size()) {
         has_words_ = std::any_of(header_.columns.begin(), header_.columns.end(),
-                                 [](const Column& column) { return column.role == Role::words; });
+                                 [](const SignalColumn& column) { return column.role == Role::words; });
     }
 
     /// The numbers of the next row, shape [column], NaN in columns of words; empty at the end.
@@ -51,8 +51,8 @@ public:
     }
 
     /// The fields of the row that was read last.
-    std::vector<Field> fields() const {
-        std::vector<Field> fields = csv_table::split(line_->text, header_.dialect.delimiter);
+    std::vector<CsvField> fields() const {
+        std::vector<CsvField> fields = csv_table::split(line_->text, header_.dialect.delimiter);
         csv_table::drop_empty_tail(fields, header_.columns.size());
         return fields;
     }
@@ -80,7 +80,7 @@ private:
     }
 
     void read_fields() {
-        const std::vector<Field> row = fields();
+        const std::vector<CsvField> row = fields();
         if (row.size() != values_.size())
             throw refusal(place_of(lines_.name(), *line_, row.back().column),
                           "the row has " + std::to_string(row.size()) + " columns",
@@ -90,7 +90,7 @@ private:
                                                                 : number(row[k], header_.columns[k]);
     }
 
-    double number(const Field& field, const Column& column) const {
+    double number(const CsvField& field, const SignalColumn& column) const {
         const std::optional<double> number = csv_table::number_in(field.text, header_.dialect);
         if (number && std::isfinite(*number)) return *number;
         const std::string what = (column.name.empty() ? "" : column.name + " = ") + "\"" + field.text + "\"";
@@ -100,15 +100,15 @@ private:
                       field.text.find(',') == std::string::npos ? "" : "Write the decimal mark as a point.");
     }
 
-    Header header_;
+    TableHeader header_;
     LineReader lines_;
-    std::optional<Line> line_;
+    std::optional<TextLine> line_;
     std::vector<double> values_;
     bool has_words_ = false;
 };
 
 // the numeral of the time in the last row that has one
-std::optional<std::string> last_time(const SignalInput& input, const Header& header, std::size_t column) {
+std::optional<std::string> last_time(const SignalInput& input, const TableHeader& header, std::size_t column) {
     const std::uint64_t size = input.bytes->size();
     const std::uint64_t from = std::max(header.data_offset, size - std::min<std::uint64_t>(size, LineReader::longest));
     const std::string tail = text_at(*input.bytes, from, LineReader::longest);
@@ -118,7 +118,7 @@ std::optional<std::string> last_time(const SignalInput& input, const Header& hea
         const std::string_view line = end == std::string_view::npos ? rest : rest.substr(end + 1);
         rest = rest.substr(0, end == std::string_view::npos ? 0 : end);
         if (!is_table_line(line)) continue;
-        const std::vector<Field> fields = csv_table::split(line, header.dialect.delimiter);
+        const std::vector<CsvField> fields = csv_table::split(line, header.dialect.delimiter);
         const bool is_whole = fields.size() >= header.columns.size() &&
                               csv_table::number_in(fields[column].text, header.dialect).has_value();
         if (!is_whole) return std::nullopt;
@@ -127,7 +127,7 @@ std::optional<std::string> last_time(const SignalInput& input, const Header& hea
     return std::nullopt;
 }
 
-time_grid::Times times_of(const SignalInput& input, const Header& header, std::size_t column) {
+time_grid::Times times_of(const SignalInput& input, const TableHeader& header, std::size_t column) {
     const std::string& label = header.columns[column].unit;
     const FullScale unit = unit_of_label(label);
     time_grid::Times times;
@@ -158,7 +158,7 @@ time_grid::Times times_of(const SignalInput& input, const Header& header, std::s
 
 class SignalCsv final : public signal::Source {
 public:
-    SignalCsv(const SignalInput& input, const Header& header, double rate, std::optional<time_grid::Times> times)
+    SignalCsv(const SignalInput& input, const TableHeader& header, double rate, std::optional<time_grid::Times> times)
         : rows_(input, header),
           times_(std::move(times)) {
         layout_.rate = rate;
@@ -170,7 +170,7 @@ public:
         }
     }
 
-    const signal::Layout& layout() const override { return layout_; }
+    const signal::ChannelLayout& layout() const override { return layout_; }
 
     std::size_t read(std::span<double> frames) override {
         const std::size_t width = columns_.size();
@@ -199,7 +199,7 @@ private:
 
     Rows rows_;
     std::optional<time_grid::Times> times_;
-    signal::Layout layout_;
+    signal::ChannelLayout layout_;
     std::vector<std::size_t> columns_;  // of the channels
     std::size_t time_column_ = 0;
     std::uint64_t frames_ = 0;  // read so far
@@ -217,7 +217,7 @@ SnappedRate rate_from(const time_grid::Times& times, const base::Place& place) {
 }  // namespace
 
 RawSignal open_signal_csv(const SignalInput& input, std::optional<double> rate) {
-    Header header = signal_table::read_header(input);
+    TableHeader header = signal_table::read_header(input);
     RawSignal raw;
     raw.format = "CSV";
     raw.metadata = header.metadata;
@@ -243,7 +243,7 @@ RawSignal open_signal_csv(const SignalInput& input, std::optional<double> rate) 
         throw refusal(place, "the table does not tell its sampling rate", "it has no column of times",
                       "Write \"# rate: 48000\" above it, or name one column \"time\".");
     const bool has_channel = std::any_of(header.columns.begin(), header.columns.end(),
-                                         [](const Column& column) { return column.role == Role::channel; });
+                                         [](const SignalColumn& column) { return column.role == Role::channel; });
     if (!has_channel) throw refusal(place, "the table has no column of samples");
     raw.source = std::make_unique<SignalCsv>(input, header, *rate, std::move(times));
     return raw;

@@ -15,8 +15,8 @@ namespace stridor::recordings::signal_table {
 
 namespace {
 
+using csv_table::CsvField;
 using csv_table::Dialect;
-using csv_table::Field;
 
 constexpr std::size_t most_columns = 4096;     // more is no table of signals
 constexpr std::size_t most_metadata = 1000;    // `# key: value` lines that are kept
@@ -37,7 +37,7 @@ void check_schema(const std::string& schema, const base::Place& place) {
                       "Write a motion with: stridor simulate CASE --trace FILE.csv");
 }
 
-void read_fact(Header& header, std::string_view text, const base::Place& place) {
+void read_fact(TableHeader& header, std::string_view text, const base::Place& place) {
     const std::size_t colon = text.find(':');
     if (colon == std::string_view::npos) return;
     const std::string key(base::trimmed(text.substr(0, colon)));
@@ -56,7 +56,7 @@ void read_fact(Header& header, std::string_view text, const base::Place& place) 
     }
 }
 
-void read_comment(Header& header, const Line& line, const std::string& file) {
+void read_comment(TableHeader& header, const TextLine& line, const std::string& file) {
     std::string_view content = base::trimmed(line.text);
     if (!content.starts_with('#')) return;
     content = base::trimmed(content.substr(1));
@@ -71,7 +71,7 @@ void read_comment(Header& header, const Line& line, const std::string& file) {
 }
 
 // "Sampling rate [Hz];51200" and "operator: Smith" above the table; nothing in prose is an error
-void read_prose(Header& header, const std::string& text) {
+void read_prose(TableHeader& header, const std::string& text) {
     ++header.prose_lines;
     const std::size_t mark = text.find_first_of(":=;\t,");
     if (mark == std::string::npos || header.metadata.size() >= most_metadata) return;
@@ -95,8 +95,8 @@ void read_prose(Header& header, const std::string& text) {
 /// The first lines of a file: those of the table, and what stands between them.
 struct Beginning {
     std::vector<std::string> texts;  // of the table, and of prose above it
-    std::vector<Line> lines;         // their numbers and places; the text is in `texts`
-    std::vector<std::pair<std::string, Line>> comments;
+    std::vector<TextLine> lines;     // their numbers and places; the text is in `texts`
+    std::vector<std::pair<std::string, TextLine>> comments;
 };
 
 Beginning beginning_of(LineReader& lines) {
@@ -109,17 +109,17 @@ Beginning beginning_of(LineReader& lines) {
             beginning.texts.emplace_back(line->text);
             beginning.lines.push_back({{}, line->number, line->offset});
         } else if (base::trimmed(line->text).starts_with('#')) {
-            beginning.comments.emplace_back(line->text, Line{{}, line->number, line->offset});
+            beginning.comments.emplace_back(line->text, TextLine{{}, line->number, line->offset});
         }
     }
     return beginning;
 }
 
 // names in the first line, or none; what else cannot be a row of numbers is one of units
-csv_table::Start plain_start(const Beginning& beginning, const base::Place& place) {
+csv_table::TableStart plain_start(const Beginning& beginning, const base::Place& place) {
     const std::vector<std::string>& texts = beginning.texts;
     const bool has_delimiter = texts[0].find_first_of("\t;,") != std::string::npos;
-    csv_table::Start start{has_delimiter ? csv_table::sniff(texts[0]) : Dialect{'\0'}, {}, {}, 0};
+    csv_table::TableStart start{has_delimiter ? csv_table::sniff(texts[0]) : Dialect{'\0'}, {}, {}, 0};
     const auto has_numbers = [&](std::size_t k) {
         return csv_table::is_number_row(csv_table::split(texts[k], start.dialect.delimiter), start.dialect);
     };
@@ -134,13 +134,14 @@ csv_table::Start plain_start(const Beginning& beginning, const base::Place& plac
     return start;
 }
 
-void read_columns(Header& header, const csv_table::Start& start, const Beginning& beginning, const base::Place& place) {
+void read_columns(TableHeader& header, const csv_table::TableStart& start, const Beginning& beginning,
+                  const base::Place& place) {
     const auto fields_in = [&](std::size_t line) {
-        std::vector<Field> fields = csv_table::split(beginning.texts[line], start.dialect.delimiter);
+        std::vector<CsvField> fields = csv_table::split(beginning.texts[line], start.dialect.delimiter);
         csv_table::drop_empty_tail(fields, 1);
         return fields;
     };
-    std::vector<Field> fields = fields_in(start.first());
+    std::vector<CsvField> fields = fields_in(start.first());
     csv_table::drop_comment(fields, fields_in(start.rows).size());
     if (fields.size() > most_columns)
         throw refusal(place, "the table has " + std::to_string(fields.size()) + " columns",
@@ -153,13 +154,13 @@ void read_columns(Header& header, const csv_table::Start& start, const Beginning
         header.columns[k] = {title.name, std::string(base::trimmed(title.unit)), Role::channel};
     }
     if (!start.units) return;
-    const std::vector<Field> units = fields_in(*start.units);
+    const std::vector<CsvField> units = fields_in(*start.units);
     for (std::size_t k = 0; k < std::min(units.size(), header.columns.size()); ++k)
         if (const auto unit = base::trimmed(csv_table::bare_unit(units[k].text)); !unit.empty())
             header.columns[k].unit = unit;
 }
 
-bool is_time(const Column& column) {
+bool is_time(const SignalColumn& column) {
     return csv_table::is_time_name(column.name) || (!column.unit.empty() && unit_of_label(column.unit).unit == "s");
 }
 
@@ -170,20 +171,20 @@ bool is_table_line(std::string_view line) {
     return !content.empty() && content.front() != '#';
 }
 
-std::optional<Line> next_row(LineReader& lines) {
+std::optional<TextLine> next_row(LineReader& lines) {
     while (const auto line = lines.next())
         if (is_table_line(line->text)) return line;
     return std::nullopt;
 }
 
-Header read_header(const SignalInput& input) {
+TableHeader read_header(const SignalInput& input) {
     const std::string first_bytes = text_at(*input.bytes, 0, 4);
     if (csv_table::is_utf16(first_bytes))
         throw refusal({input.name, 1, 1, ""}, "the file is in UTF-16", "", "Save it as UTF-8.");
     const bool has_mark = first_bytes.starts_with(csv_table::utf8_mark);
     LineReader lines(input.bytes, input.name, has_mark ? csv_table::utf8_mark.size() : 0);
     const Beginning beginning = beginning_of(lines);
-    Header header;
+    TableHeader header;
     const int end = beginning.lines.empty() ? std::numeric_limits<int>::max() : beginning.lines[0].number;
     for (const auto& [text, line] : beginning.comments)
         if (line.number < end) read_comment(header, {text, line.number, line.offset}, input.name);
@@ -192,8 +193,8 @@ Header read_header(const SignalInput& input) {
     const auto place_in = [&](std::size_t k) {
         return place_of(input.name, {beginning.texts[k], beginning.lines[k].number, beginning.lines[k].offset}, 1);
     };
-    const std::optional<csv_table::Start> found = csv_table::find_start(beginning.texts);
-    const csv_table::Start start = found ? *found : plain_start(beginning, place_in(0));
+    const std::optional<csv_table::TableStart> found = csv_table::find_start(beginning.texts);
+    const csv_table::TableStart start = found ? *found : plain_start(beginning, place_in(0));
     for (std::size_t k = 0; k < start.first(); ++k)
         read_prose(header, beginning.texts[k]);
     header.dialect = start.dialect;
@@ -203,11 +204,11 @@ Header read_header(const SignalInput& input) {
     return header;
 }
 
-std::vector<std::string> find_words(Header& header, const SignalInput& input) {
+std::vector<std::string> find_words(TableHeader& header, const SignalInput& input) {
     LineReader lines(input.bytes, input.name, header.data_offset, header.data_number);
-    const std::optional<Line> row = next_row(lines);
+    const std::optional<TextLine> row = next_row(lines);
     if (!row) return {};
-    const std::vector<Field> fields = csv_table::split(row->text, header.dialect.delimiter);
+    const std::vector<CsvField> fields = csv_table::split(row->text, header.dialect.delimiter);
     std::vector<std::string> notes;
     for (std::size_t k = 0; k < std::min(fields.size(), header.columns.size()); ++k) {
         const bool is_words = !fields[k].text.empty() && !csv_table::number_in(fields[k].text, header.dialect);
@@ -218,7 +219,7 @@ std::vector<std::string> find_words(Header& header, const SignalInput& input) {
     return notes;
 }
 
-std::optional<std::size_t> find_time(const Header& header, bool is_rate_known) {
+std::optional<std::size_t> find_time(const TableHeader& header, bool is_rate_known) {
     for (std::size_t k = 0; k < header.columns.size(); ++k)
         if (header.columns[k].role == Role::channel && is_time(header.columns[k])) return k;
     const bool is_first = !header.has_names && !is_rate_known && header.columns.size() > 1;

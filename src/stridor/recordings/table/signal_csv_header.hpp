@@ -21,16 +21,16 @@ inline constexpr double highest_rate = 1e9;  // [Hz]
 
 enum class Role { channel, time, words };
 
-struct Column {
+struct SignalColumn {
     std::string name;
     std::string unit;  // as the file has it
     Role role = Role::channel;
 };
 
 /// What stands above the numbers.
-struct Header {
+struct TableHeader {
     csv_table::Dialect dialect;
-    std::vector<Column> columns;
+    std::vector<SignalColumn> columns;
     std::vector<std::pair<std::string, std::string>> metadata;
     std::optional<double> rate;         // [Hz] from a `# rate:` line
     std::optional<double> spoken_rate;  // [Hz] from the prose above the table; its times know better
@@ -44,16 +44,16 @@ struct Header {
 bool is_table_line(std::string_view line);
 
 /// The next line of the table; its text lasts until the next is read.
-std::optional<Line> next_row(LineReader& lines);
+std::optional<TextLine> next_row(LineReader& lines);
 
 /// Reads up to the first row of numbers. Throws `Error` (input) with line and column for what is no table of signals,
 /// as the tables that Stridor writes of a chart.
-Header read_header(const SignalInput& input);
+TableHeader read_header(const SignalInput& input);
 
 /// Leaves out columns in which the first row has no number; returns what to tell the user.
-std::vector<std::string> find_words(Header& header, const SignalInput& input);
+std::vector<std::string> find_words(TableHeader& header, const SignalInput& input);
 
 /// The column of times: one that is called so, or the first of a table without names whose rate is not known.
-std::optional<std::size_t> find_time(const Header& header, bool is_rate_known);
+std::optional<std::size_t> find_time(const TableHeader& header, bool is_rate_known);
 
 }  // namespace stridor::recordings::signal_table

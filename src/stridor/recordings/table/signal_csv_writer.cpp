@@ -26,10 +26,10 @@ std::string heading(const signal::Channel& channel, std::size_t number) {
     return one_line(name + " [" + channel.unit + "]");
 }
 
-base::csv_text::Table table_of(const signal::Layout& layout) {
+base::csv_text::Table table_of(const signal::ChannelLayout& layout) {
     base::csv_text::Facts facts = base::csv_text::origin("signal");
     facts.emplace_back("rate", base::shortest(layout.rate) + " Hz");
-    std::vector<base::csv_text::Column> columns{{"time", "s"}};
+    std::vector<base::csv_text::TableColumn> columns{{"time", "s"}};
     for (std::size_t k = 0; k < layout.channels.size(); ++k)
         columns.push_back({heading(layout.channels[k], k + 1)});
     return base::csv_text::Table(facts, columns);
@@ -39,7 +39,7 @@ base::csv_text::Table table_of(const signal::Layout& layout) {
 
 std::uint64_t write_signal_csv(const std::string& path, signal::Source& source) {
     storage::PiecewiseFile file(path);
-    const signal::Layout& layout = source.layout();
+    const signal::ChannelLayout& layout = source.layout();
     const std::size_t width = layout.channels.size();
     base::csv_text::Table table = table_of(layout);
     file.write(table.take());

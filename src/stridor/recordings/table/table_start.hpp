@@ -14,7 +14,7 @@
 namespace stridor::recordings::csv_table {
 
 /// Which lines of a text are what; `rows` is the first of numbers.
-struct Start {
+struct TableStart {
     Dialect dialect{};
     std::optional<std::size_t> names{};
     std::optional<std::size_t> units{};
@@ -29,11 +29,11 @@ struct Start {
 /// The rows of numbers are the lines that reach to the last one given, begin with a number, hold more numbers than
 /// words, and have as many fields as each other. The names are the line above them that has as many fields, or the one
 /// above that, if the one between holds units. What is higher up is prose. Nothing where this finds no table.
-std::optional<Start> find_start(std::span<const std::string> lines);
+std::optional<TableStart> find_start(std::span<const std::string> lines);
 
 /// Drops the last of the names of a table `width` columns wide, if it is "Comment" and one too many: LabVIEW names a
 /// column that no row has.
-void drop_comment(std::vector<Field>& names, std::size_t width);
+void drop_comment(std::vector<CsvField>& names, std::size_t width);
 
 /// Is it what a column of times is called?
 bool is_time_name(std::string_view name);

@@ -48,7 +48,7 @@ public:
 
 private:
     void read_row() {
-        const std::optional<Line> line = lines_.next();
+        const std::optional<TextLine> line = lines_.next();
         if (!line || uff58::is_mark(line->text))
             throw refusal(
                 {lines_.name(), lines_.number() - 1, 0, ""}, "the time history is cut off",
@@ -63,7 +63,7 @@ private:
     }
 
     // numbers that fill their columns touch each other: 13 columns for singles, 20 for doubles
-    void read_columns(const Line& line) {
+    void read_columns(const TextLine& line) {
         row_.clear();
         const std::size_t width = dataset_.ordinate == uff58::real_double ? 20 : 13;
         const std::string_view text = line.text.substr(0, line.text.find_last_not_of(" \t\r") + 1);
@@ -139,7 +139,7 @@ private:
 
 class Uff58 final : public signal::Source {
 public:
-    Uff58(const SignalInput& input, const std::vector<Dataset>& datasets, signal::Layout layout)
+    Uff58(const SignalInput& input, const std::vector<Dataset>& datasets, signal::ChannelLayout layout)
         : layout_(std::move(layout)) {
         for (const Dataset& dataset : datasets)
             if (dataset.form == Form::ascii)
@@ -148,7 +148,7 @@ public:
                 channels_.push_back(std::make_unique<BinaryValues>(input, dataset));
     }
 
-    const signal::Layout& layout() const override { return layout_; }
+    const signal::ChannelLayout& layout() const override { return layout_; }
 
     std::size_t read(std::span<double> frames) override {
         const std::size_t width = channels_.size();
@@ -163,7 +163,7 @@ public:
     }
 
 private:
-    signal::Layout layout_;
+    signal::ChannelLayout layout_;
     std::vector<std::unique_ptr<Values>> channels_;
     std::uint64_t next_ = 0;
 };
@@ -246,7 +246,7 @@ RawSignal open_uff58(const SignalInput& input, std::optional<std::size_t> datase
         raw.notes.push_back(std::to_string(contents.left_out) + " datasets that are no time histories were left out");
     for (std::size_t line = 0; line < first.id.size(); ++line)
         if (!first.id[line].empty()) raw.metadata.emplace_back("id" + std::to_string(line + 1), first.id[line]);
-    signal::Layout layout{first.rate, {}, first.count};
+    signal::ChannelLayout layout{first.rate, {}, first.count};
     for (std::size_t channel = 0; channel < datasets.size(); ++channel)
         layout.channels.push_back({names[channel], datasets[channel].unit});
     raw.source = std::make_unique<Uff58>(input, datasets, std::move(layout));

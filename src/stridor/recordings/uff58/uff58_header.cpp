@@ -60,7 +60,7 @@ std::string meaningful(std::string_view text) {
     return csv_table::lower(found) == "none" ? "" : found;
 }
 
-Opening opening_of(const Line& line, const std::string& file) {
+Opening opening_of(const TextLine& line, const std::string& file) {
     const std::vector<std::string_view> fields = words(line.text);
     Opening opening;
     if (fields.empty()) return opening;
@@ -212,11 +212,11 @@ public:
 
     Contents contents() && {
         while (find_mark()) {
-            const std::optional<Line> line = lines_.next();
+            const std::optional<TextLine> line = lines_.next();
             if (!line) break;
             // two marks in a row: the first one ended what had no beginning
             if (is_mark(line->text)) {
-                const std::optional<Line> next = lines_.next();
+                const std::optional<TextLine> next = lines_.next();
                 if (!next) break;
                 read_block(opening_of(*next, input_.name));
                 continue;
@@ -241,7 +241,7 @@ private:
         }
         Cards cards;
         for (std::string& card : cards) {
-            const std::optional<Line> line = lines_.next();
+            const std::optional<TextLine> line = lines_.next();
             if (!line || is_mark(line->text))
                 throw refusal({input_.name, lines_.number() - 1, 0, ""}, "the header of dataset 58 is cut off",
                               "it has 11 lines");

@@ -155,7 +155,7 @@ void write_channel(Body& body, const Spool& spool, std::size_t channel, std::siz
 
 std::uint64_t write_uff58(const std::string& path, signal::Source& source, Uff58Form form) {
     storage::PiecewiseFile file(path);
-    const signal::Layout& layout = source.layout();
+    const signal::ChannelLayout& layout = source.layout();
     const std::size_t width = layout.channels.size();
     const std::unique_ptr<Spool> spool = spooled(source);
     const Shape shape{layout.rate, spool->size() / (width * sizeof(double)), form};
