@@ -98,6 +98,18 @@ TEST(Likeness, FindsTheSameSoundAgainThroughNoise) {
     EXPECT_LT(likeness(p, noisy).distance, 0.3);
 }
 
+TEST(Likeness, NamesTheOneFigureThatDiffersHoweverLittle) {
+    for (const double difference : {1e-3, 0.1, 0.5}) {
+        SoundProfile p = profile(tone(440.0));
+        SoundProfile q = p;
+        q.features.rest += difference;
+        const Likeness apart = likeness(p, q);
+        EXPECT_GT(apart.distance, 0.0);
+        EXPECT_EQ(apart.differences.front().name, "rest") << difference;
+        EXPECT_NEAR(apart.differences.front().share, 1.0, 1e-12) << difference;
+    }
+}
+
 TEST(Likeness, NamesWhatTellsImpulsesFromATone) {
     const Likeness apart = likeness(profile(tone(440.0)), profile(tone(440.0, 0.8)));
     EXPECT_GT(apart.distance, 1.0);
@@ -121,6 +133,18 @@ TEST(Profile, IsMadeOfTheLoudParts) {
     const SoundProfile p = profile(signal);
     EXPECT_NEAR(p.features.frequency, 440.0, 2.0);
     EXPECT_NEAR(p.features.duration, 1.0, 0.1);
+}
+
+TEST(Profile, LeavesOutWhatIsQuieterThanTheThreshold) {
+    const parameters::SoundThresholds thresholds;
+    for (const double beyond : {-1.0, 1.0}) {
+        std::vector<signal::SoundStretch> stretches(2);
+        stretches[0].features.duration = stretches[1].features.duration = 1.0;
+        stretches[0].features.mean_square = 1.0;
+        stretches[1].features.mean_square = std::pow(10.0, -0.1 * (thresholds.quiet_depth + beyond));
+        const SoundProfile p = profile_of(stretches, {}, thresholds);
+        EXPECT_EQ(p.features.duration, beyond < 0.0 ? 2.0 : 1.0) << beyond << " dB below it";
+    }
 }
 
 TEST(ComparedFigures, AreUnknownInSilence) {

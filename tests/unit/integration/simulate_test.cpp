@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace stridor::integration {
 namespace {
@@ -51,6 +54,48 @@ TEST(Simulate, DoesNotRunBeyondTheStepLimit) {
     c.run.engine = parameters::Engine::beta_2;
     c.run.step = 2.1e-4;
     EXPECT_EQ(simulate(c).outcome.reason, Reason::step_limit);
+}
+
+// the flows that a workspace keeps must not outlive anything that they were made from
+TEST(Workspace, ChangesNoRun) {
+    using Change = void (*)(Case&);
+    constexpr std::array<std::pair<const char*, Change>, 9> changes{{
+        {"mass", [](Case& c) { c.joint.mass *= 1.5; }},
+        {"stiffness", [](Case& c) { c.plate.stiffness *= 1.5; }},
+        {"damping", [](Case& c) { c.joint.axial_damping *= 1.5; }},
+        {"angle", [](Case& c) { c.joint.incidence_angle -= 5.0; }},
+        {"preload", [](Case& c) { c.contact.preload *= 1.5; }},
+        {"static friction", [](Case& c) { c.contact.static_friction *= 1.1; }},
+        {"kinetic friction", [](Case& c) { c.contact.kinetic_friction *= 0.5; }},
+        {"kinetic friction coming", [](Case& c) { c.contact.kinetic_friction_coming *= 0.5; }},
+        {"frequency", [](Case& c) { c.drive.frequency *= 2.0; }},
+    }};
+    Case base;
+    base.contact.friction = parameters::FrictionKind::directional;
+    base.drive.frequency = 10.0;
+    base.run.duration = base.run.window = 0.2;
+    for (const auto& [name, change] : changes) {
+        Case changed = base;
+        change(changed);
+        Workspace workspace;
+        simulate(base, {}, {}, workspace);
+        const Motion after = simulate(changed, {}, {}, workspace);
+        const Motion alone = simulate(changed);
+        const Motion other = simulate(base);
+        ASSERT_EQ(after.record.phases.size(), 2U);
+        double difference = 0.0;
+        for (std::size_t phase = 0; phase < 2; ++phase) {
+            const record::Tally& tally = alone.record.phases[phase];
+            EXPECT_EQ(after.record.phases[phase].time, tally.time) << name;
+            for (std::size_t dof = 0; dof < tally.vibration.size(); ++dof) {
+                EXPECT_EQ(after.record.phases[phase].vibration[dof].square_time, tally.vibration[dof].square_time)
+                    << name;
+                difference +=
+                    std::abs(other.record.phases[phase].vibration[dof].square_time - tally.vibration[dof].square_time);
+            }
+        }
+        EXPECT_GT(difference, 0.0) << name << " makes no difference";
+    }
 }
 
 TEST(Outcome, HasAResultOnlyWhenCompletedOrSettled) {

@@ -1,0 +1,61 @@
+// The beam by its modes is the beam of the textbook; how it moves is in tests/verification/beam_test.cpp.
+
+#include "stridor/model/cantilever.hpp"
+
+#include "support/error_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stridor::model {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// A force at the tip bends by F L^3 / (3 E I) and compresses by F L / (E A). In series: with n modes the missing
+// share of the bending is the sum of 12 / (beta_k L)^4 beyond, about 12 / (3 pi^4 (n - 1)^3); of the compression the
+// first mode has 8 / pi^2.
+TEST(Cantilever, YieldsAtItsTipAsItsStiffnessesSay) {
+    const Cantilever beam;
+    constexpr int modes = 30;
+    const Structure structure = cantilever(beam, modes);
+    const ContactPoint& tip = structure.contacts.front();
+    ASSERT_EQ(dofs_of(structure), modes + 1);
+    const double cosine = 0.5;  // of 60 degrees
+    const double sine = std::sqrt(0.75);
+    const double bent = std::pow(beam.length, 3) / (3.0 * beam.bending_stiffness);
+    const double compressed = 8.0 / (pi * pi) * beam.length / beam.axial_stiffness;
+    const auto moved = [&](const Eigen::VectorXd& along, const Eigen::VectorXd& force) {
+        return along.dot(force.cwiseQuotient(structure.stiffness.diagonal()));
+    };
+    const double lost = 12.0 / (3.0 * std::pow(pi, 4) * std::pow(modes - 1, 3)) * bent;
+    const double normal = cosine * cosine * bent + sine * sine * compressed;
+    const double tangent = sine * sine * bent + cosine * cosine * compressed;
+    const double coupled = sine * cosine * (compressed - bent);
+    EXPECT_NEAR(moved(tip.normal, tip.normal), normal, 2.0 * lost);
+    EXPECT_NEAR(moved(tip.tangent, tip.tangent), tangent, 2.0 * lost);
+    EXPECT_NEAR(moved(tip.normal, tip.tangent), coupled, 2.0 * lost);
+    // pressed on the surface by the preload
+    EXPECT_NEAR(moved(tip.normal, structure.load), -beam.preload * normal, 2.0 * lost * beam.preload);
+}
+
+TEST(Cantilever, DampsEachModeAlike) {
+    Cantilever beam;
+    beam.damping_ratio = 0.03;
+    const Structure structure = cantilever(beam, 4);
+    for (Eigen::Index k = 0; k < 5; ++k) {
+        const double critical = 2.0 * std::sqrt(structure.stiffness(k, k) * structure.mass(k, k));
+        EXPECT_NEAR(structure.damping(k, k), 0.03 * critical, 1e-12 * critical) << k;
+    }
+    EXPECT_EQ(structure.stiffness(2, 2), std::pow(bending_frequency(beam, 3), 2));
+}
+
+TEST(Cantilever, BendsWithOneModeAtLeast) {
+    const auto thrown = support::thrown_by([] { cantilever({}, 0); });
+    EXPECT_EQ(thrown.kind, ErrorKind::input);
+    EXPECT_TRUE(thrown.says("0 modes")) << thrown.message;
+}
+
+}  // namespace
+}  // namespace stridor::model
