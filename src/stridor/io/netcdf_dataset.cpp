@@ -1,4 +1,4 @@
-#include "stridor/io/chart/netcdf_dataset.hpp"
+#include "stridor/io/netcdf_dataset.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"

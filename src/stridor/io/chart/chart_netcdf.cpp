@@ -3,7 +3,7 @@
 #include "stridor/base/hash.hpp"
 #include "stridor/base/separate_process.hpp"
 #include "stridor/io/case/toml_writer.hpp"
-#include "stridor/io/chart/netcdf_dataset.hpp"
+#include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/starts.hpp"

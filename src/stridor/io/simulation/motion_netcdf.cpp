@@ -2,7 +2,7 @@
 
 #include "stridor/base/hash.hpp"
 #include "stridor/io/case/toml_writer.hpp"
-#include "stridor/io/chart/netcdf_dataset.hpp"
+#include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/io/simulation/dof_names.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/record/columns.hpp"
