@@ -147,6 +147,33 @@ TEST(Profile, LeavesOutWhatIsQuieterThanTheThreshold) {
     }
 }
 
+// a stretch is too short to show the period of slow impulses: the instants of all of them do
+TEST(Profile, TakesSlowImpulsesFromTheLoudestSegmentOfItsCategory) {
+    const parameters::SoundThresholds thresholds;
+    std::vector<signal::SoundStretch> stretches(1);
+    stretches[0].features.duration = 1.0;
+    stretches[0].features.mean_square = 1.0;
+    stretches[0].features.impulse_interval = 0.01;
+    stretches[0].features.impulse_periodicity = 0.5 * thresholds.creak_periodicity;
+    RecordingVerdict verdict;
+    verdict.category = Category::creak;
+    const auto segment = [](Category category, double mean_square, double interval) {
+        SoundSegment result;
+        result.verdict.category = category;
+        result.mean_square = mean_square;
+        result.impulse_interval = interval;
+        result.impulse_regularity = 0.9;
+        return result;
+    };
+    EXPECT_EQ(profile_of(stretches, verdict, thresholds).impulse_interval, 0.01) << "no segment is a creak";
+    verdict.segments = {segment(Category::creak, 1.0, 0.2), segment(Category::creak, 2.0, 0.3),
+                        segment(Category::creak, 1.5, 0.4), segment(Category::squeal, 9.0, 0.5)};
+    EXPECT_EQ(profile_of(stretches, verdict, thresholds).impulse_interval, 0.3);
+    EXPECT_EQ(profile_of(stretches, verdict, thresholds).impulse_regularity, 0.9);
+    stretches[0].features.impulse_periodicity = thresholds.creak_periodicity;
+    EXPECT_EQ(profile_of(stretches, verdict, thresholds).impulse_interval, 0.01) << "the stretch shows it itself";
+}
+
 TEST(ComparedFigures, AreUnknownInSilence) {
     ComparedSound sound;
     for (const ComparedFigure& figure : compared_figures()) {
