@@ -58,7 +58,10 @@ rc::Gen<SoundProfile> any_profile() {
 
 RC_GTEST_PROP(Likeness, IsZeroForASoundAndItself, ()) {
     const SoundProfile p = *any_profile();
-    RC_ASSERT(likeness(p, p, LevelUse::counted).distance == 0.0);
+    const Likeness same = likeness(p, p, LevelUse::counted);
+    RC_ASSERT(same.distance == 0.0);
+    for (const FigureDifference& each : same.differences)
+        RC_ASSERT(each.share == 0.0);
 }
 
 RC_GTEST_PROP(Likeness, IsSymmetricAndBounded, ()) {
