@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Prints lines and branches per module from a gcovr summary, and the core sources whose lines are covered too little.
+"""Prints lines and branches per module from a gcovr summary; single core sources that lie low go to stderr.
 
-Usage: table.py SUMMARY.json, as `gcovr --json-summary` writes it. Exit code 1 if a core source lies below the share.
+Usage: table.py SUMMARY.json, as `gcovr --json-summary` writes it. Exit code 1 if a core module lies below the share.
 """
 
 import collections
@@ -9,8 +9,9 @@ import json
 import pathlib
 import sys
 
-CORE = ("model", "integration", "analysis", "classification", "sweep")
-LEAST = 95.0  # [%] of the lines of each core source
+from core import CORE
+
+LEAST = 95.0  # [%] of the lines of each core module
 
 
 def percent(covered: int, total: int) -> float:
@@ -31,13 +32,15 @@ def main() -> int:
             low.append((lines, file["line_total"] - file["line_covered"], file["filename"]))
 
     print("| module | lines | branches |\n| --- | --- | --- |")
+    failed = False
     for module, c in sorted(modules.items()):
         lines = percent(c["line_covered"], c["line_total"])
+        failed = failed or (module in CORE and lines < LEAST)
         branches = percent(c["branch_covered"], c["branch_total"])
         print(f"| `{module}` | {lines:.1f} % of {c['line_total']} | {branches:.1f} % of {c['branch_total']} |")
     for lines, missed, name in sorted(low):
-        print(f"{name}: {lines:.1f} % of its lines, {missed} are missed", file=sys.stderr)
-    return 1 if low else 0
+        print(f"{name}: {lines:.1f} % of its lines; missed: {missed}", file=sys.stderr)
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":
