@@ -141,7 +141,7 @@ TEST(Profile, IsMadeOfTheLoudParts) {
 TEST(Profile, LeavesOutWhatIsQuieterThanTheThreshold) {
     const parameters::SoundThresholds thresholds;
     for (const double beyond : {-1.0, 1.0}) {
-        std::vector<signal::SoundStretch> stretches(2);
+        std::vector<sound::SoundStretch> stretches(2);
         stretches[0].features.duration = stretches[1].features.duration = 1.0;
         stretches[0].features.mean_square = 1.0;
         stretches[1].features.mean_square = std::pow(10.0, -0.1 * (thresholds.quiet_depth + beyond));
@@ -153,7 +153,7 @@ TEST(Profile, LeavesOutWhatIsQuieterThanTheThreshold) {
 // a stretch is too short to show the period of slow impulses: the instants of all of them do
 TEST(Profile, TakesSlowImpulsesFromTheLoudestSegmentOfItsCategory) {
     const parameters::SoundThresholds thresholds;
-    std::vector<signal::SoundStretch> stretches(1);
+    std::vector<sound::SoundStretch> stretches(1);
     stretches[0].features.duration = 1.0;
     stretches[0].features.mean_square = 1.0;
     stretches[0].features.impulse_interval = 0.01;
