@@ -36,7 +36,7 @@ struct Constants {
     Quad step;                                            // [s] h
 };
 
-struct State {
+struct QuadState {
     Quad x1, y1, y2, vx, vy1, vy2;  // [m], [m/s]
     Quad V, Q;                      // [m/s] surface velocity and its quadrature
 };
@@ -106,7 +106,7 @@ private:
     Quad stick_force() const { return joint_x() - k_.m1 * k_.omega * s_.Q; }
 
     Expansion expand(Quad h) const;
-    State at(const Expansion& e, Quad tau) const;
+    QuadState at(const Expansion& e, Quad tau) const;
     std::array<QuadSeries, 2> event_functions(const Expansion& e) const;
     bool advance(Quad end);
 
@@ -119,7 +119,7 @@ private:
 
     Constants k_;
     QuadOptions options_;
-    State s_{};
+    QuadState s_{};
     Mode mode_{};
     Quad t_ = 0;             // [s]
     Quad gap_velocity_ = 0;  // [m/s] g' before the change that has just happened
@@ -158,9 +158,9 @@ Expansion Run::expand(Quad h) const {
     return e;
 }
 
-State Run::at(const Expansion& e, Quad tau) const {
-    State s{value(e.x1, tau),  value(e.y1, tau),  value(e.y2, tau), value(e.vx, tau),
-            value(e.vy1, tau), value(e.vy2, tau), value(e.V, tau),  value(e.Q, tau)};
+QuadState Run::at(const Expansion& e, Quad tau) const {
+    QuadState s{value(e.x1, tau),  value(e.y1, tau),  value(e.y2, tau), value(e.vx, tau),
+                value(e.vy1, tau), value(e.vy2, tau), value(e.V, tau),  value(e.Q, tau)};
     if (mode_.state == ContactState::stick) s.vx = s.V;
     return s;
 }

@@ -30,13 +30,13 @@ constexpr std::size_t separation = model::index_of(ContactState::separation);
 constexpr double settled = 0.3;   // [s]
 constexpr double duration = 0.6;  // [s]
 // [s] checked builds take ten times the step, and tolerances grow with it
-constexpr double h = support::effort(1e-7, 1e-6);
+constexpr double step = support::effort(1e-7, 1e-6);
 
 Case constant_case(PaperCase which, double velocity) {
     Case c = support::constant_case(which, velocity, duration);
     c.run.initial = parameters::Initial::stuck;
     c.run.engine = parameters::Engine::beta_2;
-    c.run.step = h;
+    c.run.step = step;
     return c;
 }
 
@@ -75,16 +75,16 @@ TEST(ConstantDrive, IndependentEngineGivesThePublishedDigits) {
 }
 
 // Where the slip ends, its velocity w falls through zero with w' = (T_stick - mu_d N) / m1. The stick trial captures
-// it at mu_s N h / m1 already, that is mu_s N / |T_stick - mu_d N| steps early, here two to four: that, and one step
+// it at mu_s N step / m1 already, that is mu_s N / |T_stick - mu_d N| steps early, here two to four: that, and one step
 // each for the knowledge of a change, is the error of the stick fraction. The period sees it much less: an early
 // stick slips as early.
 TEST(ConstantDrive, SticksForTheKnownShareAndPeriod) {
     for (const verification::StickSlip& known : verification::stick_slips) {
         const auto motion = integration::simulate(stick_slip_case(known.preload), {record::KeepHistory::yes, {}});
         const Periods periods = whole_periods(motion.record.histories.front(), ContactState::stick, 1.0);
-        EXPECT_NEAR(stick_fraction(motion.record.histories.front()), known.stick_fraction, 4.0 * h / known.period)
+        EXPECT_NEAR(stick_fraction(motion.record.histories.front()), known.stick_fraction, 4.0 * step / known.period)
             << known.preload;
-        EXPECT_NEAR(periods.period, known.period, 1e3 * h * known.period) << known.preload;  // 1e-4 of it at 1e-7 s
+        EXPECT_NEAR(periods.period, known.period, 1e3 * step * known.period) << known.preload;  // 1e-4 of it at 1e-7 s
         EXPECT_EQ(periods.shares[separation], 0.0);
     }
 }
@@ -102,7 +102,7 @@ TEST(ConstantDrive, SquealIsPeriodicAt430Hertz) {
 }
 
 // The weakness of the method: a step that looks fine turns pure slip into stick-slip. At F = 200 N the stick trial
-// captures slip velocities below mu_s N h / m1 = 0.016 m/s at h = 1e-5 and 0.0016 m/s at 1e-6. Started at rest on a
+// captures slip velocities below mu_s N step / m1 = 0.016 m/s at step = 1e-5 and 0.0016 m/s at 1e-6. Started at rest on a
 // plate that moves with -0.1 m/s the mass comes closer to the plate's velocity than that, but never reaches it.
 TEST(CaptureByTheStickTrial, TurnsPureSlipIntoStickSlip) {
     Case c = constant_case(PaperCase::squeak, -0.1);

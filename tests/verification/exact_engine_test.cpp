@@ -27,9 +27,9 @@ using parameters::PaperCase;
 
 constexpr std::array paper_cases{PaperCase::squeal, PaperCase::squeak, PaperCase::creak, PaperCase::quiet};
 const record::Request with_history{record::KeepHistory::yes, {}};
-constexpr std::size_t slip = model::index_of(ContactState::slip);
-constexpr std::size_t stick = model::index_of(ContactState::stick);
-constexpr std::size_t separation = model::index_of(ContactState::separation);
+constexpr std::size_t slip_index = model::index_of(ContactState::slip);
+constexpr std::size_t stick_index = model::index_of(ContactState::stick);
+constexpr std::size_t separation_index = model::index_of(ContactState::separation);
 
 Case constant_case(PaperCase which, double velocity, double duration) {
     Case c = parameters::paper_case(which);
@@ -76,9 +76,9 @@ TEST(ExactEngine, SquealIsPeriodicAt430Hertz) {
     const Motion motion = integration::simulate(constant_case(PaperCase::squeal, 0.1257, 0.6), with_history);
     const auto periods = support::whole_periods(motion.record.histories.front(), ContactState::separation, 0.3);
     EXPECT_NEAR(1.0 / periods.period, 430.4, 0.05);
-    EXPECT_NEAR(periods.shares[slip], 0.263, 1e-3);
-    EXPECT_NEAR(periods.shares[separation], 0.737, 1e-3);
-    EXPECT_NEAR(periods.shares[stick], 0.001, 1e-3);
+    EXPECT_NEAR(periods.shares[slip_index], 0.263, 1e-3);
+    EXPECT_NEAR(periods.shares[separation_index], 0.737, 1e-3);
+    EXPECT_NEAR(periods.shares[stick_index], 0.001, 1e-3);
 }
 
 // beta_2 at h = 1e-5 and 1e-6 says 33 % and 30 % stick (constant_drive_test)

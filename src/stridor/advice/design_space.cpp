@@ -21,10 +21,6 @@ using parameters::Case;
 using parameters::Field;
 using parameters::Quantity;
 
-[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
-    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
-}
-
 double octaves(const DesignParameter& parameter) {
     return base::logarithm_2(parameter.to / parameter.from);
 }
@@ -67,16 +63,16 @@ DesignParameter parameter_for(const Case& c, const AskedRange& asked) {
     if (quantity.usual)
         parameter = widened({key, quantity.usual->from, quantity.usual->to, quantity.usual->scale}, value);
     else if (!asked.from || !asked.to)
-        refuse(key + " has no usual range", "it is a setting, not a property of the design",
-               "Say from where to where: " + key + "=FROM:TO.");
+        base::refuse(key + " has no usual range", "it is a setting, not a property of the design",
+                     "Say from where to where: " + key + "=FROM:TO.");
     if (!asked.from && !asked.to) return parameter;
     parameter.from = asked.from.value_or(parameter.from);
     parameter.to = asked.to.value_or(parameter.to);
     check_end(c, field, parameter.from);
     check_end(c, field, parameter.to);
     if (!(parameter.from < parameter.to))
-        refuse(key + " from " + shortest(parameter.from) + " to " + shortest(parameter.to) + " is no range",
-               "its first end has to be below its second", parameter.from > parameter.to ? "Swap them?" : "");
+        base::refuse(key + " from " + shortest(parameter.from) + " to " + shortest(parameter.to) + " is no range",
+                     "its first end has to be below its second", parameter.from > parameter.to ? "Swap them?" : "");
     return widened(parameter, value);
 }
 
@@ -111,12 +107,12 @@ double share_of(const DesignParameter& parameter, double value) {
 const Field& quantity_named(const Case& c, std::string_view name) {
     const Field& field = parameters::quantity_named(name);
     if (!field.belongs(c))
-        refuse("\"" + std::string(name) + "\" changes nothing",
-               "this case, with its kind of drive and start, does not use it",
-               "`stridor check FILE` lists what it uses.");
+        base::refuse("\"" + std::string(name) + "\" changes nothing",
+                     "this case, with its kind of drive and start, does not use it",
+                     "`stridor check FILE` lists what it uses.");
     if (parameters::temperature_column(c, parameters::key_of(field)) != nullptr)
-        refuse(parameters::key_of(field) + " cannot be set", "it follows the temperature by a table",
-               "Vary temperature instead, or take it out of [temperature].");
+        base::refuse(parameters::key_of(field) + " cannot be set", "it follows the temperature by a table",
+                     "Vary temperature instead, or take it out of [temperature].");
     return field;
 }
 
@@ -129,7 +125,7 @@ DesignSpace design_space(const Case& c, std::span<const AskedRange> asked) {
         DesignParameter parameter = parameter_for(c, range);
         for (const DesignParameter& other : space.parameters)
             if (other.key == parameter.key)
-                refuse(parameter.key + " is asked for twice", "each parameter has one range", "");
+                base::refuse(parameter.key + " is asked for twice", "each parameter has one range", "");
         const Field& field = *parameters::find_field(parameter.key);
         space.origin.push_back(share_of(parameter, parameters::get_quantity(c, field)));
         if (!asked.empty() || field.section != "drive") space.free.push_back(space.parameters.size());

@@ -112,7 +112,7 @@ std::vector<std::optional<DesignChange>> verified(const DesignSpace& space, std:
     return results;
 }
 
-enum class Side { below, above };
+enum class Way { below, above };
 
 // the quiet stretches of a scan to one side, each as shares from its near to its far end
 struct QuietStretch {
@@ -120,9 +120,9 @@ struct QuietStretch {
     double far = 0.0;
 };
 
-std::vector<QuietStretch> quiet_stretches(const DesignSpace& space, const ParameterMargin& margin, Side side,
+std::vector<QuietStretch> quiet_stretches(const DesignSpace& space, const ParameterMargin& margin, Way side,
                                           const DesignCondition& condition) {
-    const bool is_above = side == Side::above;
+    const bool is_above = side == Way::above;
     const double origin = space.origin[margin.parameter];
     std::vector<const ScanPoint*> points;
     for (const ScanPoint& point : margin.scan)
@@ -147,9 +147,9 @@ std::vector<QuietStretch> quiet_stretches(const DesignSpace& space, const Parame
 std::vector<DesignChange> candidates(const DesignSpace& space, const ParameterMargin& margin,
                                      const DesignCondition& condition) {
     std::vector<DesignChange> changes;
-    for (const Side side : {Side::below, Side::above})
+    for (const Way side : {Way::below, Way::above})
         for (const QuietStretch& stretch : quiet_stretches(space, margin, side, condition)) {
-            const double outwards = side == Side::above ? 1.0 : -1.0;
+            const double outwards = side == Way::above ? 1.0 : -1.0;
             const double width = std::abs(stretch.far - stretch.near);
             for (const double beyond : tried_safeties) {
                 if (beyond > width) break;

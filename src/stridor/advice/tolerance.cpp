@@ -25,10 +25,6 @@ constexpr double normal_975 = 1.959963984540054;
 // up to so many samples with a property the binomial distribution is summed
 constexpr std::size_t few = 30;
 
-[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
-    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
-}
-
 // the probability of at most k of n when each has probability 0 < p < 1; terms by recurrence, k small
 double at_most(std::size_t k, std::size_t n, double p) {
     const double log_none = static_cast<double>(n) * base::logarithm_2(1.0 - p);
@@ -123,15 +119,16 @@ Tolerance tolerance_for(const Case& c, const AskedTolerance& asked) {
     STRIDOR_EXPECT(asked.relative.has_value() != asked.absolute.has_value());
     const double amount = asked.relative ? *asked.relative * std::abs(value) : *asked.absolute;
     if (!(amount > 0.0) || !std::isfinite(amount))
-        refuse("the tolerance of " + key + " is " + shortest(amount),
-               value == 0.0 ? "a share of zero is zero" : "it has to be above zero",
-               value == 0.0 ? "Give it in the quantity's unit." : "");
+        base::refuse("the tolerance of " + key + " is " + shortest(amount),
+                     value == 0.0 ? "a share of zero is zero" : "it has to be above zero",
+                     value == 0.0 ? "Give it in the quantity's unit." : "");
     for (const double end : {value - amount, value + amount}) {
         Case probe = c;
         try {
             parameters::set_quantity(probe, field, end);
         } catch (const Error& error) {
-            refuse("the tolerance of " + key + " reaches " + shortest(end), error.problem().why, "Make it smaller.");
+            base::refuse("the tolerance of " + key + " reaches " + shortest(end), error.problem().why,
+                         "Make it smaller.");
         }
     }
     return {key, value, amount, asked.spread};
@@ -165,12 +162,14 @@ std::vector<Tolerance> tolerances(const Case& c, std::span<const AskedTolerance>
     for (const AskedTolerance& each : asked) {
         Tolerance tolerance = tolerance_for(c, each);
         for (const Tolerance& other : all)
-            if (other.key == tolerance.key) refuse(tolerance.key + " has two tolerances", "each parameter has one", "");
+            if (other.key == tolerance.key)
+                base::refuse(tolerance.key + " has two tolerances", "each parameter has one", "");
         all.push_back(std::move(tolerance));
     }
     if (all.size() > most_sobol_dimensions)
-        refuse(std::to_string(all.size()) + " tolerances are too many",
-               "there are at most " + std::to_string(most_sobol_dimensions), "Leave out those that matter least.");
+        base::refuse(std::to_string(all.size()) + " tolerances are too many",
+                     "there are at most " + std::to_string(most_sobol_dimensions),
+                     "Leave out those that matter least.");
     return all;
 }
 

@@ -50,26 +50,22 @@ double noise_of(std::span<const double> values) {
     return differences.empty() ? 0.0 : 1.4826 * quantile(std::move(differences), 0.5) / std::sqrt(6.0);
 }
 
-[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
-    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
-}
-
 void require_finite(std::span<const double> values, const char* name) {
     for (std::size_t k = 0; k < values.size(); ++k)
         if (!std::isfinite(values[k]))
-            refuse(std::string("sample ") + std::to_string(k + 1) + " of the " + name + " is not a number",
-                   "figures made from it would not be either", "Cut it out of the file?");
+            base::refuse(std::string("sample ") + std::to_string(k + 1) + " of the " + name + " is not a number",
+                         "figures made from it would not be either", "Cut it out of the file?");
 }
 
 void require_valid(const FrictionMeasurement& m) {
     if (!(m.preload > 0.0) || !std::isfinite(m.preload))
-        refuse("a preload of " + base::shortest(m.preload) + " N is none", "it must be positive", "");
+        base::refuse("a preload of " + base::shortest(m.preload) + " N is none", "it must be positive", "");
     if (m.force.size() < fewest_samples)
-        refuse("the friction force has " + std::to_string(m.force.size()) + " samples",
-               "at least " + std::to_string(fewest_samples) + " are needed", "");
+        base::refuse("the friction force has " + std::to_string(m.force.size()) + " samples",
+                     "at least " + std::to_string(fewest_samples) + " are needed", "");
     for (const auto& [values, name] : {std::pair{m.velocity, "velocity"}, {m.normal_force, "normal force"}})
         if (!values.empty() && values.size() != m.force.size())
-            refuse(std::string("the ") + name + " has another length than the friction force", "", "");
+            base::refuse(std::string("the ") + name + " has another length than the friction force", "", "");
     require_finite(m.force, "friction force");
     require_finite(m.velocity, "velocity");
     require_finite(m.normal_force, "normal force");
@@ -286,8 +282,8 @@ FrictionTrace friction_trace(const FrictionMeasurement& measurement, const Frict
         measurement.velocity.empty() ? stretches_by_force(r, options.reversal)
                                      : stretches_by_velocity(measurement.velocity, options.moving_velocity);
     if (stretches.empty())
-        refuse("nothing slides in this trace",
-               measurement.velocity.empty() ? "its friction force is zero" : "its velocity is zero", "");
+        base::refuse("nothing slides in this trace",
+                     measurement.velocity.empty() ? "its friction force is zero" : "its velocity is zero", "");
 
     FrictionTrace trace;
     trace.threshold = std::max(options.least_drop * level, options.noise_factor * noise);

@@ -36,6 +36,10 @@ Error::Error(std::vector<Complaint> complaints, ErrorKind kind)
     STRIDOR_EXPECT(!complaints_.empty());
 }
 
+void refuse(std::string what, std::string why, std::string suggestion) {
+    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
+}
+
 int exit_code(ErrorKind kind) {
     switch (kind) {
         case ErrorKind::input:

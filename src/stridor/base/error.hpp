@@ -62,6 +62,9 @@ private:
     std::vector<Complaint> complaints_;
 };
 
+/// Ends in an `Error` (input).
+[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion);
+
 /// The program's exit code for an error of this kind: 2, 3, 4 or 5.
 int exit_code(ErrorKind kind);
 

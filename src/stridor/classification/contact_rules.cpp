@@ -32,7 +32,7 @@ double regularity_within(const analysis::Alternation& alternation, double beats)
     return std::isfinite(least) ? std::max(0.0, 1.0 - least) : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string percent(double share) {
+std::string percent_text(double share) {
     return fmt::format("{:.1f} %", 100.0 * share);
 }
 
@@ -74,7 +74,8 @@ Decision stuck(const analysis::Evidence& evidence, const parameters::Thresholds&
 
 // a contact that mostly sticks
 Decision sticking(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds) {
-    const std::string predominates = fmt::format("stick predominates with {}", percent(evidence.judged_rates.stick));
+    const std::string predominates =
+        fmt::format("stick predominates with {}", percent_text(evidence.judged_rates.stick));
     const bool repeats = static_cast<double>(evidence.releases) >= thresholds.least_releases;
     if (repeats)
         return {Category::creak, Quiet::no, fmt::format("{} and ends {} times", predominates, evidence.releases)};
@@ -122,10 +123,10 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
         return decide({Category::undecided, Quiet::no, "no complete phase lies in the window"});
     if (const std::optional<Decision> over = settled(evidence)) return decide(*over);
     if (rates.slip >= thresholds.quiet_slip)
-        return decide(
-            none(Quiet::slides, fmt::format("{} of the judged time, and nothing alternates", percent(rates.slip))));
+        return decide(none(Quiet::slides,
+                           fmt::format("{} of the judged time, and nothing alternates", percent_text(rates.slip))));
     if (rates.stick >= 1.0) return decide(stuck(evidence, thresholds));
-    verdict.reasons.push_back(fmt::format("slips only {} of the judged time", percent(rates.slip)));
+    verdict.reasons.push_back(fmt::format("slips only {} of the judged time", percent_text(rates.slip)));
     if (rates.stick >= thresholds.creak_stick) return decide(sticking(evidence, thresholds));
     const Decision decision = alternating(alternation, regularity, thresholds);
     const bool repeats_later = alternation.repetition >= thresholds.squeal_regularity;

@@ -44,7 +44,7 @@ double sure_interval(const SoundProfile& p) {
     return p.impulse_interval > 0.0 ? impulsiveness(p) * share(p.impulse_regularity) : 0.0;
 }
 
-constexpr std::array table{
+constexpr std::array likeness_table{
     LikenessFigure{"frequency", "Hz", "strongest line; as sure as the sound is tonal", FigureScale::octaves, 1.0 / 6.0,
                    3.0, [](const SoundProfile& p) { return p.features.frequency; }, tone},
     LikenessFigure{"tonality", "1", "share of the power in the strongest line", FigureScale::linear, 0.2, 2.0,
@@ -111,10 +111,6 @@ double median(std::vector<Weighted> values) {
     return 0.0;
 }
 
-double energy_of(const SoundFeatures& f) {
-    return f.mean_square * f.duration;
-}
-
 // those that are heard
 std::vector<SoundFeatures> loud_ones(std::span<const SoundStretch> stretches, double quiet_depth) {
     double loudest = 0.0;
@@ -132,7 +128,7 @@ SoundFeatures typical(const std::vector<SoundFeatures>& loud) {
     const auto middle = [&](auto member) {
         std::vector<Weighted> values;
         for (const SoundFeatures& f : loud)
-            values.push_back({static_cast<double>(f.*member), energy_of(f)});
+            values.push_back({static_cast<double>(f.*member), sound::energy(f)});
         return median(std::move(values));
     };
     SoundFeatures result;
@@ -145,7 +141,7 @@ SoundFeatures typical(const std::vector<SoundFeatures>& loud) {
         result.*member = middle(member);
     double energy = 0.0;
     for (const SoundFeatures& f : loud) {
-        energy += energy_of(f);
+        energy += sound::energy(f);
         result.duration += f.duration;
         result.peak = std::max(result.peak, f.peak);
         result.impulses += f.impulses;
@@ -158,7 +154,7 @@ SoundFeatures typical(const std::vector<SoundFeatures>& loud) {
 }  // namespace
 
 std::span<const LikenessFigure> likeness_figures() {
-    return table;
+    return likeness_table;
 }
 
 SoundProfile profile_of(std::span<const SoundStretch> stretches, const RecordingVerdict& verdict,
@@ -185,7 +181,7 @@ Likeness likeness(const SoundProfile& first, const SoundProfile& second, LevelUs
     Likeness result;
     double weights = 0.0;
     double sum = 0.0;
-    for (const LikenessFigure& figure : table) {
+    for (const LikenessFigure& figure : likeness_table) {
         result.differences.push_back(compared(figure, first, second));
         weights += figure.weight;
     }

@@ -80,10 +80,6 @@ SoundVerdict classify_sound(const SoundFeatures& f, const SoundThresholds& t) {
 
 namespace {
 
-double energy_of(const SoundFeatures& f) {
-    return f.mean_square * f.duration;
-}
-
 // the impulses of creaks with nothing but rest between them
 struct Train {
     std::size_t first = 0;  // of its segments
@@ -139,7 +135,7 @@ void append(SoundSegment& segment, const SoundStretch& stretch, SoundVerdict ver
     const SoundFeatures& f = stretch.features;
     const double before = segment.to - segment.from;
     segment.to = f.from + f.duration;
-    segment.mean_square = (segment.mean_square * before + energy_of(f)) / (before + f.duration);
+    segment.mean_square = (segment.mean_square * before + sound::energy(f)) / (before + f.duration);
     for (const double instant : stretch.impulses)
         segment.impulses.push_back(f.from + instant);
     const bool is_louder = segment.verdict.margins.empty() || f.mean_square > segment.verdict.features.mean_square;

@@ -18,13 +18,7 @@ namespace fs = std::filesystem;
 using storage::Statement;
 using storage::Transaction;
 
-namespace {
-
-AudioName audio_of(const Entry& entry) {
-    return {entry.audio, entry.format};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 fs::path default_library() {
     const char* data = std::getenv("XDG_DATA_HOME");

@@ -21,6 +21,11 @@ namespace stridor::noise_library {
 /// Where a library stands when none is named: stridor/library.sqlite in $XDG_DATA_HOME, or in ~/.local/share.
 std::filesystem::path default_library();
 
+/// The name by which an entry's audio is kept.
+inline AudioName audio_of(const Entry& entry) {
+    return {entry.audio, entry.format};
+}
+
 /// What keeps entries apart that are one: the same audio, or the same in every word.
 enum class Twins { refuse_same_audio, skip_equal, accept };
 

@@ -13,47 +13,47 @@ namespace stridor::parameters {
 
 namespace {
 
-constexpr Range share{0.0, 1.0, Range::Low::closed};
-constexpr Range level{-200.0, 200.0, Range::Low::closed};
-constexpr Range not_negative{0.0, 1e6, Range::Low::closed};
+constexpr Range share_range{0.0, 1.0, Range::Low::closed};
+constexpr Range level_range{-200.0, 200.0, Range::Low::closed};
+constexpr Range not_negative_range{0.0, 1e6, Range::Low::closed};
 
-constexpr std::array table{
-    SoundThreshold{"least_clearness", "dB", "sound over background from which there is anything to judge", level,
+constexpr std::array threshold_table{
+    SoundThreshold{"least_clearness", "dB", "sound over background from which there is anything to judge", level_range,
                    &SoundThresholds::least_clearness},
-    SoundThreshold{"quiet_depth", "dB", "what lies this far below the loudest stretch is background", level,
+    SoundThreshold{"quiet_depth", "dB", "what lies this far below the loudest stretch is background", level_range,
                    &SoundThresholds::quiet_depth},
-    SoundThreshold{"decay", "dB/s", "fall of the level from which a sound dies away by itself", not_negative,
-                   &SoundThresholds::decay},
-    SoundThreshold{"decay_straightness", "1", "largest deviation from a straight fall, as a share of the fall", share,
-                   &SoundThresholds::decay_straightness},
-    SoundThreshold{"creak_rest", "1", "share of time at rest between impulses from which a sound is creak", share,
-                   &SoundThresholds::creak_rest},
-    SoundThreshold{"creak_kurtosis", "1", "kurtosis from which a sound is creak", not_negative,
+    SoundThreshold{"decay", "dB/s", "fall of the level_range from which a sound dies away by itself",
+                   not_negative_range, &SoundThresholds::decay},
+    SoundThreshold{"decay_straightness", "1", "largest deviation from a straight fall, as a share_range of the fall",
+                   share_range, &SoundThresholds::decay_straightness},
+    SoundThreshold{"creak_rest", "1", "share_range of time at rest between impulses from which a sound is creak",
+                   share_range, &SoundThresholds::creak_rest},
+    SoundThreshold{"creak_kurtosis", "1", "kurtosis from which a sound is creak", not_negative_range,
                    &SoundThresholds::creak_kurtosis},
-    SoundThreshold{"rubbing_tonality", "1", "share of the strongest line below which a sound may be mere rubbing",
-                   share, &SoundThresholds::rubbing_tonality},
-    SoundThreshold{"rubbing_repetition", "1", "likeness of cycles below which a sound may be mere rubbing", share,
+    SoundThreshold{"rubbing_tonality", "1", "share_range of the strongest line below which a sound may be mere rubbing",
+                   share_range, &SoundThresholds::rubbing_tonality},
+    SoundThreshold{"rubbing_repetition", "1", "likeness of cycles below which a sound may be mere rubbing", share_range,
                    &SoundThresholds::rubbing_repetition},
     SoundThreshold{"least_frequency", "Hz", "a strongest line below it is the rumble of rubbing and no tone",
-                   not_negative, &SoundThresholds::least_frequency},
-    SoundThreshold{"creak_periodicity", "1", "likeness of the envelope's cycles from which rubbing is creak", share,
-                   &SoundThresholds::creak_periodicity},
-    SoundThreshold{"squeal_regularity", "1", "likeness of neighbouring cycles from which a tone is squeal", share,
+                   not_negative_range, &SoundThresholds::least_frequency},
+    SoundThreshold{"creak_periodicity", "1", "likeness of the envelope's cycles from which rubbing is creak",
+                   share_range, &SoundThresholds::creak_periodicity},
+    SoundThreshold{"squeal_regularity", "1", "likeness of neighbouring cycles from which a tone is squeal", share_range,
                    &SoundThresholds::squeal_regularity},
-    SoundThreshold{"squeal_movement", "1", "most movement of the strongest frequency in a squeal", share,
+    SoundThreshold{"squeal_movement", "1", "most movement of the strongest frequency in a squeal", share_range,
                    &SoundThresholds::squeal_movement},
-    SoundThreshold{"least_impulses", "1", "fewest impulses of a creak; fewer are undecided", not_negative,
+    SoundThreshold{"least_impulses", "1", "fewest impulses of a creak; fewer are undecided", not_negative_range,
                    &SoundThresholds::least_impulses},
-    SoundThreshold{"creak_pause", "s", "longest rest between two impulses of one creak", not_negative,
+    SoundThreshold{"creak_pause", "s", "longest rest between two impulses of one creak", not_negative_range,
                    &SoundThresholds::creak_pause},
-    SoundThreshold{"least_duration", "s", "shortest noise that can be judged; shorter is undecided", not_negative,
+    SoundThreshold{"least_duration", "s", "shortest noise that can be judged; shorter is undecided", not_negative_range,
                    &SoundThresholds::least_duration},
-    SoundThreshold{"majority", "1", "share of the energy that the category of a whole recording must have", share,
-                   &SoundThresholds::majority},
+    SoundThreshold{"majority", "1", "share_range of the energy that the category of a whole recording must have",
+                   share_range, &SoundThresholds::majority},
 };
 
 // decibels have no dimension that `parse_quantity` knows: their unit is cut off first
-double value_of(std::string_view text, std::string_view unit) {
+double threshold_value(std::string_view text, std::string_view unit) {
     if (unit.starts_with("dB")) {
         std::string_view number = base::trimmed(text);
         if (number.ends_with(unit)) number.remove_suffix(unit.size());
@@ -64,7 +64,7 @@ double value_of(std::string_view text, std::string_view unit) {
 
 [[noreturn]] void refuse_key(std::string_view key) {
     std::vector<std::string_view> names;
-    for (const SoundThreshold& threshold : table)
+    for (const SoundThreshold& threshold : threshold_table)
         names.push_back(threshold.name);
     const std::string_view near = base::nearest_name(key, names);
     throw Error(ErrorKind::input,
@@ -76,7 +76,7 @@ double value_of(std::string_view text, std::string_view unit) {
 }  // namespace
 
 std::span<const SoundThreshold> sound_thresholds() {
-    return table;
+    return threshold_table;
 }
 
 void set_sound_threshold(SoundThresholds& thresholds, std::string_view assignment) {
@@ -88,12 +88,12 @@ void set_sound_threshold(SoundThresholds& thresholds, std::string_view assignmen
             {"\"" + std::string(assignment) + "\" sets nothing", "it has no =", "Write --set squeal_regularity=0.7"},
             place);
     const std::string_view key = base::trimmed(assignment.substr(0, sign));
-    const auto* found = std::find_if(table.begin(), table.end(),
+    const auto* found = std::find_if(threshold_table.begin(), threshold_table.end(),
                                      [&](const SoundThreshold& threshold) { return threshold.name == key; });
-    if (found == table.end()) refuse_key(key);
+    if (found == threshold_table.end()) refuse_key(key);
     double value = 0.0;
     try {
-        value = value_of(assignment.substr(sign + 1), found->unit);
+        value = threshold_value(assignment.substr(sign + 1), found->unit);
     } catch (const Error& error) {
         throw Error(error.kind(), error.problem(), place);
     }

@@ -19,10 +19,6 @@ constexpr std::array<std::string_view, 8> followers{"joint.axial_stiffness",   "
                                                     "plate.stiffness",         "plate.damping",
                                                     "contact.static_friction", "contact.kinetic_friction"};
 
-[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
-    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
-}
-
 const Field& temperature_field() {
     return *find_field("temperature.value");
 }
@@ -69,8 +65,8 @@ TemperatureColumn read_temperature_column(const Field& field, std::span<const st
         column.values.push_back(ratio ? *ratio : get_quantity(probe, field));
     }
     if (shares != 0 && shares != texts.size())
-        refuse(column.key + " is a share of critical at some temperatures and none at others",
-               "nothing lies between the two", "Write all of them in one way.");
+        base::refuse(column.key + " is a share of critical at some temperatures and none at others",
+                     "nothing lies between the two", "Write all of them in one way.");
     if (shares != 0) column.holds = TemperatureColumn::Holds::damping_ratio;
     return column;
 }
@@ -82,35 +78,36 @@ std::vector<double> read_temperature_nodes(std::span<const std::string> texts) {
         set_from_text(probe, temperature_field(), text);
         const double node = get_quantity(probe, temperature_field());
         if (!at.empty() && !(node > at.back()))
-            refuse("temperature.at does not rise: " + base::shortest(node) + " follows " + base::shortest(at.back()),
-                   "a table is read from its coldest to its hottest node", "Sort its columns by temperature.");
+            base::refuse(
+                "temperature.at does not rise: " + base::shortest(node) + " follows " + base::shortest(at.back()),
+                "a table is read from its coldest to its hottest node", "Sort its columns by temperature.");
         at.push_back(node);
     }
     if (at.size() < 2)
-        refuse("temperature.at has too few temperatures: " + std::to_string(at.size()),
-               "values are interpolated between two at least", "");
+        base::refuse("temperature.at has too few temperatures: " + std::to_string(at.size()),
+                     "values are interpolated between two at least", "");
     return at;
 }
 
 void check_length(const TemperatureColumn& column, std::size_t nodes) {
     if (column.values.size() != nodes)
-        refuse(column.key + " has " + std::to_string(column.values.size()) + " values over " + std::to_string(nodes) +
-                   " temperatures",
-               "a table has one value at each", "Make the list as long as temperature.at.");
+        base::refuse(column.key + " has " + std::to_string(column.values.size()) + " values over " +
+                         std::to_string(nodes) + " temperatures",
+                     "a table has one value at each", "Make the list as long as temperature.at.");
 }
 
 void set_temperature_table(Case& c, std::vector<double> at, std::vector<TemperatureColumn> columns) {
     STRIDOR_EXPECT(at.size() >= 2 && std::is_sorted(at.begin(), at.end()));
     if (columns.empty())
-        refuse("temperature.at stands alone", "nothing follows the temperature",
-               "Write for example axial_stiffness = [...] below it, with a value at each temperature.");
+        base::refuse("temperature.at stands alone", "nothing follows the temperature",
+                     "Write for example axial_stiffness = [...] below it, with a value at each temperature.");
     std::sort(columns.begin(), columns.end(), [](const auto& a, const auto& b) { return rank(a.key) < rank(b.key); });
     for (std::size_t k = 0; k < columns.size(); ++k) {
         STRIDOR_EXPECT(rank(columns[k].key) < std::ssize(followers));
         check_length(columns[k], at.size());
         if (k > 0 && columns[k].key == columns[k - 1].key)
-            refuse(columns[k].key + " stands twice in [temperature]", "a table has one column of it",
-                   "Remove one of the two.");
+            base::refuse(columns[k].key + " stands twice in [temperature]", "a table has one column of it",
+                         "Remove one of the two.");
     }
     c.temperature.value = std::clamp(c.temperature.value, at.front(), at.back());
     c.temperature.at = std::move(at);

@@ -25,7 +25,7 @@ namespace {
 constexpr double most = 4096.0;  // largest number of a ratio: its rows of taps then stay below 10 MB
 
 // frames that are read at a time
-constexpr std::size_t block_frames = 1U << 14U;
+constexpr std::size_t resampled_block = 1U << 14U;
 
 // four sums, so that one addition need not wait for the other; their order never changes
 double product(const double* a, const double* b, std::size_t count) {
@@ -180,7 +180,7 @@ private:
     // the next output samples; are there any more?
     bool refill() {
         next_ = 0;
-        std::vector<double> block(block_frames * width());
+        std::vector<double> block(resampled_block * width());
         while (!is_finished_) {
             const std::size_t count = source_->read(block);
             is_finished_ = count == 0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double envelope_time = 0.5e-3;   // [s]
 constexpr double periodicity_time = 0.15;  // [s] within which the rate of impulses is taken for constant
-constexpr double part_time = 0.04;         // [s]
+constexpr double course_part = 0.04;       // [s]
 
 // mean squares of half overlapped parts, each weighted by a Hann window: beats and cycles within a part leave no ripple
 std::vector<double> parts_of(std::span<const double> samples, const std::vector<double>& weights) {
@@ -163,7 +163,7 @@ double largest_dwell(std::span<const double> samples, double width) {
 }
 
 LevelCourse level_course(std::span<const double> samples, double rate, signal::Windows& windows) {
-    const auto usual = static_cast<std::size_t>(part_time * rate);
+    const auto usual = static_cast<std::size_t>(course_part * rate);
     const std::size_t length = std::max<std::size_t>(8, std::min(usual, samples.size() * 2 / 5)) / 2 * 2;
     const std::vector<double> parts = parts_of(samples, windows.of(length));
     LevelCourse course;

@@ -24,7 +24,7 @@ namespace stridor::sound {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double frame_time = 0.085;       // [s] long enough for lines 25 Hz apart, short enough for 100 ms phases
+constexpr double line_frame = 0.085;       // [s] long enough for lines 25 Hz apart, short enough for 100 ms phases
 constexpr double lowest_frequency = 40.0;  // [Hz] below lies the drive, not its noise
 constexpr double longest_cycle = 0.025;    // [s]
 constexpr std::size_t floor_bands = 24;
@@ -133,7 +133,7 @@ struct FeatureFinder::Picture {
 
 FeatureFinder::FeatureFinder(double rate)
     : rate_(rate),
-      size_(signal::power_of_two_near(frame_time, rate)),
+      size_(signal::power_of_two_near(line_frame, rate)),
       fourier_(size_),
       window_(signal::window(signal::Window::hann, size_)),
       window_echo_(echo_of(fourier_, window_)) {}

@@ -40,6 +40,11 @@ struct SoundFeatures {
     double impulse_periodicity = 0.0;  // [1] autocorrelation of the envelope there
 };
 
+/// Energy of a stretch: the integral of its square [Pa^2*s or the sound's unit squared times s].
+inline double energy(const SoundFeatures& features) {
+    return features.mean_square * features.duration;
+}
+
 /// Instants of a stretch's impulses [s], counted from its start, for intervals longer than a stretch.
 struct SoundStretch {
     SoundFeatures features;

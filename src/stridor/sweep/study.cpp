@@ -29,17 +29,13 @@ constexpr double most_octaves = 1000.0;
 
 constexpr std::string_view initial_key = "run.initial";
 
-[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
-    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
-}
-
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     return "\"" + std::string(text) + "\"";
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates) {
     const std::string_view near = base::nearest_name(name, candidates);
-    return near.empty() ? "" : "Did you mean " + quoted(near) + "?";
+    return near.empty() ? "" : "Did you mean " + in_quotes(near) + "?";
 }
 
 bool is_constant(const Study& study) {
@@ -75,13 +71,13 @@ const Field& quantity_of(const Study& study, const Axis& axis, const std::string
     if (!is_quantity) {
         const std::vector<std::string> keys = parameters::quantity_keys();
         const std::vector<std::string_view> candidates(keys.begin(), keys.end());
-        refuse(name + ".parameter = " + quoted(axis.parameter) + " is no quantity",
-               field == nullptr ? "a case has no such key" : "it has no numbers an axis could run through",
-               did_you_mean(axis.parameter, candidates));
+        base::refuse(name + ".parameter = " + in_quotes(axis.parameter) + " is no quantity",
+                     field == nullptr ? "a case has no such key" : "it has no numbers an axis could run through",
+                     did_you_mean(axis.parameter, candidates));
     }
     if (!field->belongs(widest_case(study)))
-        refuse(name + ".parameter = " + quoted(axis.parameter) + " changes nothing",
-               "this case, with its kind of drive and start, does not use it", "Choose another quantity.");
+        base::refuse(name + ".parameter = " + in_quotes(axis.parameter) + " changes nothing",
+                     "this case, with its kind of drive and start, does not use it", "Choose another quantity.");
     return *field;
 }
 
@@ -98,48 +94,50 @@ void check_end(const Study& study, const Field& field, double value, const std::
 void check_axis(const Study& study, const Axis& axis, const std::string& name) {
     const Field& field = quantity_of(study, axis, name);
     if (axis.points < 2)
-        refuse(name + ".points = " + std::to_string(axis.points) + " makes no axis",
-               "both ends belong to it, so it has two at least", "");
+        base::refuse(name + ".points = " + std::to_string(axis.points) + " makes no axis",
+                     "both ends belong to it, so it has two at least", "");
     if (axis.points > most_points)
-        refuse(name + ".points = " + std::to_string(axis.points) + " is too many",
-               "an axis has at most " + std::to_string(most_points) + " points", "");
+        base::refuse(name + ".points = " + std::to_string(axis.points) + " is too many",
+                     "an axis has at most " + std::to_string(most_points) + " points", "");
     check_end(study, field, axis.from, name + ".from");
     check_end(study, field, axis.to, name + ".to");
     if (!(axis.from < axis.to))
-        refuse(name + ".from = " + shortest(axis.from) + " is not below " + name + ".to = " + shortest(axis.to),
-               "an axis rises", axis.from > axis.to ? "Swap them?" : "");
+        base::refuse(name + ".from = " + shortest(axis.from) + " is not below " + name + ".to = " + shortest(axis.to),
+                     "an axis rises", axis.from > axis.to ? "Swap them?" : "");
     if (axis.scale == Scale::linear) return;
     if (!(axis.from > 0.0))
-        refuse(name + ".from = " + shortest(axis.from) + " has no logarithm",
-               "a logarithmic axis holds positive values only", "Set " + name + ".scale = \"linear\"?");
+        base::refuse(name + ".from = " + shortest(axis.from) + " has no logarithm",
+                     "a logarithmic axis holds positive values only", "Set " + name + ".scale = \"linear\"?");
     if (octaves(axis) >= most_octaves)
-        refuse(name + " runs from " + shortest(axis.from) + " to " + shortest(axis.to),
-               "a logarithmic axis spans less than 1000 octaves", "");
+        base::refuse(name + " runs from " + shortest(axis.from) + " to " + shortest(axis.to),
+                     "a logarithmic axis spans less than 1000 octaves", "");
 }
 
 void check_directions(const Study& study) {
     if (study.directions.empty())
-        refuse("chart.directions is empty", "there would be nothing to compute",
-               "Write directions = [\"going\", \"coming\"]?");
+        base::refuse("chart.directions is empty", "there would be nothing to compute",
+                     "Write directions = [\"going\", \"coming\"]?");
     for (auto it = study.directions.begin(); it != study.directions.end(); ++it)
         if (std::find(study.directions.begin(), it, *it) != it)
-            refuse("chart.directions names " + quoted(direction_name(*it)) + " twice", "each is computed once", "");
+            base::refuse("chart.directions names " + in_quotes(direction_name(*it)) + " twice", "each is computed once",
+                         "");
 }
 
 void check_starts(const Study& study) {
     for (auto it = study.starts.begin(); it != study.starts.end(); ++it)
         if (std::find(study.starts.begin(), it, *it) != it)
-            refuse("chart.starts names " + quoted(start_name(*it)) + " twice", "each is computed once", "");
+            base::refuse("chart.starts names " + in_quotes(start_name(*it)) + " twice", "each is computed once", "");
 }
 
 void check_refinement(const Study& study) {
     if (has_one_axis(study) && study.refine != 0)
-        refuse("chart.refine = " + std::to_string(study.refine) + " refines nothing",
-               "it follows the boundaries between areas, and this chart has one axis", "Leave chart.refine out.");
+        base::refuse("chart.refine = " + std::to_string(study.refine) + " refines nothing",
+                     "it follows the boundaries between areas, and this chart has one axis", "Leave chart.refine out.");
     if (study.refine < 0 || study.refine > most_refinement)
-        refuse("chart.refine = " + std::to_string(study.refine) + " is out of range",
-               "the base grid has every 2^refine-th point, and refine is from 0 to " + std::to_string(most_refinement),
-               "");
+        base::refuse(
+            "chart.refine = " + std::to_string(study.refine) + " is out of range",
+            "the base grid has every 2^refine-th point, and refine is from 0 to " + std::to_string(most_refinement),
+            "");
 }
 
 void check_quantities(const Study& study) {
@@ -148,8 +146,8 @@ void check_quantities(const Study& study) {
         names.push_back(figure.name);
     for (const std::string& quantity : study.quantities)
         if (std::find(names.begin(), names.end(), quantity) == names.end())
-            refuse("chart.quantities names " + quoted(quantity), "a cell has no such figure",
-                   did_you_mean(quantity, names));
+            base::refuse("chart.quantities names " + in_quotes(quantity), "a cell has no such figure",
+                         did_you_mean(quantity, names));
 }
 
 // the one value of y of a study over x alone
@@ -157,8 +155,8 @@ void check_resting(const Study& study) {
     const Axis rests = resting_axis(study.base, study.x);
     const bool is_so = study.y.parameter == rests.parameter && study.y.from == rests.from && study.y.to == rests.to;
     if (!is_so)
-        refuse("chart.y.points = 1 makes no axis", "both ends belong to it, so it has two at least",
-               "Leave chart.y out for a diagram over x alone.");
+        base::refuse("chart.y.points = 1 makes no axis", "both ends belong to it, so it has two at least",
+                     "Leave chart.y out for a diagram over x alone.");
 }
 
 // A finding that reads the same at all four corners does not come from the axes: every cell would be invalid.
@@ -273,7 +271,7 @@ void check(const Study& study) {
     else
         check_axis(study, study.y, "chart.y");
     if (study.x.parameter == study.y.parameter)
-        refuse("chart.x and chart.y are both " + study.x.parameter, "a chart needs two different quantities", "");
+        base::refuse("chart.x and chart.y are both " + study.x.parameter, "a chart needs two different quantities", "");
     check_directions(study);
     check_starts(study);
     check_refinement(study);

@@ -19,10 +19,10 @@ using parameters::DriveKind;
 using support::Thrown;
 using support::thrown_by;
 
-const Case squeal = parameters::paper_case(parameters::PaperCase::squeal);
+const Case squeal_case = parameters::paper_case(parameters::PaperCase::squeal);
 
 Case constant_drive(double velocity) {
-    Case c = squeal;
+    Case c = squeal_case;
     c.drive.kind = DriveKind::constant;
     c.drive.velocity = velocity;
     return c;
@@ -65,7 +65,7 @@ TEST(DesignParameter, HasEqualRatiosOnALogarithmicScale) {
 }
 
 TEST(DesignSpace, HoldsWhatADesignerVaries) {
-    const DesignSpace space = design_space(squeal);
+    const DesignSpace space = design_space(squeal_case);
     std::vector<std::string> keys;
     for (const DesignParameter& parameter : space.parameters)
         keys.push_back(parameter.key);
@@ -79,25 +79,25 @@ TEST(DesignSpace, HoldsWhatADesignerVaries) {
 }
 
 TEST(DesignSpace, LeavesTheDriveAloneUnlessAskedForIt) {
-    const DesignSpace space = design_space(squeal);
+    const DesignSpace space = design_space(squeal_case);
     for (const std::size_t k : space.free)
         EXPECT_FALSE(space.parameters[k].key.starts_with("drive.")) << space.parameters[k].key;
     const std::vector<AskedRange> asked{{"drive.amplitude"}};
-    EXPECT_EQ(design_space(squeal, asked).free, std::vector<std::size_t>{0});
+    EXPECT_EQ(design_space(squeal_case, asked).free, std::vector<std::size_t>{0});
 }
 
 TEST(DesignSpace, KeepsTheBitsOfWhatStays) {
-    const DesignSpace space = design_space(squeal);
-    EXPECT_EQ(parameters::canonical_text(design_at(space, space.origin)), parameters::canonical_text(squeal));
+    const DesignSpace space = design_space(squeal_case);
+    EXPECT_EQ(parameters::canonical_text(design_at(space, space.origin)), parameters::canonical_text(squeal_case));
     Shares shares = space.origin;
     shares.front() = 0.0;
     const Case changed = design_at(space, shares);
     EXPECT_EQ(changed.joint.mass, space.parameters.front().from);
-    EXPECT_EQ(changed.contact.preload, squeal.contact.preload);
+    EXPECT_EQ(changed.contact.preload, squeal_case.contact.preload);
 }
 
 TEST(DesignSpace, IsWidenedToHoldTheCase) {
-    Case c = squeal;
+    Case c = squeal_case;
     c.contact.preload = 9000.0;
     EXPECT_EQ(only_parameter(c, {"contact.preload"}).to, 9000.0);
     EXPECT_EQ(only_parameter(c, {"contact.preload", 1.0, 2.0}).to, 9000.0);
@@ -116,34 +116,34 @@ TEST(DesignSpace, KeepsTheSignOfAVelocity) {
 }
 
 TEST(DesignSpace, AcceptsRangesOfSettings) {
-    const DesignParameter slip = only_parameter(squeal, {"verdict.quiet_slip", 0.9, 0.99});
+    const DesignParameter slip = only_parameter(squeal_case, {"verdict.quiet_slip", 0.9, 0.99});
     EXPECT_EQ(slip.from, 0.9);
     EXPECT_EQ(slip.to, 0.99);
-    EXPECT_TRUE(refusal(squeal, {{"verdict.quiet_slip"}}).says("has no usual range"));
+    EXPECT_TRUE(refusal(squeal_case, {{"verdict.quiet_slip"}}).says("has no usual range"));
 }
 
 TEST(QuantityNamed, TakesShortNamesAndSymbolsThatMeanOneThing) {
-    EXPECT_EQ(parameters::key_of(quantity_named(squeal, "preload")), "contact.preload");
-    EXPECT_EQ(parameters::key_of(quantity_named(squeal, "mu_d")), "contact.kinetic_friction");
-    EXPECT_EQ(parameters::key_of(quantity_named(squeal, "amplitude")), "drive.amplitude");
+    EXPECT_EQ(parameters::key_of(quantity_named(squeal_case, "preload")), "contact.preload");
+    EXPECT_EQ(parameters::key_of(quantity_named(squeal_case, "mu_d")), "contact.kinetic_friction");
+    EXPECT_EQ(parameters::key_of(quantity_named(squeal_case, "amplitude")), "drive.amplitude");
     EXPECT_EQ(parameters::key_of(quantity_named(constant_drive(0.1), "velocity")), "drive.velocity");
 }
 
 TEST(QuantityNamed, SaysWhatItCannotTake) {
-    EXPECT_TRUE(refusal(squeal, {{"mass"}}).says("joint.mass or plate.mass"));
-    EXPECT_TRUE(refusal(squeal, {{"prelod"}}).says("Did you mean contact.preload?"));
-    EXPECT_TRUE(refusal(squeal, {{"drive.velocity"}}).says("changes nothing"));
-    EXPECT_TRUE(refusal(squeal, {{"velocity"}}).says("changes nothing"));
-    EXPECT_TRUE(refusal(squeal, {{"drive.kind"}}).says("is no quantity"));
-    EXPECT_TRUE(refusal(squeal, {{""}}).says("is no key of a case"));
+    EXPECT_TRUE(refusal(squeal_case, {{"mass"}}).says("joint.mass or plate.mass"));
+    EXPECT_TRUE(refusal(squeal_case, {{"prelod"}}).says("Did you mean contact.preload?"));
+    EXPECT_TRUE(refusal(squeal_case, {{"drive.velocity"}}).says("changes nothing"));
+    EXPECT_TRUE(refusal(squeal_case, {{"velocity"}}).says("changes nothing"));
+    EXPECT_TRUE(refusal(squeal_case, {{"drive.kind"}}).says("is no quantity"));
+    EXPECT_TRUE(refusal(squeal_case, {{""}}).says("is no key of a case"));
 }
 
 TEST(DesignSpace, RefusesRangesThatAreNone) {
-    EXPECT_TRUE(refusal(squeal, {{"preload", 50.0, 5.0}}).says("Swap them?"));
-    EXPECT_TRUE(refusal(squeal, {{"preload", 5.0, 5.0}}).says("is no range"));
-    EXPECT_TRUE(refusal(squeal, {{"preload", -5.0, 5.0}}).says("above 0 N"));
-    EXPECT_TRUE(refusal(squeal, {{"preload"}, {"contact.preload"}}).says("asked for twice"));
-    Case c = squeal;
+    EXPECT_TRUE(refusal(squeal_case, {{"preload", 50.0, 5.0}}).says("Swap them?"));
+    EXPECT_TRUE(refusal(squeal_case, {{"preload", 5.0, 5.0}}).says("is no range"));
+    EXPECT_TRUE(refusal(squeal_case, {{"preload", -5.0, 5.0}}).says("above 0 N"));
+    EXPECT_TRUE(refusal(squeal_case, {{"preload"}, {"contact.preload"}}).says("asked for twice"));
+    Case c = squeal_case;
     c.contact.kinetic_friction = 0.9;
     EXPECT_TRUE(refusal(c, {}).says("exceeds mu_s"));
 }

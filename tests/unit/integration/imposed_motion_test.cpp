@@ -24,7 +24,7 @@ double position(const ImposedMotion& motion, long steps) {
     return sum;
 }
 
-Drive sampled(std::vector<double> times, std::vector<double> velocities) {
+Drive sampled_drive(std::vector<double> times, std::vector<double> velocities) {
     Drive drive;
     drive.kind = DriveKind::sampled;
     drive.times = std::move(times);
@@ -80,7 +80,7 @@ RC_GTEST_PROP(SinusoidalMotion, AccelerationIsTheSlopeOfTheVelocity, ()) {
 }
 
 TEST(SampledMotion, IsLinearInVelocityBetweenSamples) {
-    const ImposedMotion motion(sampled({0.0, 1.0, 3.0}, {0.0, 2.0, -2.0}), 0.25);
+    const ImposedMotion motion(sampled_drive({0.0, 1.0, 3.0}, {0.0, 2.0, -2.0}), 0.25);
     EXPECT_EQ(motion.at(0.5).velocity, 1.0);
     EXPECT_EQ(motion.at(0.5).acceleration, 2.0);
     EXPECT_EQ(motion.at(1.0).velocity, 2.0);
@@ -91,7 +91,7 @@ TEST(SampledMotion, IsLinearInVelocityBetweenSamples) {
 
 // trapezia: 1 in the first second, 1 and -1 in the next two
 TEST(SampledMotion, PositionIsTheIntegralOfTheVelocity) {
-    const ImposedMotion motion(sampled({0.0, 1.0, 3.0}, {0.0, 2.0, -2.0}), 0.25);
+    const ImposedMotion motion(sampled_drive({0.0, 1.0, 3.0}, {0.0, 2.0, -2.0}), 0.25);
     EXPECT_DOUBLE_EQ(position(motion, 4), 1.0);
     EXPECT_DOUBLE_EQ(position(motion, 8), 2.0);
     EXPECT_DOUBLE_EQ(position(motion, 12), 1.0);
@@ -100,7 +100,7 @@ TEST(SampledMotion, PositionIsTheIntegralOfTheVelocity) {
 TEST(SampledMotion, FollowsASampledSine) {
     Drive sine;
     sine.frequency = 2.0;
-    Drive drive = sampled({}, {});
+    Drive drive = sampled_drive({}, {});
     for (int k = 0; k <= 2000; ++k) {
         drive.times.push_back(k * 5e-4);
         drive.velocities.push_back(ImposedMotion(sine, 1.0).at(k * 5e-4).velocity);

@@ -10,16 +10,16 @@
 namespace stridor::io {
 namespace {
 
-TomlDocument parse(const std::string& text, std::vector<std::string> overrides = {}) {
+TomlDocument parsed_document(const std::string& text, std::vector<std::string> overrides = {}) {
     return parse_toml({text, "case.toml", std::move(overrides)});
 }
 
-std::optional<Error> refusal(const std::string& text, std::vector<std::string> overrides = {}) {
-    return error_of([&] { parse(text, std::move(overrides)); });
+std::optional<Error> document_refusal(const std::string& text, std::vector<std::string> overrides = {}) {
+    return error_of([&] { parsed_document(text, std::move(overrides)); });
 }
 
 TEST(TomlDocument, ListsKeysFromTopToBottomWithTheirPlaces) {
-    const TomlDocument document = parse("title = \"t\"\n[plate]\nmass = 1\n[joint]\nmass = 2.5\n");
+    const TomlDocument document = parsed_document("title = \"t\"\n[plate]\nmass = 1\n[joint]\nmass = 2.5\n");
     std::string keys;
     for (const TomlEntry& entry : document.entries)
         keys += entry.key + " ";
@@ -34,7 +34,7 @@ TEST(TomlDocument, ListsKeysFromTopToBottomWithTheirPlaces) {
 }
 
 TEST(TomlDocument, LaterOverridesWinOverEarlierOnesAndTheFile) {
-    const TomlDocument document = parse("[plate]\nmass = 1\n", {"plate.mass = 2 kg", "plate.mass=\"3 kg\""});
+    const TomlDocument document = parsed_document("[plate]\nmass = 1\n", {"plate.mass = 2 kg", "plate.mass=\"3 kg\""});
     const TomlEntry* mass = document.find("plate.mass");
     EXPECT_EQ(std::get<std::string>(mass->value), "3 kg");
     EXPECT_EQ(mass->origin, TomlOrigin::override);
@@ -44,7 +44,7 @@ TEST(TomlDocument, LaterOverridesWinOverEarlierOnesAndTheFile) {
 
 TEST(TomlDocument, KnowsTypesThatNoKeyTakes) {
     const TomlDocument document =
-        parse("a = true\nb = 1979-05-27\nc = [true]\nd = [\"x\"]\ne = [1, 2.5]\nf = [1, \"x\"]\n");
+        parsed_document("a = true\nb = 1979-05-27\nc = [true]\nd = [\"x\"]\ne = [1, 2.5]\nf = [1, \"x\"]\n");
     EXPECT_EQ(type_name(document.find("a")->value), "a boolean");
     EXPECT_EQ(type_name(document.find("b")->value), "a date or time");
     EXPECT_EQ(type_name(document.find("c")->value), "a list of other things than text or numbers");
@@ -55,24 +55,25 @@ TEST(TomlDocument, KnowsTypesThatNoKeyTakes) {
 }
 
 TEST(TomlDocument, PointsAtWhatIsNotToml) {
-    expect_error(refusal("[a]\nb = 20 N\n"), "Put a value with a unit in quotes", "case.toml:2:8");
-    expect_error(refusal("b = 0,5\n"), "Numbers are written with a point", "case.toml:1:6");
-    expect_error(refusal("b = sinusoidal\n"), "Put text in quotes", "case.toml:1:5");
-    expect_error(refusal("b = \"open\n"), "the file is not valid TOML", "case.toml:1:10");
-    expect_error(refusal("[a\n"), "expected ']'", "case.toml:1:3");
-    EXPECT_EQ(refusal("[a\n")->place()->source_line, "[a");
+    expect_error(document_refusal("[a]\nb = 20 N\n"), "Put a value with a unit in quotes", "case.toml:2:8");
+    expect_error(document_refusal("b = 0,5\n"), "Numbers are written with a point", "case.toml:1:6");
+    expect_error(document_refusal("b = sinusoidal\n"), "Put text in quotes", "case.toml:1:5");
+    expect_error(document_refusal("b = \"open\n"), "the file is not valid TOML", "case.toml:1:10");
+    expect_error(document_refusal("[a\n"), "expected ']'", "case.toml:1:3");
+    EXPECT_EQ(document_refusal("[a\n")->place()->source_line, "[a");
 }
 
 TEST(TomlDocument, PointsAtDuplicates) {
-    expect_error(refusal("[a]\nmass = 1\nmass = 2\n"), "duplicate key mass (it is set once already)", "case.toml:3:1");
-    expect_error(refusal("[a]\nb = 1\n[a]\n"), "duplicate section [a]", "case.toml:3:1");
-    expect_error(refusal("x = { b = 1, b = 2 }\n"), "duplicate key b", "case.toml:1:7");
+    expect_error(document_refusal("[a]\nmass = 1\nmass = 2\n"), "duplicate key mass (it is set once already)",
+                 "case.toml:3:1");
+    expect_error(document_refusal("[a]\nb = 1\n[a]\n"), "duplicate section [a]", "case.toml:3:1");
+    expect_error(document_refusal("x = { b = 1, b = 2 }\n"), "duplicate key b", "case.toml:1:7");
 }
 
 TEST(TomlDocument, RefusesOverridesThatSetNothing) {
-    expect_error(refusal("", {"contact.preload"}), "\"contact.preload\" sets nothing", "--set");
-    expect_error(refusal("", {"=5"}), "an override reads section.key=value", "--set");
-    expect_error(refusal("", {std::string("title=\xff")}), "not UTF-8", "--set");
+    expect_error(document_refusal("", {"contact.preload"}), "\"contact.preload\" sets nothing", "--set");
+    expect_error(document_refusal("", {"=5"}), "an override reads section.key=value", "--set");
+    expect_error(document_refusal("", {std::string("title=\xff")}), "not UTF-8", "--set");
 }
 
 TEST(TomlDocument, RefusesTextThatWouldOverflowTheStack) {
@@ -82,19 +83,19 @@ TEST(TomlDocument, RefusesTextThatWouldOverflowTheStack) {
             keys += "a.";
         return keys + "a = 1\n";
     };
-    expect_error(refusal(nested(100000)), "this is no case file", "case.toml");
-    expect_error(refusal(nested(65)), "in each other more than 64 deep", "case.toml");
-    EXPECT_EQ(parse(nested(64)).entries.back().key, "a.a.a.a") << "the deepest that is parsed at all";
+    expect_error(document_refusal(nested(100000)), "this is no case file", "case.toml");
+    expect_error(document_refusal(nested(65)), "in each other more than 64 deep", "case.toml");
+    EXPECT_EQ(parsed_document(nested(64)).entries.back().key, "a.a.a.a") << "the deepest that is parsed at all";
     const auto bracketed = [](std::size_t depth) {
         return "a = " + std::string(depth, '[') + std::string(depth, ']') + "\n";
     };
-    expect_error(refusal(bracketed(65)), "in each other more than 64 deep", "case.toml");
-    EXPECT_EQ(parse(bracketed(64)).entries.size(), 1U);
-    expect_error(refusal("# " + std::string(70000, 'x') + "\n"), "this is no case file", "case.toml");
+    expect_error(document_refusal(bracketed(65)), "in each other more than 64 deep", "case.toml");
+    EXPECT_EQ(parsed_document(bracketed(64)).entries.size(), 1U);
+    expect_error(document_refusal("# " + std::string(70000, 'x') + "\n"), "this is no case file", "case.toml");
 }
 
 TEST(TomlDocument, ReadsByteOrderMarksAndWindowsLineEnds) {
-    const TomlDocument document = parse("\xEF\xBB\xBF[plate]\r\nmass = 1\r\n");
+    const TomlDocument document = parsed_document("\xEF\xBB\xBF[plate]\r\nmass = 1\r\n");
     EXPECT_EQ(std::get<double>(document.find("plate.mass")->value), 1.0);
     EXPECT_EQ(document.find("plate.mass")->value_place.source_line, "mass = 1");
 }

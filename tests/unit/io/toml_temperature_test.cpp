@@ -30,12 +30,12 @@ std::string lip_toml(const std::string& table =
     return text + "\n[temperature]\n" + table;
 }
 
-Case read(const std::string& text, std::vector<std::string> overrides = {}) {
+Case read_temperature(const std::string& text, std::vector<std::string> overrides = {}) {
     return read_case(TomlSource{text, "case.toml", std::move(overrides)});
 }
 
-std::string refusal(const std::string& text, std::vector<std::string> overrides = {}) {
-    const auto error = error_of([&] { read(text, std::move(overrides)); });
+std::string temperature_refusal(const std::string& text, std::vector<std::string> overrides = {}) {
+    const auto error = error_of([&] { read_temperature(text, std::move(overrides)); });
     EXPECT_TRUE(error && error->kind() == ErrorKind::input);
     return error ? error->what() : "";
 }
@@ -45,7 +45,7 @@ void expect_says(const std::string& message, const std::string& words) {
 }
 
 TEST(TomlTemperature, SetsWhatFollowsIt) {
-    const Case c = read(lip_toml());
+    const Case c = read_temperature(lip_toml());
     EXPECT_EQ(c.joint.axial_stiffness, 42.5e3);
     EXPECT_EQ(c.contact.kinetic_friction, 0.375);
     EXPECT_EQ(c.joint.axial_damping, 2.0 * 0.15 * std::sqrt(42.5e3 * 0.1));
@@ -53,12 +53,14 @@ TEST(TomlTemperature, SetsWhatFollowsIt) {
 
 TEST(TomlTemperature, IsOverridden) {
     for (const char* name : {"temperature", "theta", "temperature.value"})
-        EXPECT_EQ(read(lip_toml(), {std::string(name) + "=23 degC"}).joint.axial_stiffness, 25e3);
-    const Case c = read(lip_toml(), {"temperature.k1i=3 N/mm, 2 N/mm, 1 N/mm", "temperature=80"});
+        EXPECT_EQ(read_temperature(lip_toml(), {std::string(name) + "=23 degC"}).joint.axial_stiffness, 25e3);
+    const Case c = read_temperature(lip_toml(), {"temperature.k1i=3 N/mm, 2 N/mm, 1 N/mm", "temperature=80"});
     EXPECT_EQ(c.joint.axial_stiffness, 1e3);
-    expect_says(refusal(lip_toml(), {"temperature=81"}), "must be between -30 and 80 degC, where the table ends");
-    expect_says(refusal(lip_toml(), {"k1i=5 N/mm"}), "joint.axial_stiffness cannot be set");
-    expect_says(refusal(squeal_toml(), {"temperature=23"}), "temperature.value means nothing for this case");
+    expect_says(temperature_refusal(lip_toml(), {"temperature=81"}),
+                "must be between -30 and 80 degC, where the table ends");
+    expect_says(temperature_refusal(lip_toml(), {"k1i=5 N/mm"}), "joint.axial_stiffness cannot be set");
+    expect_says(temperature_refusal(squeal_toml(), {"temperature=23"}),
+                "temperature.value means nothing for this case");
 }
 
 TEST(TomlTemperature, WritesTablesThatReadBackTheSame) {
@@ -68,9 +70,9 @@ TEST(TomlTemperature, WritesTablesThatReadBackTheSame) {
     for (const std::string& text : {lip_toml(), lip_toml(replaced(ratios, "value = 3", "value = -3"))})
         for (const Comments comments : {Comments::none, Comments::full}) {
             const std::string c2y = text.find("c2y") == std::string::npos ? "" : "damping = \"1 N*s/m\"\n\n[contact]";
-            const Case c = read(c2y.empty() ? text : replaced(text, c2y, "\n[contact]"));
+            const Case c = read_temperature(c2y.empty() ? text : replaced(text, c2y, "\n[contact]"));
             const std::string written = case_toml(c, {.comments = comments, .heading = ""});
-            const Case back = read(written);
+            const Case back = read_temperature(written);
             EXPECT_EQ(canonical_text(back), canonical_text(c)) << written;
             EXPECT_EQ(back.joint.axial_stiffness, c.joint.axial_stiffness);
             EXPECT_EQ(back.plate.damping, c.plate.damping);
@@ -80,7 +82,7 @@ TEST(TomlTemperature, WritesTablesThatReadBackTheSame) {
 
 // what a trace keeps of its case are the lines of its canonical text, each as an override
 TEST(TomlTemperature, IsReadFromTheLinesOfACanonicalText) {
-    const Case c = read(lip_toml());
+    const Case c = read_temperature(lip_toml());
     TomlSource source{"", "the trace", {}};
     const std::string text = canonical_text(c);
     for (std::size_t from = 0, end = 0; (end = text.find('\n', from)) != std::string::npos; from = end + 1)
@@ -89,7 +91,7 @@ TEST(TomlTemperature, IsReadFromTheLinesOfACanonicalText) {
 }
 
 TEST(TomlTemperature, PointsAtWhatIsWrongInIt) {
-    const auto table = [](const std::string& lists) { return refusal(lip_toml("value = 10\n" + lists)); };
+    const auto table = [](const std::string& lists) { return temperature_refusal(lip_toml("value = 10\n" + lists)); };
     const std::string at = "at = [0, 50]\n";
     expect_says(table(at + "k1i = [1, 2, 3]\nmu_d = [0.1, 0.2]\n"),
                 "temperature.k1i: joint.axial_stiffness has 3 values over 2 temperatures");
@@ -105,17 +107,20 @@ TEST(TomlTemperature, PointsAtWhatIsWrongInIt) {
     expect_says(table(at + "axial_stifness = [1, 2]\nmu_d = [0.1, 0.2]\n"),
                 "Did you mean temperature.axial_stiffness?");
     expect_says(table(at + "preload = [1, 2]\nk1i = [1, 2]\nmu_d = [0.1, 0.2]\n"), "unknown key temperature.preload");
-    expect_says(refusal(lip_toml("at = [0, 50]\nk1i = [1, 2]\nmu_d = [0.1, 0.2]\n")), "missing key temperature.value");
-    expect_says(refusal(squeal_toml() + "\n[temperature]\nvalue = 3\n"), "nothing follows the temperature");
-    expect_says(refusal("temperature = 3\n" + squeal_toml()), "expected a section: [temperature]");
+    expect_says(temperature_refusal(lip_toml("at = [0, 50]\nk1i = [1, 2]\nmu_d = [0.1, 0.2]\n")),
+                "missing key temperature.value");
+    expect_says(temperature_refusal(squeal_toml() + "\n[temperature]\nvalue = 3\n"), "nothing follows the temperature");
+    expect_says(temperature_refusal("temperature = 3\n" + squeal_toml()), "expected a section: [temperature]");
     // one complaint each: what a list says is not missing elsewhere
-    const auto error = error_of([&] { read(lip_toml("value = 10\nat = [0, 50]\nk1i = [1]\nmu_d = [0.1, 0.2]\n")); });
+    const auto error =
+        error_of([&] { read_temperature(lip_toml("value = 10\nat = [0, 50]\nk1i = [1]\nmu_d = [0.1, 0.2]\n")); });
     EXPECT_EQ(error->complaints().size(), 1U) << error->what();
     expect_error(error, "1 values over 2", "case.toml:45:7");
 }
 
 TEST(TomlTemperature, SaysWhatItsPropertiesContradict) {
-    const auto error = error_of([] { read(replaced(lip_toml(), "0.25, 0.5, 0.75", "0.25, 0.5, 0.9"), {"theta=80"}); });
+    const auto error =
+        error_of([] { read_temperature(replaced(lip_toml(), "0.25, 0.5, 0.75", "0.25, 0.5, 0.9"), {"theta=80"}); });
     ASSERT_TRUE(error);
     expect_says(error->what(), "mu_d = 0.9 exceeds mu_s = 0.8");
     ASSERT_TRUE(error->place());
@@ -143,13 +148,13 @@ TEST(TomlTemperature, IsAnAxis) {
 }
 
 TEST(TomlTemperature, StandsInTheJsonOfItsCase) {
-    const auto document = nlohmann::json::parse(case_json(read(lip_toml())));
+    const auto document = nlohmann::json::parse(case_json(read_temperature(lip_toml())));
     const auto& table = document["temperature"];
     EXPECT_EQ(table["value"], -3.5) << document.dump(1);
     EXPECT_EQ(table["at"], (std::vector<double>{-30, 23, 80}));
     EXPECT_EQ(table["joint.axial_stiffness"], (std::vector<double>{60e3, 25e3, 12e3}));
     EXPECT_EQ(document["joint"]["axial_stiffness"], 42.5e3);
-    EXPECT_FALSE(nlohmann::json::parse(case_json(read(squeal_toml()))).contains("temperature"));
+    EXPECT_FALSE(nlohmann::json::parse(case_json(read_temperature(squeal_toml()))).contains("temperature"));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ namespace {
 
 using signal::Signal;
 
-std::optional<Error> refusal(const std::string& text) {
+std::optional<Error> csv_refusal(const std::string& text) {
     const auto error = error_of([&] { all_of(input_of(text, "d.csv")); });
     EXPECT_TRUE(!error || error->kind() == ErrorKind::input);
     return error;
@@ -110,29 +110,29 @@ TEST(SignalCsv, PointsAtAnUnevenStep) {
     std::string text = "time,v\n";
     for (int k = 0; k < 3000; ++k)
         if (k != 2500) text += base::shortest(k * 0.001) + ",1\n";
-    expect_error(refusal(text), "the times are not evenly spaced", "d.csv:2502:1");
-    expect_error(refusal("t,v\n0,1\n1,1\n2.5,1\n"), "not evenly spaced", "d.csv:3:1");
-    expect_error(refusal("t,v\n0,1\n1,1\n1,1\n"), "the times do not increase", "d.csv:4:1");
+    expect_error(csv_refusal(text), "the times are not evenly spaced", "d.csv:2502:1");
+    expect_error(csv_refusal("t,v\n0,1\n1,1\n2.5,1\n"), "not evenly spaced", "d.csv:3:1");
+    expect_error(csv_refusal("t,v\n0,1\n1,1\n1,1\n"), "the times do not increase", "d.csv:4:1");
 }
 
 TEST(SignalCsv, PointsAtTheFieldThatIsNoNumber) {
-    expect_error(refusal("# rate: 9\nv\n1\n2\nx\n"), "v = \"x\" is not a number", "d.csv:5:1");
-    expect_error(refusal("# rate: 9\na,b\n1,2\n3,nan\n"), "b = \"nan\" is not a finite number", "d.csv:4:3");
-    expect_error(refusal("# rate: 9\na,b\n1,2\n3,\n"), "(the field is empty)", "d.csv:4:3");
-    expect_error(refusal("# rate: 9\na,b\n1,2\n3\n"), "the row has 1 columns", "d.csv:4:1");
-    expect_error(refusal("# rate: 9\na,b\n1,1e999\n"), "is not a finite number", "d.csv:3:3");
+    expect_error(csv_refusal("# rate: 9\nv\n1\n2\nx\n"), "v = \"x\" is not a number", "d.csv:5:1");
+    expect_error(csv_refusal("# rate: 9\na,b\n1,2\n3,nan\n"), "b = \"nan\" is not a finite number", "d.csv:4:3");
+    expect_error(csv_refusal("# rate: 9\na,b\n1,2\n3,\n"), "(the field is empty)", "d.csv:4:3");
+    expect_error(csv_refusal("# rate: 9\na,b\n1,2\n3\n"), "the row has 1 columns", "d.csv:4:1");
+    expect_error(csv_refusal("# rate: 9\na,b\n1,1e999\n"), "is not a finite number", "d.csv:3:3");
 }
 
 TEST(SignalCsv, RefusesWhatHasNoRateOrSamples) {
-    expect_error(refusal("a,b\n1,2\n3,4\n"), "does not tell its sampling rate", "d.csv:2");
-    expect_error(refusal("t,b\n1,2\n"), "one row does not tell the sampling rate", "d.csv:2");
-    expect_error(refusal("time\n1\n2\n"), "no column of samples", "d.csv:2");
-    expect_error(refusal("# rate: 0\n1\n"), "is no sampling rate", "d.csv:1:1");
-    expect_error(refusal("# rate: 5 N\n1\n"), "is a force (N)", "d.csv:1:1");
-    expect_error(refusal("only words\n"), "no row of numbers", "d.csv:1:1");
-    expect_error(refusal("# rate: 9\n"), "holds no table", "d.csv");
-    expect_error(refusal(std::string("\xFF\xFEt\0,\0", 6)), "Save it as UTF-8", "d.csv:1:1");
-    expect_error(refusal(std::string(200000, '1')), "the line has more than 65536 bytes", "d.csv:1");
+    expect_error(csv_refusal("a,b\n1,2\n3,4\n"), "does not tell its sampling rate", "d.csv:2");
+    expect_error(csv_refusal("t,b\n1,2\n"), "one row does not tell the sampling rate", "d.csv:2");
+    expect_error(csv_refusal("time\n1\n2\n"), "no column of samples", "d.csv:2");
+    expect_error(csv_refusal("# rate: 0\n1\n"), "is no sampling rate", "d.csv:1:1");
+    expect_error(csv_refusal("# rate: 5 N\n1\n"), "is a force (N)", "d.csv:1:1");
+    expect_error(csv_refusal("only words\n"), "no row of numbers", "d.csv:1:1");
+    expect_error(csv_refusal("# rate: 9\n"), "holds no table", "d.csv");
+    expect_error(csv_refusal(std::string("\xFF\xFEt\0,\0", 6)), "Save it as UTF-8", "d.csv:1:1");
+    expect_error(csv_refusal(std::string(200000, '1')), "the line has more than 65536 bytes", "d.csv:1");
 }
 
 TEST(SignalCsv, GivesBackEveryBitOfWhatItWrote) {
@@ -203,8 +203,8 @@ TEST(SignalCsv, ReadsTheTablesOfBothGenerations) {
 TEST(SignalCsv, SaysThatAChartIsNoSignal) {
     for (const char* what : {"chart", "boundaries", "history", "library", "evaluate"}) {
         const std::string schema = "# schema: stridor." + std::string(what) + "/1";
-        expect_error(refusal(schema + "\n# version: 1\nx,y\nN,1\n1,2\n"), "holds no signal over time", "d.csv:1:1");
-        expect_error(refusal(schema + " | version: 1\nx [N],y\n1,2\n"), "holds no signal over time", "d.csv:1:1");
+        expect_error(csv_refusal(schema + "\n# version: 1\nx,y\nN,1\n1,2\n"), "holds no signal over time", "d.csv:1:1");
+        expect_error(csv_refusal(schema + " | version: 1\nx [N],y\n1,2\n"), "holds no signal over time", "d.csv:1:1");
     }
 }
 
@@ -229,8 +229,8 @@ TEST(SignalCsv, TakesNoDamagedRowForTheEndOfProse) {
     for (const char* row : {"0;1", "1;2", "2;3"})
         rows += std::string(row) + "\n";
     for (const char* damaged : {";4", "x;4", "3;", "n/a;n/a", "3;4;5"})
-        EXPECT_EQ(line_of(refusal(rows + damaged + "\n4;5\n5;6\n")), 5) << damaged;
-    EXPECT_TRUE(refusal("time;force\nx;4\n1;5\n2;6\n"));
+        EXPECT_EQ(line_of(csv_refusal(rows + damaged + "\n4;5\n5;6\n")), 5) << damaged;
+    EXPECT_TRUE(csv_refusal("time;force\nx;4\n1;5\n2;6\n"));
 }
 
 TEST(SignalCsv, TakesRateAndMetadataFromProse) {

@@ -21,7 +21,7 @@ namespace {
 
 using signal::Signal;
 
-constexpr int fixture_frames = 64;
+constexpr int uff58_frames = 64;
 
 double ramp(int k) {
     return (k - 32) * 0.25;
@@ -35,7 +35,7 @@ TEST(Uff58, ReadsDExponents) {
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].unit, "m/s^2");
     ASSERT_EQ(found[0].samples.size(), 64U);
-    for (int k = 0; k < fixture_frames; ++k)
+    for (int k = 0; k < uff58_frames; ++k)
         EXPECT_EQ(found[0].samples[static_cast<std::size_t>(k)], ramp(k));
 }
 
@@ -43,7 +43,7 @@ TEST(Uff58, ReadsAHeaderOfOddWidthAndNumbersThatTouch) {
     const std::vector<Signal> found = all_of(fixture("uff58_odd_width.uff"));
     EXPECT_EQ(found[0].rate, 51200.0);
     EXPECT_EQ(found[0].unit, "m/s^2");
-    for (int k = 0; k < fixture_frames; ++k)
+    for (int k = 0; k < uff58_frames; ++k)
         EXPECT_EQ(found[0].samples[static_cast<std::size_t>(k)], (-1000.0 - ramp(k)) * 9.80665);
 }
 
@@ -54,7 +54,7 @@ TEST(Uff58, ReadsBigEndianChannelsAmongOtherDatasets) {
     const std::vector<Signal> found = signal::read_all(*file);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[1].unit, "m/s");
-    for (int k = 0; k < fixture_frames; ++k)
+    for (int k = 0; k < uff58_frames; ++k)
         EXPECT_EQ(found[1].samples[static_cast<std::size_t>(k)], -ramp(k) * 1e-3);
 }
 
@@ -68,7 +68,7 @@ TEST(Uff58, ReadsNumbersAsFortranPrintsThem) {
         EXPECT_FALSE(uff58::fortran_number(text)) << text;
 }
 
-Signal noise(double rate, const std::string& unit, std::uint64_t seed) {
+Signal uff58_noise(double rate, const std::string& unit, std::uint64_t seed) {
     support::CounterRandom random(seed);
     Signal signal{rate, unit, {}};
     for (int k = 0; k < 20001; ++k)
@@ -79,7 +79,7 @@ Signal noise(double rate, const std::string& unit, std::uint64_t seed) {
 TEST(WriteUff58, GivesBackEveryBitInItsBinaryForm) {
     const ScratchFolder scratch;
     for (const double rate : {44100.0, 51200.0, 48000.5, 1000.0 / 3.0}) {
-        const Signal a = noise(rate, "m/s^2", 1), b = noise(rate, "FS", 2);
+        const Signal a = uff58_noise(rate, "m/s^2", 1), b = uff58_noise(rate, "FS", 2);
         EXPECT_EQ(write_uff58((scratch / "a.uff").string(), *signal::source_of({a, b}), Uff58Form::binary), 20001U);
         const auto file = open_signal((scratch / "a.uff").string());
         EXPECT_EQ(file->facts().notes.size(), 0U);
@@ -95,7 +95,7 @@ TEST(WriteUff58, GivesBackEveryBitInItsBinaryForm) {
 
 TEST(WriteUff58, GivesBackThirteenDigitsInItsAsciiForm) {
     const ScratchFolder scratch;
-    const Signal a = noise(44100.0, "Pa", 1);
+    const Signal a = uff58_noise(44100.0, "Pa", 1);
     write_uff58((scratch / "a.uff").string(), *signal::source_of({a}), Uff58Form::ascii);
     const std::vector<Signal> back = all_of((scratch / "a.uff").string());
     EXPECT_EQ(back[0].rate, 44100.0);

@@ -14,13 +14,13 @@
 namespace stridor::sound {
 namespace {
 
-constexpr double rate = 48000.0;
+constexpr double sound_rate = 48000.0;
 
 signal::Signal sampled(double duration, const std::function<double(double)>& f) {
-    signal::Signal result{rate, "m/s", {}};
-    const auto count = static_cast<std::size_t>(duration * rate);
+    signal::Signal result{sound_rate, "m/s", {}};
+    const auto count = static_cast<std::size_t>(duration * sound_rate);
     for (std::size_t n = 0; n < count; ++n)
-        result.samples.push_back(f(static_cast<double>(n) / rate));
+        result.samples.push_back(f(static_cast<double>(n) / sound_rate));
     return result;
 }
 
@@ -58,7 +58,7 @@ TEST(SoundFeatures, StickSlipRestsForTheShareItSticks) {
 }
 
 TEST(SoundFeatures, NoiseHasNoToneNoImpulsesAndLittleClearness) {
-    signal::Signal signal = sampled(0.5, [](double t) { return t < 0.5 / rate ? 1e-9 : 0.0; });
+    signal::Signal signal = sampled(0.5, [](double t) { return t < 0.5 / sound_rate ? 1e-9 : 0.0; });
     signal = signal::with_noise(signal, -100.0, 11);
     const SoundFeatures f = sound_features(signal);
     EXPECT_LT(f.clearness, -20.0);
@@ -105,8 +105,8 @@ TEST(Analyse, BlocksDoNotMatter) {
     const signal::Signal signal = signal::with_noise(
         sampled(2.3, [](double t) { return t < 1.0 ? sine(800.0 * t) : 0.01 * sine(500.0 * t); }), 40.0, 2);
     const auto analysed = [&](std::size_t block) {
-        StretchFinder finder(rate);
-        ChannelOverview overview(rate, {"", "m/s"});
+        StretchFinder finder(sound_rate);
+        ChannelOverview overview(sound_rate, {"", "m/s"});
         for (std::size_t first = 0; first < signal.samples.size(); first += block) {
             const auto samples =
                 std::span(signal.samples).subspan(first, std::min(block, signal.samples.size() - first));
@@ -179,9 +179,10 @@ TEST(Analyse, SaysWhichSampleOfALongRecordingIsNoNumber) {
 }
 
 TEST(Analyse, RefusesNothingAndWhatIsNoNumber) {
-    auto empty = signal::source_of({signal::Signal{rate, "FS", {}}});
+    auto empty = signal::source_of({signal::Signal{sound_rate, "FS", {}}});
     EXPECT_THROW(analyse(*empty), Error);
-    auto broken = signal::source_of({signal::Signal{rate, "FS", {0.0, std::numeric_limits<double>::quiet_NaN()}}});
+    auto broken =
+        signal::source_of({signal::Signal{sound_rate, "FS", {0.0, std::numeric_limits<double>::quiet_NaN()}}});
     EXPECT_THROW(analyse(*broken), Error);
     auto slow = signal::source_of({signal::Signal{1.0, "FS", {0.0, 1.0, 0.0}}});
     EXPECT_THROW(analyse(*slow), Error);

@@ -23,7 +23,7 @@
 namespace stridor::sound {
 namespace {
 
-constexpr double rate = signal::third_octave_rate;
+constexpr double loudness_rate = signal::third_octave_rate;
 
 using Samples = std::vector<double>;
 
@@ -34,15 +34,16 @@ double amplitude(double level) {
 // fades in and out over `fade` [s], so that its ends are no clicks
 void fade_ends(Samples& samples, double fade) {
     for (std::size_t n = 0; n < samples.size(); ++n) {
-        const double to_end = static_cast<double>(std::min(n, samples.size() - n)) / rate;
+        const double to_end = static_cast<double>(std::min(n, samples.size() - n)) / loudness_rate;
         if (to_end < fade) samples[n] *= 0.5 - 0.5 * std::cos(std::numbers::pi * to_end / fade);
     }
 }
 
 Samples tone(double frequency, double level, double duration, double fade = 0.05) {
-    Samples samples(static_cast<std::size_t>(duration * rate));
+    Samples samples(static_cast<std::size_t>(duration * loudness_rate));
     for (std::size_t n = 0; n < samples.size(); ++n)
-        samples[n] = amplitude(level) * std::sin(2.0 * std::numbers::pi * frequency * static_cast<double>(n) / rate);
+        samples[n] =
+            amplitude(level) * std::sin(2.0 * std::numbers::pi * frequency * static_cast<double>(n) / loudness_rate);
     fade_ends(samples, fade);
     return samples;
 }
@@ -51,9 +52,9 @@ Samples tone(double frequency, double level, double duration, double fade = 0.05
 Samples band_noise(double low, double high, double level, double duration) {
     constexpr double spacing = 4.0;  // [Hz]
     support::CounterRandom random(1);
-    Samples samples(static_cast<std::size_t>(duration * rate));
+    Samples samples(static_cast<std::size_t>(duration * loudness_rate));
     for (double frequency = low + 0.5 * spacing; frequency < high; frequency += spacing) {
-        const double turn = 2.0 * std::numbers::pi * frequency / rate;
+        const double turn = 2.0 * std::numbers::pi * frequency / loudness_rate;
         const double phase = random.between(0.0, 2.0 * std::numbers::pi);
         // x(n) = 2 cos(turn) x(n - 1) - x(n - 2)
         double before = std::cos(phase - turn);
@@ -75,15 +76,15 @@ Samples band_noise(double low, double high, double level, double duration) {
     return samples;
 }
 
-SoundQuality quality_of(const Samples& samples, SoundField field = SoundField::free, double its_rate = rate) {
+SoundQuality quality_of(const Samples& samples, SoundField field = SoundField::free, double its_rate = loudness_rate) {
     SoundQualityMeter meter(its_rate, field);
     meter.push(samples);
     return meter.finish();
 }
 
 Samples with_silence(Samples samples, double before, double after) {
-    samples.insert(samples.begin(), static_cast<std::size_t>(before * rate), 0.0);
-    samples.resize(samples.size() + static_cast<std::size_t>(after * rate), 0.0);
+    samples.insert(samples.begin(), static_cast<std::size_t>(before * loudness_rate), 0.0);
+    samples.resize(samples.size() + static_cast<std::size_t>(after * loudness_rate), 0.0);
     return samples;
 }
 
@@ -143,7 +144,7 @@ TEST(LoudnessOverTime, OfRisingTonesIsThatOfTheStandard) {
          {Ramp{250.0, 14.3592, 11.85756}, {1000.0, 15.9534, 13.37887}, {4000.0, 23.9501, 20.26187}}) {
         Samples samples = tone(ramp.frequency, 0.0, 10.0, 0.005);
         for (std::size_t n = 0; n < samples.size(); ++n)
-            samples[n] *= std::pow(10.0, (30.0 + 5.0 * static_cast<double>(n) / rate) / 20.0);
+            samples[n] *= std::pow(10.0, (30.0 + 5.0 * static_cast<double>(n) / loudness_rate) / 20.0);
         const SoundQuality quality = quality_of(with_silence(samples, 0.1, 0.5));
         EXPECT_NEAR(quality.greatest_loudness, ramp.greatest, 0.005 * ramp.greatest) << ramp.frequency;
         EXPECT_NEAR(quality.loudness_5, ramp.exceeded, 0.01 * ramp.exceeded) << ramp.frequency;
@@ -161,7 +162,7 @@ TEST(LoudnessOverTime, OfPulsesIsThatOfTheStandard) {
 
 TEST(LoudnessOverTime, DoesNotDependOnTheBlocksNorMuchOnTheRate) {
     const Samples samples = tone(1000.0, 60.0, 0.5);
-    SoundQualityMeter meter(rate, SoundField::free);
+    SoundQualityMeter meter(loudness_rate, SoundField::free);
     for (std::size_t from = 0; from < samples.size(); from += 1001)
         meter.push(std::span(samples).subspan(from, std::min<std::size_t>(1001, samples.size() - from)));
     EXPECT_EQ(meter.finish().greatest_loudness, quality_of(samples).greatest_loudness);
@@ -193,8 +194,9 @@ TEST(Loudness, OfSilenceIsNone) {
 TEST(SoundQuality, IsOfPressuresAlone) {
     const Samples samples = tone(1000.0, 60.0, 1.0);
     const auto source = [&] {
-        return signal::source_of({signal::Signal{rate, "Pa", samples}, signal::Signal{rate, "m/s^2", samples},
-                                  signal::Signal{rate, "FS", samples}});
+        return signal::source_of({signal::Signal{loudness_rate, "Pa", samples},
+                                  signal::Signal{loudness_rate, "m/s^2", samples},
+                                  signal::Signal{loudness_rate, "FS", samples}});
     };
     const std::vector<SoundAnalysis> found = analyse(*source(), {}, one_after_the_other, SoundField::free);
     ASSERT_TRUE(found[0].quality.has_value());
@@ -277,7 +279,7 @@ TEST(ThirdOctaveFilters, KeepTheLimitsOfClass1) {
         for (const Limit& limit : limits) {
             signal::ThirdOctaveFilters filters;
             double power = 0.0;  // at the end, when the beginning has died out
-            filters.push(tone(limit.ratio * centre, 94.0, 2.0, 1.0 / rate),
+            filters.push(tone(limit.ratio * centre, 94.0, 2.0, 1.0 / loudness_rate),
                          [&](const signal::ThirdOctaves& powers) { power = powers[band]; });
             const double attenuation = -10.0 * std::log10(power / (0.5 * amplitude(94.0) * amplitude(94.0)));
             EXPECT_GE(attenuation, limit.least) << band << ", " << limit.ratio;

@@ -66,7 +66,7 @@ Outcome refined(const Study& study, const Picture& picture) {
 }
 
 // share of cells that are as in the complete chart
-double agreement(const Study& study, const Picture& picture, const Outcome& outcome) {
+double share_alike(const Study& study, const Picture& picture, const Outcome& outcome) {
     std::size_t right = 0;
     for (std::size_t point = 0; point < outcome.marks.size(); ++point)
         right += outcome.marks[outcome.sources[point]] == mark_at(study, picture, point) ? 1 : 0;
@@ -123,7 +123,7 @@ TEST_P(Pictures, AreFoundFromASmallShareOfTheCells) {
     for (int levels = 2; levels <= GetParam().levels; ++levels) {
         const Study study = square(200, levels);
         const Outcome outcome = refined(study, GetParam().picture);
-        EXPECT_GE(agreement(study, GetParam().picture, outcome), 0.999) << levels;
+        EXPECT_GE(share_alike(study, GetParam().picture, outcome), 0.999) << levels;
         if (levels > 2) {
             EXPECT_LT(share(outcome), GetParam().most) << levels;
         }
@@ -164,13 +164,13 @@ TEST_P(Pictures, HaveTheirBoundariesBetweenComputedCells) {
         }
 }
 
-const Drawn drawn[] = {{"Uniform", uniform, 0.04},
-                       {"Diagonal", diagonal, 0.07},
-                       {"Islands", islands, 0.08, 3},
-                       {"Strip", strip, 0.10},
-                       {"Areas", areas, 0.08}};
+const Drawn drawn_pictures[] = {{"Uniform", uniform, 0.04},
+                                {"Diagonal", diagonal, 0.07},
+                                {"Islands", islands, 0.08, 3},
+                                {"Strip", strip, 0.10},
+                                {"Areas", areas, 0.08}};
 
-INSTANTIATE_TEST_SUITE_P(Refinement, Pictures, testing::ValuesIn(drawn),
+INSTANTIATE_TEST_SUITE_P(Refinement, Pictures, testing::ValuesIn(drawn_pictures),
                          [](const testing::TestParamInfo<Drawn>& each) { return each.param.name; });
 
 TEST(Refinement, ComputesEveryCellAtLevelZero) {
@@ -242,7 +242,7 @@ TEST(Refinement, FollowsABoundaryIntoABlockWhoseCornersAndProbeAgree) {
     }();
     const auto tongue = [](double x, double y) { return x < 0.7 && y > 0.2 && y < 0.3 ? 1 : 0; };
     const Outcome outcome = refined(study, [&](double x, double y) { return x == 0.0 ? 2 : tongue(x, y); });
-    EXPECT_EQ(agreement(
+    EXPECT_EQ(share_alike(
                   study, [&](double x, double y) { return x == 0.0 ? 2 : tongue(x, y); }, outcome),
               1.0);
 }
@@ -268,7 +268,7 @@ RC_GTEST_PROP(Refinement, FindsEveryIslandWiderThanTheBaseGridsStride, ()) {
         return std::hypot(32.0 * share_x - x, 32.0 * share_y - y) < 4.001 ? 1 : 0;
     };
     const Outcome outcome = refined(study, island);
-    RC_ASSERT(agreement(study, island, outcome) == 1.0);
+    RC_ASSERT(share_alike(study, island, outcome) == 1.0);
 }
 
 RC_GTEST_PROP(Refinement, EndsWithEveryBlockAlikeWhateverThePicture, ()) {
@@ -356,7 +356,7 @@ TEST(Inferred, CellsHaveTheVerdictOfTheirSourceAndNoFigures) {
     EXPECT_EQ(computed_count(result), 5U);
     EXPECT_EQ(computed_cell(result, 4).slip, 1.0);
     EXPECT_EQ(figure_values(result, &Cell::slip), (std::vector<double>{0, 0, 0.5, 0, 1, 0.5, 1.5, 1.5, 2}))
-        << "what is drawn there";
+        << "what is drawn_pictures there";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ using parameters::Field;
 using parameters::Quantity;
 
 // a basic string: quotes, backslashes and control characters escaped
-std::string quoted(std::string_view text) {
+std::string basic_string(std::string_view text) {
     constexpr std::string_view digits = "0123456789ABCDEF";
     std::string result = "\"";
     for (const char c : text) {
@@ -53,14 +53,14 @@ std::string number_text(double value) {
 
 std::string quantity_text(double value, std::string_view unit) {
     const std::string number = number_text(value);
-    return unit == "1" ? number : quoted(number + " " + std::string(unit));
+    return unit == "1" ? number : basic_string(number + " " + std::string(unit));
 }
 
 std::string value_of(const Case& c, const Field& field) {
-    if (parameters::damping_ratio(c, field)) return quoted(parameters::value_text(c, field));
+    if (parameters::damping_ratio(c, field)) return basic_string(parameters::value_text(c, field));
     if (const auto* quantity = std::get_if<Quantity>(&field.kind))
         return quantity_text(quantity->get(c), quantity->unit);
-    return quoted(parameters::value_text(c, field));
+    return basic_string(parameters::value_text(c, field));
 }
 
 std::string range_text(const parameters::Range& range) {
@@ -75,7 +75,7 @@ std::string names_text(std::span<const std::string_view> names) {
     std::string text;
     for (std::size_t k = 0; k < names.size(); ++k) {
         const bool is_last = k + 1 == names.size();
-        text += (k == 0 ? "" : is_last ? " or " : ", ") + quoted(names[k]);
+        text += (k == 0 ? "" : is_last ? " or " : ", ") + basic_string(names[k]);
     }
     return text;
 }
@@ -102,16 +102,16 @@ std::string axis_text(const sweep::Axis& axis) {
     const Field* field = parameters::find_field(axis.parameter);
     const auto* quantity = field == nullptr ? nullptr : std::get_if<Quantity>(&field->kind);
     const std::string_view unit = quantity == nullptr ? "1" : quantity->unit;
-    return "{ parameter = " + quoted(axis.parameter) + ", from = " + quantity_text(axis.from, unit) +
+    return "{ parameter = " + basic_string(axis.parameter) + ", from = " + quantity_text(axis.from, unit) +
            ", to = " + quantity_text(axis.to, unit) + ", points = " + std::to_string(axis.points) +
-           ", scale = " + quoted(sweep::scale_names[static_cast<std::size_t>(axis.scale)]) + " }";
+           ", scale = " + basic_string(sweep::scale_names[static_cast<std::size_t>(axis.scale)]) + " }";
 }
 
 template <typename Items, typename Name>
 std::string list_text(const Items& items, Name name) {
     std::string text;
     for (const auto& item : items)
-        text += (text.empty() ? "" : ", ") + quoted(name(item));
+        text += (text.empty() ? "" : ", ") + basic_string(name(item));
     return "[" + text + "]";
 }
 
@@ -155,7 +155,7 @@ std::string describe_values(const parameters::Field& field) {
 
 std::string toml_line(const Case& c, const Field& field) {
     const bool is_unknown_file = parameters::names_file(field) && parameters::value_text(c, field).empty();
-    return std::string(field.name) + " = " + (is_unknown_file ? quoted("velocity.csv") : value_of(c, field));
+    return std::string(field.name) + " = " + (is_unknown_file ? basic_string("velocity.csv") : value_of(c, field));
 }
 
 std::string case_toml(const parameters::Case& c, const TomlOptions& options) {

@@ -3,6 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/io/library/json_entry.hpp"
 #include "stridor/noise_library/field.hpp"
+#include "stridor/noise_library/library.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -22,10 +23,6 @@ constexpr const char* unhashed_schema = "stridor.library-archive/1";  // without
 constexpr std::size_t longest_line = std::size_t{4} << 20U;           // [bytes] of an entry
 constexpr std::uint64_t longest_manifest = std::uint64_t{1} << 29U;   // [bytes]
 constexpr int deepest = 4;                                            // levels of an entry's line; more is no entry
-
-AudioName audio_of(const Entry& entry) {
-    return {entry.audio, entry.format};
-}
 
 std::string line_of(const Json& object) {
     return object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -122,7 +119,8 @@ Announced announced_in(const Manifest::Lines& lines, const std::string& line) {
     } catch (const Error& error) {
         lines.refuse(error.problem().what + (error.problem().why.empty() ? "" : ": " + error.problem().why));
     }
-    if (!noise_library::is_audio_name(audio_of(announced.entry))) lines.refuse("an entry does not name its audio");
+    if (!noise_library::is_audio_name(noise_library::audio_of(announced.entry)))
+        lines.refuse("an entry does not name its audio");
     return announced;
 }
 

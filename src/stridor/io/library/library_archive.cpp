@@ -22,10 +22,6 @@ using noise_library::Staged;
 
 namespace {
 
-AudioName audio_of(const Entry& entry) {
-    return {entry.audio, entry.format};
-}
-
 // sizes of the audio, each once
 std::map<AudioName, std::uint64_t> sizes_of(const Library& library, std::span<const Entry> entries) {
     std::map<AudioName, std::uint64_t> sizes;
@@ -39,7 +35,7 @@ std::map<AudioName, std::uint64_t> sizes_of(const Library& library, std::span<co
                 {"the audio of entry " + std::to_string(entry.id) + " cannot be read",
                  file.string() + ": " + error.message(),
                  "Bring the file back, or leave the entry out: --where \"id != " + std::to_string(entry.id) + "\"."});
-        sizes.emplace(audio_of(entry), size);
+        sizes.emplace(noise_library::audio_of(entry), size);
     }
     return sizes;
 }
@@ -87,7 +83,8 @@ bool is_heard_otherwise(Library& library, const Entry& entry) {
 ArchiveContents contents_of(Manifest& manifest, Library& library) {
     ArchiveContents contents;
     while (const std::optional<Announced> each = manifest.next()) {
-        contents.audio.emplace(archive_member(audio_of(each->entry)), std::pair(audio_of(each->entry), each->bytes));
+        contents.audio.emplace(archive_member(noise_library::audio_of(each->entry)),
+                               std::pair(noise_library::audio_of(each->entry), each->bytes));
         contents.is_heard_otherwise.push_back(is_heard_otherwise(library, each->entry));
     }
     contents.digest = manifest.digest();
@@ -127,7 +124,7 @@ void export_library(const Library& library, std::span<const Entry> entries, cons
     const std::map<AudioName, std::uint64_t> sizes = sizes_of(library, entries);
     std::string manifest = manifest_opening(entries.size());
     for (const Entry& entry : entries)
-        manifest += manifest_line(entry, sizes.at(audio_of(entry)));
+        manifest += manifest_line(entry, sizes.at(noise_library::audio_of(entry)));
     manifest += manifest_closing(manifest);
 
     storage::PiecewiseFile file(archive.string());

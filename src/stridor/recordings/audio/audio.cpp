@@ -18,9 +18,10 @@ namespace stridor::recordings {
 
 namespace {
 
-constexpr double lowest_rate = 1.0;             // [Hz]
-constexpr double highest_rate = 1e8;            // [Hz] beyond any converter; headers full of noise claim more
-constexpr std::uint64_t most_per_byte = 65536;  // [1] samples that a byte of a packed format can stand for at best
+constexpr double lowest_rate = 1.0;   // [Hz]
+constexpr double highest_rate = 1e8;  // [Hz] beyond any converter; headers full of noise claim more
+constexpr std::uint64_t most_samples_per_byte =
+    65536;  // [1] samples that a byte of a packed format can stand for at best
 
 /// The file as libsndfile sees it.
 struct Cursor {
@@ -129,7 +130,7 @@ private:
         if (info_.frames == 0) throw refusal(name_, "the sound file holds no samples");
         const bool is_known = (info_.format & SF_FORMAT_TYPEMASK) != SF_FORMAT_MPEG || tells_length(*cursor_.bytes);
         const bool is_credible =
-            is_known && info_.frames > 0 && static_cast<std::uint64_t>(info_.frames) / most_per_byte <= size;
+            is_known && info_.frames > 0 && static_cast<std::uint64_t>(info_.frames) / most_samples_per_byte <= size;
         if (is_credible) layout_.frames = static_cast<std::uint64_t>(info_.frames);
     }
 

@@ -23,15 +23,15 @@ constexpr std::array known_codecs{
     AV_CODEC_ID_VORBIS,    AV_CODEC_ID_MP3,       AV_CODEC_ID_FLAC,      AV_CODEC_ID_PCM_S16LE, AV_CODEC_ID_PCM_S16BE,
     AV_CODEC_ID_PCM_S24LE, AV_CODEC_ID_PCM_S24BE, AV_CODEC_ID_PCM_S32LE, AV_CODEC_ID_PCM_F32LE};
 
-constexpr int io_buffer = 1 << 15;                 // [bytes]
-constexpr int most_channels = 64;                  // [1]
-constexpr int highest_rate = 768000;               // [Hz]
-constexpr std::int64_t most_per_frame = 1 << 18;   // [1] samples of a channel that a decoder may make of one packet
-constexpr int most_silent_packets = 10000;         // [1] one after the other that give no sample
-constexpr std::uint64_t most_per_byte = 8192;      // [1] frames; a byte of Opus can stand for 5760
-constexpr std::uint64_t largest_shortfall = 8192;  // [1] frames that the length in a file may be off: a few packets
-constexpr const char* probe_size = "1048576";      // [bytes] that a demuxer looks at before it begins
-constexpr const char* most_streams = "32";         // [1]
+constexpr int io_buffer = 1 << 15;                    // [bytes]
+constexpr int most_channels = 64;                     // [1]
+constexpr int highest_rate = 768000;                  // [Hz]
+constexpr std::int64_t most_per_frame = 1 << 18;      // [1] samples of a channel that a decoder may make of one packet
+constexpr int most_silent_packets = 10000;            // [1] one after the other that give no sample
+constexpr std::uint64_t most_frames_per_byte = 8192;  // [1] frames; a byte of Opus can stand for 5760
+constexpr std::uint64_t largest_shortfall = 8192;     // [1] frames that the length in a file may be off: a few packets
+constexpr const char* probe_size = "1048576";         // [bytes] that a demuxer looks at before it begins
+constexpr const char* most_streams = "32";            // [1]
 
 template <auto Member>
 struct Free {
@@ -233,7 +233,7 @@ private:
         if (!is_first && !is_same)
             throw refusal(name_, "the sound changes its rate or channels after " + std::to_string(frames_) + " frames");
         frames_ += static_cast<std::uint64_t>(frame_->nb_samples);
-        if (frames_ / most_per_byte > cursor_.bytes->size())
+        if (frames_ / most_frames_per_byte > cursor_.bytes->size())
             throw refusal(name_, "the sound is longer than its bytes can hold", "", "Is it damaged?");
         return true;
     }

@@ -22,8 +22,8 @@ namespace stridor::recordings {
 
 namespace {
 
-constexpr std::size_t block_frames = 1U << 14U;
-constexpr std::uint64_t largest_32 = 0xFFFFFFFFU;
+constexpr std::size_t wav_block = 1U << 14U;
+constexpr std::uint64_t largest_size = 0xFFFFFFFFU;
 constexpr std::size_t description_bytes = 256;
 constexpr std::uint64_t long_size_offset = 12;  // [bytes] of the ds64 chunk, or of what keeps its place
 
@@ -144,15 +144,15 @@ private:
 
 void patch_sizes(storage::PiecewiseFile& file, const Head& head, std::uint64_t data_bytes, std::uint64_t frames) {
     const std::uint64_t riff_bytes = file.size() - 8;
-    const bool is_long = riff_bytes > largest_32;
+    const bool is_long = riff_bytes > largest_size;
     if (is_long) {
         file.overwrite(0, "RF64");
         file.overwrite(long_size_offset, "ds64" + little_endian(28, 4) + little_endian(riff_bytes, 8) +
                                              little_endian(data_bytes, 8) + little_endian(frames, 8));
     }
-    file.overwrite(4, little_endian(is_long ? largest_32 : riff_bytes, 4));
-    file.overwrite(head.text.size() - 4, little_endian(is_long ? largest_32 : data_bytes, 4));
-    if (head.fact_offset > 0) file.overwrite(head.fact_offset, little_endian(std::min(frames, largest_32), 4));
+    file.overwrite(4, little_endian(is_long ? largest_size : riff_bytes, 4));
+    file.overwrite(head.text.size() - 4, little_endian(is_long ? largest_size : data_bytes, 4));
+    if (head.fact_offset > 0) file.overwrite(head.fact_offset, little_endian(std::min(frames, largest_size), 4));
 }
 
 Sidecar sidecar_of(const signal::ChannelLayout& layout, const std::vector<FullScale>& scales) {
@@ -207,7 +207,7 @@ WavWritten write_wav(const std::string& path, signal::Source& source, const WavO
     file.write(head.text);
 
     const std::size_t width = scales.size();
-    std::vector<double> block(block_frames * width);
+    std::vector<double> block(wav_block * width);
     Encoder encoder(options.samples);
     std::string bytes;
     WavWritten written;
@@ -241,7 +241,7 @@ std::string wav_bytes(const signal::Signal& signal, const FullScale& scale) {
     for (const double sample : signal.samples)
         encoder.append(bytes, sample / scale.value);
     const std::uint64_t data_bytes = bytes.size() - head.text.size();
-    STRIDOR_EXPECT(bytes.size() <= largest_32);
+    STRIDOR_EXPECT(bytes.size() <= largest_size);
     bytes.replace(4, 4, little_endian(bytes.size() - 8, 4));
     bytes.replace(head.text.size() - 4, 4, little_endian(data_bytes, 4));
     return bytes;

@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::size_t looked_at = 1024;                          // times that the rate is first taken from
 constexpr std::uint64_t most_numbers = std::uint64_t{1} << 28U;  // the library holds whole variables
-constexpr std::uint64_t most_per_byte = 1032;                    // what deflate can pack into one, each number a byte
+constexpr std::uint64_t most_numbers_per_byte = 1032;            // what deflate can pack into one, each number a byte
 constexpr std::uint64_t memory_of_library = std::uint64_t{3} << 30U;  // [bytes] the most numbers, packed and unpacked
 constexpr unsigned processor_time = 60;                               // [s] of which 2 GiB of packed numbers need 20
 
@@ -212,7 +212,7 @@ RawSignal open_mat_answers(std::shared_ptr<mat::Answers> answers, std::uint64_t 
     const std::vector<mat::Variable> variables = variables_of(*answers, file);
     mat::MatChoice choice = mat::choose(variables, wishes, file);
     const std::uint64_t width = choice.columns.size() + 1;  // with the times
-    if (choice.frames > file_size * most_per_byte / width)
+    if (choice.frames > file_size * most_numbers_per_byte / width)
         throw damage(file, "its variables are larger than its bytes can hold");
     if (choice.frames > most_numbers / width)
         throw refusal(file, "the MAT file is too long",

@@ -11,7 +11,7 @@ namespace stridor::recordings {
 
 namespace {
 
-constexpr std::size_t block_frames = 1U << 12U;
+constexpr std::size_t csv_block = 1U << 12U;
 
 // names of channels have no line ends and quotes here: the reader takes a row for a line
 std::string one_line(std::string text) {
@@ -43,7 +43,7 @@ std::uint64_t write_signal_csv(const std::string& path, signal::Source& source) 
     const std::size_t width = layout.channels.size();
     base::csv_text::Table table = table_of(layout);
     file.write(table.take());
-    std::vector<double> block(block_frames * width);
+    std::vector<double> block(csv_block * width);
     std::uint64_t frames = 0;
     while (const std::size_t count = source.read(block)) {
         for (std::size_t frame = 0; frame < count; ++frame, ++frames) {

@@ -18,7 +18,7 @@ namespace stridor::recordings {
 
 namespace {
 
-constexpr std::size_t block_frames = 1U << 14U;
+constexpr std::size_t uff58_block = 1U << 14U;
 constexpr std::uint64_t most_values = 9'999'999'999;  // the field of the count has ten columns
 
 /// Type of an ordinate (record 9, field 1) by its unit; general where there is none.
@@ -127,7 +127,7 @@ private:
 // all frames, as they come, for the channels one after the other
 std::unique_ptr<Spool> spooled(signal::Source& source) {
     auto spool = std::make_unique<Spool>();
-    std::vector<double> block(block_frames * source.layout().channels.size());
+    std::vector<double> block(uff58_block * source.layout().channels.size());
     while (const std::size_t count = source.read(block)) {
         const std::size_t used = count * source.layout().channels.size();
         std::string bytes(used * sizeof(double), '\0');
@@ -139,7 +139,7 @@ std::unique_ptr<Spool> spooled(signal::Source& source) {
 
 void write_channel(Body& body, const Spool& spool, std::size_t channel, std::size_t width) {
     const std::size_t frame_bytes = width * sizeof(double);
-    std::string block(block_frames * frame_bytes, '\0');
+    std::string block(uff58_block * frame_bytes, '\0');
     for (std::uint64_t offset = 0; offset < spool.size(); offset += block.size()) {
         const std::size_t count = spool.read_at(offset, block) / frame_bytes;
         for (std::size_t frame = 0; frame < count; ++frame) {
