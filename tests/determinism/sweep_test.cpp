@@ -107,7 +107,7 @@ TEST_P(Sweep, HasTheSameBitsInAnyOrderByAnyInstructionSet) {
         for (std::size_t begin = 0; begin < stride; ++begin)
             for (std::size_t index = begin; index < cells.size(); index += stride) {
                 // a refined sweep has computed some of them only
-                if (std::isnan(cells[index].slip)) continue;
+                if (std::isnan(figure_of(cells[index], "slip"))) continue;
                 const Cell alone = evaluate_run(study_, index, {}, workspace).at(0);
                 ASSERT_TRUE(same_cell(alone, cells[index])) << index << " by " << static_cast<int>(set);
             }
@@ -188,8 +188,8 @@ private:
 // the others find the store in use, or whole if the one was quick
 TEST_P(Sweep, IsComputedByExactlyOneOfSeveralThatBeginAtOnce) {
     const std::vector<Cell> cells = undisturbed(2);
-    const auto total = static_cast<std::size_t>(
-        std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return !std::isnan(cell.slip); }));
+    const auto total = static_cast<std::size_t>(std::count_if(
+        cells.begin(), cells.end(), [](const Cell& cell) { return !std::isnan(figure_of(cell, "slip")); }));
     const int rounds = support::effort(50, 5) / (GetParam() == 0 ? 1 : 5);
     for (int round = 0; round < rounds; ++round) {
         const std::filesystem::path file = folder_ / ("begun-" + std::to_string(round));

@@ -186,7 +186,7 @@ Result chart(std::string name, const sweep::Study& study) {
     result.computed->visit(0, result.cells.size(), [&](sweep::IndexedCell& computed) {
         values.add("index", computed.index);
         for (const sweep::CellFigure& figure : sweep::cell_figures())
-            values.add(figure.name, computed.cell.*figure.member);
+            values.add(figure.name, figure_of(computed.cell, figure));
         for (const sweep::StartVerdict& start : computed.cell.starts)
             values.add("verdict", sweep::number_of(start));
     });

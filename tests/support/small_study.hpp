@@ -38,7 +38,7 @@ inline bool same_cell(const Cell& a, const Cell& b) {
     const bool same_starts = a.starts == b.starts && a.agreement == b.agreement;
     return same_words && same_category && same_starts &&
            std::all_of(cell_figures().begin(), cell_figures().end(),
-                       [&](const CellFigure& figure) { return same_bits(a.*figure.member, b.*figure.member); });
+                       [&](const CellFigure& figure) { return same_bits(figure_of(a, figure), figure_of(b, figure)); });
 }
 
 inline bool same_cells(const std::vector<Cell>& a, const std::vector<Cell>& b) {

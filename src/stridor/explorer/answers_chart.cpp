@@ -76,7 +76,7 @@ public:
         frame["category"] = category_bytes(result);
         frame["computed_mask"] = computed_bytes(result);
         if (const sweep::CellFigure* figure = sweep::find_cell_figure(figure_)) {
-            const std::vector<double> values = sweep::figure_values(result, figure->member);
+            const std::vector<double> values = sweep::figure_values(result, *figure);
             frame["figure"] = base64_of<float>(std::vector<float>(values.begin(), values.end()));
         }
         if (is_done) frame["boundaries"] = boundary_objects(result);

@@ -41,7 +41,7 @@ Row figure_row(const SweepResult& result, const sweep::CellFigure& figure) {
     std::string name(figure.name);
     std::replace(name.begin(), name.end(), '_', ' ');
     Row row{drawing::Text(name), std::string(figure.unit), {}};
-    for (const double value : sweep::figure_values(result, figure.member))
+    for (const double value : sweep::figure_values(result, figure))
         row.values.push_back(std::isfinite(value) ? std::vector{value} : std::vector<double>{});
     return row;
 }

@@ -89,7 +89,7 @@ bool reaches_beyond(std::span<const double> values, const drawing::Range& range)
 
 // one figure of every cell; NaN where the cell is not done or has no such value
 std::vector<double> shown_values(const sweep::SweepResult& result, const sweep::CellFigure& figure) {
-    std::vector<double> values = sweep::figure_values(result, figure.member);
+    std::vector<double> values = sweep::figure_values(result, figure);
     for (std::size_t index = 0; index < values.size(); ++index)
         if (result.cells[index].status != sweep::Status::done || !std::isfinite(values[index]))
             values[index] = sweep::Cell::unknown;

@@ -15,13 +15,7 @@ namespace stridor::figures {
 
 namespace {
 
-struct Rate {
-    std::string_view name;
-    double sweep::Cell::*member;
-};
-
-constexpr std::array<Rate, 3> rates{
-    {{"slip", &sweep::Cell::slip}, {"stick", &sweep::Cell::stick}, {"separation", &sweep::Cell::separation}}};
+constexpr std::array<std::string_view, 3> rates{"slip", "stick", "separation"};
 constexpr drawing::ColourScale percent{{0.0, 100.0}, drawing::AxisScale::linear};
 
 // `values` is a rate of every cell
@@ -78,14 +72,14 @@ drawing::Scene rate_map(std::span<const sweep::SweepResult> results) {
         is_any_failed = is_any_failed || has_failures(result);
         std::array<std::vector<double>, rates.size()> values;
         for (std::size_t column = 0; column < rates.size(); ++column)
-            values[column] = sweep::figure_values(result, rates[column].member);
+            values[column] = sweep::figure_values(result, sweep::cell_figure(rates[column]));
         for (std::size_t d = 0; d < result.study.directions.size(); ++d) {
             for (std::size_t column = 0; column < rates.size(); ++column) {
                 drawing::Panel panel = map_panel(result, d, values[column]);
                 panel.row = scene.row_heights.size();
                 panel.column = column;
                 panel.title = column == 0 ? lettered(panel.row, row_name(result.study, d) + ": slip")
-                                          : drawing::Text(rates[column].name);
+                                          : drawing::Text(rates[column]);
                 if (column > 0) panel.y.text = drawing::AxisText::hidden;
                 scene.panels.push_back(std::move(panel));
             }

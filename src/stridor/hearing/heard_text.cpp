@@ -69,7 +69,7 @@ void add(Packing& packing, const HeardSound& sound) {
     add(packing, sound.cell.quiet);
     packing.add(sound.cell.message);
     for (const sweep::CellFigure& figure : sweep::cell_figures())
-        packing.add(sound.cell.*figure.member);
+        packing.add(figure_of(sound.cell, figure));
     add(packing, sound.heard);
     add(packing, sound.features);
     packing.add(sound.reason);
@@ -86,7 +86,7 @@ bool read(Unpacking& unpacking, HeardSound& sound) {
     is_good = read(unpacking, classification::quiet_names, sound.cell.quiet) && is_good;
     sound.cell.message = unpacking.words();
     for (const sweep::CellFigure& figure : sweep::cell_figures())
-        sound.cell.*figure.member = unpacking.number();
+        set_figure(sound.cell, figure, unpacking.number());
     is_good = read(unpacking, category_names, sound.heard) && is_good;
     sound.features = features_in(unpacking);
     sound.reason = unpacking.words();

@@ -10,35 +10,6 @@ namespace stridor::sweep {
 
 namespace {
 
-constexpr std::array figures{
-    CellFigure{"slip", "1", "share of the window in slip", &Cell::slip},
-    CellFigure{"stick", "1", "share of the window in stick", &Cell::stick},
-    CellFigure{"separation", "1", "share of the window in separation", &Cell::separation},
-    CellFigure{"judged_slip", "1", "share of the judged time in slip", &Cell::judged_slip},
-    CellFigure{"judged_stick", "1", "share of the judged time in stick", &Cell::judged_stick},
-    CellFigure{"judged_separation", "1", "share of the judged time in separation", &Cell::judged_separation},
-    CellFigure{"regularity", "1", "regularity of the beats: 1 when all intervals are equal", &Cell::regularity},
-    CellFigure{"repetition", "1", "repetition of the pattern, perhaps after several unequal beats", &Cell::repetition},
-    CellFigure{"variation", "1", "coefficient of variation of the intervals between beats", &Cell::variation},
-    CellFigure{"intervals", "1", "number of intervals between beats", &Cell::intervals},
-    CellFigure{"releases", "1", "number of sticks that ended in the judged time", &Cell::releases},
-    CellFigure{"lag", "1", "beats per period of the pattern", &Cell::lag},
-    CellFigure{"period", "s", "period of the pattern", &Cell::period},
-    CellFigure{"frequency", "Hz", "dominant frequency of the alternation", &Cell::frequency},
-    CellFigure{"joint_rms", "m/s", "root mean square velocity of the joint", &Cell::joint_rms},
-    CellFigure{"joint_peak", "m/s", "peak velocity of the joint", &Cell::joint_peak},
-    CellFigure{"joint_level", "dB re 1e-9 m/s", "velocity level of the joint", &Cell::joint_level},
-    CellFigure{"plate_rms", "m/s", "root mean square velocity of the plate", &Cell::plate_rms},
-    CellFigure{"plate_peak", "m/s", "peak velocity of the plate", &Cell::plate_peak},
-    CellFigure{"plate_level", "dB re 1e-9 m/s", "velocity level of the plate", &Cell::plate_level},
-    CellFigure{"growth_rate", "1/s", "largest growth rate of steady sliding; unstable above zero", &Cell::growth_rate},
-    CellFigure{"mode_frequency", "Hz", "frequency of the mode with the largest growth rate", &Cell::mode_frequency},
-    CellFigure{"energy_residual", "1", "energy the computation created or lost, as a share of the turnover",
-               &Cell::energy_residual},
-    CellFigure{"proof_time", "s", "time from which the rest of the motion was proven; none if it was simulated",
-               &Cell::proof_time},
-};
-
 class InMemory final : public ComputedCells {
 public:
     explicit InMemory(std::vector<IndexedCell> cells) : cells_(std::move(cells)) {}
@@ -58,6 +29,19 @@ private:
 };
 
 }  // namespace
+
+double figure_of(const Cell& cell, const CellFigure& figure) {
+    return cell.figures.empty() ? Cell::unknown : cell.figures[figure.place];
+}
+
+double figure_of(const Cell& cell, std::string_view name) {
+    return figure_of(cell, cell_figure(name));
+}
+
+void set_figure(Cell& cell, const CellFigure& figure, double value) {
+    cell.figures.resize(cell_figures().size(), Cell::unknown);
+    cell.figures[figure.place] = value;
+}
 
 std::shared_ptr<ComputedCells> in_memory(std::vector<IndexedCell> cells) {
     STRIDOR_EXPECT(std::is_sorted(cells.begin(), cells.end(),
@@ -79,16 +63,6 @@ SweepResult complete(Study study, std::vector<Cell> cells) {
     }
     result.computed = in_memory(std::move(indexed));
     return result;
-}
-
-std::span<const CellFigure> cell_figures() {
-    return figures;
-}
-
-const CellFigure* find_cell_figure(std::string_view name) {
-    const auto found =
-        std::find_if(figures.begin(), figures.end(), [&](const CellFigure& figure) { return figure.name == name; });
-    return found == figures.end() ? nullptr : &*found;
 }
 
 std::size_t source_of(const SweepResult& result, std::size_t index) {
@@ -113,10 +87,10 @@ Cell computed_cell(const SweepResult& result, std::size_t index) {
     return cell;
 }
 
-std::vector<double> figure_values(const SweepResult& result, double Cell::*figure) {
+std::vector<double> figure_values(const SweepResult& result, const CellFigure& figure) {
     std::vector<double> values(result.cells.size(), Cell::unknown);
-    result.computed->visit(0, values.size(),
-                           [&](const IndexedCell& indexed) { values[indexed.index] = indexed.cell.*figure; });
+    result.computed->visit(
+        0, values.size(), [&](const IndexedCell& indexed) { values[indexed.index] = figure_of(indexed.cell, figure); });
     for (std::size_t index = 0; index < values.size(); ++index)
         values[index] = values[source_of(result, index)];
     return values;

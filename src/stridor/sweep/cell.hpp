@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/classification/category.hpp"
+#include "stridor/sweep/cell_figures.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <array>
@@ -9,7 +10,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,46 +53,14 @@ struct Cell {
     std::string message;               // why it is not done, or done and undecided; empty otherwise
     std::vector<StartVerdict> starts;  // by study.starts; empty if it has none, or the cell was inferred
     Agreement agreement = Agreement::agree;
-
-    double slip = unknown;               // [1] whole window
-    double stick = unknown;              // [1]
-    double separation = unknown;         // [1]
-    double judged_slip = unknown;        // [1] judged part of the window
-    double judged_stick = unknown;       // [1]
-    double judged_separation = unknown;  // [1]
-    double regularity = unknown;         // [1]
-    double repetition = unknown;         // [1]
-    double variation = unknown;          // [1]
-    double intervals = unknown;          // [1]
-    double releases = unknown;           // [1] sticks that ended
-    double lag = unknown;                // [1]
-    double period = unknown;             // [s]
-    double frequency = unknown;          // [Hz]
-    double joint_rms = unknown;          // [m/s]
-    double joint_peak = unknown;         // [m/s]
-    double joint_level = unknown;        // [dB re 1e-9 m/s]
-    double plate_rms = unknown;          // [m/s]
-    double plate_peak = unknown;         // [m/s]
-    double plate_level = unknown;        // [dB re 1e-9 m/s]
-    double growth_rate = unknown;        // [1/s] of steady sliding
-    double mode_frequency = unknown;     // [Hz] of the mode with it
-    double energy_residual = unknown;    // [1] relative
-    double proof_time = unknown;         // [s] from which the rest was proven; NaN: simulated to the end
+    std::vector<double> figures;  // by `cell_figures`; empty unless done
 };
 
-/// One number of a cell; the store's columns, CSV, netCDF and what a chart can draw all come from this table. A name is
-/// a word of lower-case letters, digits and underscores.
-struct CellFigure {
-    std::string_view name;
-    std::string_view unit;      // "1", "Hz", "dB re 1e-9 m/s"
-    std::string_view sentence;  // for attributes and colour bars
-    double Cell::*member;
-};
+/// A figure of a cell, in its unit; `Cell::unknown` where it has none.
+double figure_of(const Cell& cell, const CellFigure& figure);
+double figure_of(const Cell& cell, std::string_view name);
 
-std::span<const CellFigure> cell_figures();
-
-/// The figure with this name; nothing if there is none.
-const CellFigure* find_cell_figure(std::string_view name);
+void set_figure(Cell& cell, const CellFigure& figure, double value);
 
 /// A computed cell with its index in the study.
 struct IndexedCell {
@@ -150,7 +118,7 @@ std::size_t computed_count(const SweepResult& result);
 Cell computed_cell(const SweepResult& result, std::size_t index);
 
 /// One figure of every cell: of an inferred one that of the cell it takes after; shape [cell].
-std::vector<double> figure_values(const SweepResult& result, double Cell::*figure);
+std::vector<double> figure_values(const SweepResult& result, const CellFigure& figure);
 
 /// The place of a cell with the start that it shows.
 CellPlace shown_place(const SweepResult& result, std::size_t index);

@@ -62,29 +62,6 @@ record::Tally tally_of(const Motion& motion, Direction direction) {
     return nothing;
 }
 
-void set_figures(Cell& cell, const analysis::Evidence& evidence) {
-    cell.slip = evidence.rates.slip;
-    cell.stick = evidence.rates.stick;
-    cell.separation = evidence.rates.separation;
-    cell.judged_slip = evidence.judged_rates.slip;
-    cell.judged_stick = evidence.judged_rates.stick;
-    cell.judged_separation = evidence.judged_rates.separation;
-    cell.regularity = evidence.alternation.regularity;
-    cell.repetition = evidence.alternation.repetition;
-    cell.variation = evidence.alternation.variation;
-    cell.intervals = static_cast<double>(evidence.alternation.intervals);
-    cell.releases = static_cast<double>(evidence.releases);
-    cell.lag = evidence.alternation.lag;
-    cell.period = evidence.alternation.period;
-    cell.frequency = evidence.alternation.frequency;
-    cell.joint_rms = evidence.levels.joint.rms;
-    cell.joint_peak = evidence.levels.joint.peak;
-    cell.joint_level = evidence.levels.joint.decibels;
-    cell.plate_rms = evidence.levels.plate.rms;
-    cell.plate_peak = evidence.levels.plate.peak;
-    cell.plate_level = evidence.levels.plate.decibels;
-}
-
 }  // namespace
 
 std::optional<Attempt> attempt(const Case& c, const record::Request& request, std::stop_token stop,
@@ -113,12 +90,8 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     cell.category = verdict.category;
     cell.quiet = verdict.quiet;
     if (verdict.category == classification::Category::undecided) cell.message = verdict.reasons.back();
-    set_figures(cell, verdict.evidence);
     const analysis::SlidingStability stability = analysis::sliding_stability(model::rubbing_system(c), direction);
-    cell.growth_rate = stability.growth;
-    cell.mode_frequency = stability.frequency;
-    cell.energy_residual = attempt.motion.energy.relative_residual();
-    if (attempt.motion.outcome.reason == Reason::settled) cell.proof_time = attempt.motion.outcome.time;
+    cell.figures = figures_of({verdict.evidence, stability, attempt.motion});
     return cell;
 }
 

@@ -170,7 +170,7 @@ int mark_of(const Study& study, const Cell& cell) {
     int shown = static_cast<int>(cell.status);
     int stability = 0;
     if (cell.status == Status::done) {
-        if (cell.growth_rate > 0.0) stability = cell.mode_frequency > 0.0 ? 2 : 1;
+        if (figure_of(cell, "growth_rate") > 0.0) stability = figure_of(cell, "mode_frequency") > 0.0 ? 2 : 1;
         shown = statuses + static_cast<int>(cell.category);
         if (cell.quiet == classification::Quiet::sticks) shown = statuses + static_cast<int>(category_names.size());
     }

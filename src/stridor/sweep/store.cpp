@@ -145,7 +145,7 @@ void bind_cell(Statement& statement, const IndexedCell& indexed, const std::stri
     statement.bind(6, std::string_view(starts));
     int parameter = fixed_columns;
     for (const CellFigure& figure : cell_figures())
-        statement.bind(++parameter, cell.*figure.member);
+        statement.bind(++parameter, figure_of(cell, figure));
 }
 
 // nothing for a row that no sweep wrote
@@ -171,7 +171,7 @@ std::optional<IndexedCell> cell_in(const Statement& row, std::size_t cells) {
     cell.starts = std::move(*starts);
     int column = fixed_columns;
     for (const CellFigure& figure : cell_figures())
-        cell.*figure.member = row.number(column++);
+        set_figure(cell, figure, row.number(column++));
     return indexed;
 }
 

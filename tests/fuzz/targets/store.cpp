@@ -34,7 +34,7 @@ std::string told_by(sweep::Store& store, const sweep::Study& study) {
         next = indexed.index + 1;
         text += "\n" + std::to_string(indexed.index) + indexed.cell.message;
         for (const sweep::CellFigure& figure : sweep::cell_figures())
-            text += " " + std::to_string(std::bit_cast<std::uint64_t>(indexed.cell.*figure.member));
+            text += " " + std::to_string(std::bit_cast<std::uint64_t>(figure_of(indexed.cell, figure)));
     }
     return text;
 }
@@ -55,7 +55,7 @@ struct StoreBench {
             cell.category = classification::Category::squeal;
             double value = 1.0 / static_cast<double>(index + 3);
             for (const sweep::CellFigure& figure : sweep::cell_figures())
-                cell.*figure.member = value *= 1.7;
+                set_figure(cell, figure, value *= 1.7);
             cells.push_back({index, cell});
         }
         sweep::Store(file, study).write(cells);

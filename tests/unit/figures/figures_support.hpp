@@ -31,9 +31,9 @@ inline std::vector<sweep::Cell> quiet_cells() {
     sweep::Cell cell;
     cell.status = sweep::Status::done;
     cell.category = classification::Category::none;
-    cell.slip = 1.0;
-    cell.stick = 0.0;
-    cell.separation = 0.0;
+    set_figure(cell, sweep::cell_figure("slip"), 1.0);
+    set_figure(cell, sweep::cell_figure("stick"), 0.0);
+    set_figure(cell, sweep::cell_figure("separation"), 0.0);
     return {sweep::cell_count(small_study()), cell};
 }
 

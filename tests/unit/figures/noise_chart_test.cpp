@@ -147,7 +147,7 @@ TEST(FigureChart, GivesInferredCellsTheValueOfTheComputedOneTheyTakeAfter) {
     std::vector<sweep::Cell> cells = quiet_cells();
     std::vector<std::size_t> sources;
     for (std::size_t index = 0; index < cells.size(); ++index) {
-        cells[index].frequency = 400.0 + static_cast<double>(index);
+        set_figure(cells[index], sweep::cell_figure("frequency"), 400.0 + static_cast<double>(index));
         sources.push_back(index);
     }
     sources[14] = 16;
@@ -168,8 +168,8 @@ TEST(NoiseChart, OfOneDirectionIsOnePanel) {
 TEST(FigureChart, ColoursValuesAndMarksWhatHasNone) {
     std::vector<sweep::Cell> quiet = quiet_cells();
     for (std::size_t i = 0; i < quiet.size(); ++i)
-        quiet[i].frequency = 400.0 + static_cast<double>(i);
-    quiet[1].frequency = sweep::Cell::unknown;
+        set_figure(quiet[i], sweep::cell_figure("frequency"), 400.0 + static_cast<double>(i));
+    set_figure(quiet[1], sweep::cell_figure("frequency"), sweep::Cell::unknown);
     quiet[2].status = sweep::Status::diverged;
     const drawing::Scene scene = figure_chart(sweep::complete(small_study(), quiet), "frequency");
     ASSERT_TRUE(scene.colour_bar.has_value());
@@ -193,9 +193,9 @@ TEST(FigureChart, SharesAreDrawnFromZeroToOne) {
 TEST(FigureChart, ALevelOfRestDoesNotTakeAllColours) {
     std::vector<sweep::Cell> quiet = quiet_cells();
     for (sweep::Cell& cell : quiet)
-        cell.joint_level = 150.0;
-    quiet[0].joint_level = -200.0;
-    quiet[1].joint_level = -std::numeric_limits<double>::infinity();
+        set_figure(cell, sweep::cell_figure("joint_level"), 150.0);
+    set_figure(quiet[0], sweep::cell_figure("joint_level"), -200.0);
+    set_figure(quiet[1], sweep::cell_figure("joint_level"), -std::numeric_limits<double>::infinity());
     const drawing::Scene scene = figure_chart(sweep::complete(small_study(), quiet), "joint_level");
     EXPECT_EQ(drawing::plain_text(scene.caption.at(1)),
               "A velocity level of the joint: a vibration, not a sound pressure.");

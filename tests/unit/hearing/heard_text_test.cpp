@@ -29,7 +29,7 @@ TEST(HeardText, GivesBackHeardSounds) {
     sounds[0].index = 5;
     sounds[0].cell.status = sweep::Status::done;
     sounds[0].cell.category = classification::Category::creak;
-    sounds[0].cell.frequency = 12.5;
+    set_figure(sounds[0].cell, sweep::cell_figure("frequency"), 12.5);
     sounds[0].reason = "a reason: with\nsigns";
     sounds[0].perturbed.assign(perturbations().size(), classification::Category::none);
     sounds[1].cell.status = sweep::Status::invalid;
@@ -39,7 +39,7 @@ TEST(HeardText, GivesBackHeardSounds) {
     ASSERT_TRUE(back);
     ASSERT_EQ(back->size(), 2U);
     EXPECT_EQ(packed(*back), text);
-    EXPECT_EQ((*back)[0].cell.frequency, 12.5);
+    EXPECT_EQ(figure_of((*back)[0].cell, "frequency"), 12.5);
     EXPECT_EQ((*back)[0].reason, sounds[0].reason);
     EXPECT_EQ((*back)[0].perturbed.size(), perturbations().size());
     EXPECT_EQ((*back)[1].cell.message, "mu_d exceeds mu_s");

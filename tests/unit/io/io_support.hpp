@@ -45,8 +45,8 @@ inline std::vector<sweep::Cell> small_cells() {
         }
         cell.category = static_cast<classification::Category>(index / 5 % classification::category_names.size());
         for (const sweep::CellFigure& figure : sweep::cell_figures())
-            cell.*figure.member = 0.1 * static_cast<double>(index);
-        cell.frequency = sweep::Cell::unknown;
+            set_figure(cell, figure, 0.1 * static_cast<double>(index));
+        set_figure(cell, sweep::cell_figure("frequency"), sweep::Cell::unknown);
     }
     return cells;
 }

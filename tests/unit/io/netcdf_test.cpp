@@ -103,7 +103,7 @@ TEST(ChartNetcdf, HoldsEveryFigureOfEveryCell) {
         const std::string name(figure.name);
         std::vector<double> expected;
         for (const sweep::Cell& cell : small_cells())
-            expected.push_back(cell.*figure.member);
+            expected.push_back(figure_of(cell, figure));
         expect_same(file.doubles(name, chart.cells.size()), expected);
         EXPECT_EQ(file.text(name, "units"), figure.unit);
         EXPECT_EQ(file.text(name, "long_name"), figure.sentence);
@@ -158,7 +158,7 @@ TEST(ChartNetcdf, TellsComputedCellsFromInferredOnes) {
     std::vector<double> slips;
     for (std::size_t index = 0; index < chart.cells.size(); ++index)
         slips.push_back(sweep::is_inferred(chart, index) ? sweep::Cell::unknown
-                                                         : sweep::computed_cell(chart, index).slip);
+                                                         : figure_of(sweep::computed_cell(chart, index), "slip"));
     expect_same(file.doubles("slip", chart.cells.size()), slips);
 }
 

@@ -309,7 +309,7 @@ TEST(MarkOf, TellsCellsApartThatRefinementMustNotTakeForAlike) {
     EXPECT_NE(mark_of(study, quiet), mark_of(study, torn));
     EXPECT_NE(mark_of(study, quiet), mark_of(study, failed));
     Cell other = quiet;
-    other.slip = 0.5;
+    set_figure(other, cell_figure("slip"), 0.5);
     EXPECT_EQ(mark_of(study, quiet), mark_of(study, other));
 }
 
@@ -319,13 +319,13 @@ TEST(MarkOf, SeesTheOnsetOfFlutter) {
     Cell stable;
     stable.status = Status::done;
     stable.category = classification::Category::none;
-    stable.growth_rate = -3.0;
-    stable.mode_frequency = 450.0;
+    set_figure(stable, cell_figure("growth_rate"), -3.0);
+    set_figure(stable, cell_figure("mode_frequency"), 450.0);
     Cell fluttering = stable;
-    fluttering.growth_rate = 3.0;
+    set_figure(fluttering, cell_figure("growth_rate"), 3.0);
     EXPECT_NE(mark_of(study, stable), mark_of(study, fluttering));
     Cell diverging = fluttering;
-    diverging.mode_frequency = 0.0;
+    set_figure(diverging, cell_figure("mode_frequency"), 0.0);
     EXPECT_NE(mark_of(study, fluttering), mark_of(study, diverging));
 }
 
@@ -341,7 +341,7 @@ TEST(Inferred, CellsHaveTheVerdictOfTheirSourceAndNoFigures) {
         cell.category = classification::Category::creak;
         cell.agreement = Agreement::quiet_unless_disturbed;
         cell.starts = {{Status::done, classification::Category::none}, {Status::done, classification::Category::creak}};
-        cell.slip = 0.25 * static_cast<double>(index);
+        set_figure(cell, cell_figure("slip"), 0.25 * static_cast<double>(index));
         verdicts[index] = verdict_of(cell);
         computed.push_back({index, cell});
     }
@@ -354,9 +354,9 @@ TEST(Inferred, CellsHaveTheVerdictOfTheirSourceAndNoFigures) {
     EXPECT_EQ(result.cells[5].agreement, Agreement::quiet_unless_disturbed);
     EXPECT_EQ(result.cells[5].shown_start, 1U);
     EXPECT_EQ(computed_count(result), 5U);
-    EXPECT_EQ(computed_cell(result, 4).slip, 1.0);
-    EXPECT_EQ(figure_values(result, &Cell::slip), (std::vector<double>{0, 0, 0.5, 0, 1, 0.5, 1.5, 1.5, 2}))
-        << "what is drawn_pictures there";
+    EXPECT_EQ(figure_of(computed_cell(result, 4), "slip"), 1.0);
+    EXPECT_EQ(figure_values(result, cell_figure("slip")), (std::vector<double>{0, 0, 0.5, 0, 1, 0.5, 1.5, 1.5, 2}))
+        << "what is drawn there";
 }
 
 }  // namespace

@@ -67,11 +67,11 @@ TEST(Joined, HasTheFiguresOfTheLoudestStart) {
     for (std::size_t k = 0; k < cells.size(); ++k) {
         cells[k].status = Status::done;
         cells[k].category = k == 1 ? Category::creak : Category::none;
-        cells[k].slip = 0.1 * static_cast<double>(k);
+        set_figure(cells[k], cell_figure("slip"), 0.1 * static_cast<double>(k));
     }
     const Cell cell = joined(cells);
     EXPECT_EQ(cell.category, Category::creak);
-    EXPECT_EQ(cell.slip, 0.1);
+    EXPECT_EQ(figure_of(cell, "slip"), 0.1);
     EXPECT_EQ(shown_start(cell), 1U);
     EXPECT_EQ(cell.starts, (std::vector{none, creak, none}));
     EXPECT_EQ(cell.agreement, Agreement::quiet_unless_disturbed);
@@ -91,8 +91,9 @@ TEST(EvaluateFromSeveralStarts, KeepsTheVerdictThatEachStartHasAlone) {
                 const StartVerdict expected{cells[direction].status, cells[direction].category};
                 EXPECT_EQ(word(together[direction].starts.at(start)), word(expected));
                 if (shown_start(together[direction]) != start) continue;
-                EXPECT_TRUE(same_bits(together[direction].slip, cells[direction].slip));
-                EXPECT_TRUE(same_bits(together[direction].joint_rms, cells[direction].joint_rms));
+                EXPECT_TRUE(same_bits(figure_of(together[direction], "slip"), figure_of(cells[direction], "slip")));
+                EXPECT_TRUE(
+                    same_bits(figure_of(together[direction], "joint_rms"), figure_of(cells[direction], "joint_rms")));
             }
         }
     }

@@ -36,7 +36,7 @@ std::vector<IndexedCell> written_cells(const Study& study) {
         if (index % 5 == 4) cell.message = "no valid start exists " + std::to_string(index);
         double value = 1.0 / static_cast<double>(index + 3);
         for (const CellFigure& figure : cell_figures())
-            cell.*figure.member = value *= 1.7;
+            set_figure(cell, figure, value *= 1.7);
         cells.push_back({index, cell});
     }
     return cells;
@@ -57,7 +57,7 @@ std::string told_by(const std::filesystem::path& file, const Study& study) {
         text << '\n' << indexed.index << ' ' << word(StartVerdict{indexed.cell.status, indexed.cell.category});
         text << ' ' << indexed.cell.message;
         for (const CellFigure& figure : cell_figures())
-            text << ' ' << std::bit_cast<std::uint64_t>(indexed.cell.*figure.member);
+            text << ' ' << std::bit_cast<std::uint64_t>(figure_of(indexed.cell, figure));
     }
     return text.str();
 }

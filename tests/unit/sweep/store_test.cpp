@@ -26,7 +26,7 @@ Cell cell_with(double value) {
     cell.status = Status::done;
     cell.category = classification::Category::squeal;
     for (const CellFigure& figure : cell_figures())
-        cell.*figure.member = value;
+        set_figure(cell, figure, value);
     return cell;
 }
 
@@ -40,7 +40,7 @@ Cell any_cell() {
     const bool is_none = cell.status == Status::done && cell.category == classification::Category::none;
     if (is_none) cell.quiet = static_cast<classification::Quiet>(*whole_between(1, 2));
     for (const CellFigure& figure : cell_figures())
-        cell.*figure.member = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
+        set_figure(cell, figure, std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>()));
     return cell;
 }
 

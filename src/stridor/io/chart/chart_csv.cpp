@@ -78,7 +78,7 @@ public:
         table_.word(sweep::status_names[static_cast<std::size_t>(verdict.status)]);
         table_.word(is_done ? classification::name(verdict.category) : std::string_view());
         for (const sweep::CellFigure& figure : figures_)
-            table_.number(cell.*figure.member);
+            table_.number(figure_of(cell, figure));
         const bool is_quiet = verdict.quiet != classification::Quiet::no;
         table_.word(is_quiet ? classification::name(verdict.quiet) : std::string_view());
         table_.word(sweep::source_names[sweep::is_inferred(result_, index) ? 1 : 0]);

@@ -118,7 +118,7 @@ void visit_rows(const sweep::SweepResult& result, const TakeRow& take) {
             row = {computed.index / columns, unknown};
         }
         for (std::size_t k = 0; k < figures.size(); ++k)
-            row.values[k * columns + computed.index % columns] = computed.cell.*figures[k].member;
+            row.values[k * columns + computed.index % columns] = figure_of(computed.cell, figures[k]);
     });
     take(row);
 }

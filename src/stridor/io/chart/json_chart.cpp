@@ -37,17 +37,17 @@ Json boundaries_array(const sweep::SweepResult& result) {
 
 // fills in what an inferred cell has not: figures, message, and the verdicts of single starts
 void put_computed(Json& object, const sweep::SweepResult& result) {
-    std::vector<std::pair<Json*, double sweep::Cell::*>> figures;
+    std::vector<std::pair<Json*, sweep::CellFigure>> figures;
     for (const sweep::CellFigure& figure : sweep::cell_figures())
-        figures.emplace_back(&object[std::string(figure.name)], figure.member);
+        figures.emplace_back(&object[std::string(figure.name)], figure);
     std::vector<Json*> starts;
     for (const parameters::Initial start : result.study.starts)
         starts.push_back(&object["starts"][std::string(name_of(sweep::start_names(), start))]);
     Json& message = object["message"];
     result.computed->visit(0, result.cells.size(), [&](const sweep::IndexedCell& computed) {
         const auto& [index, cell] = computed;
-        for (const auto& [values, member] : figures)
-            (*values)[index] = cell.*member;
+        for (const auto& [values, figure] : figures)
+            (*values)[index] = figure_of(cell, figure);
         for (std::size_t start = 0; start < cell.starts.size(); ++start)
             (*starts[start])[index] = sweep::word(cell.starts[start]);
         if (!cell.message.empty()) message[index] = cell.message;

@@ -1,9 +1,13 @@
 #include "stridor/io/simulation/json_simulation.hpp"
 
+#include "stridor/analysis/evidence_figures.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/io/json_parts.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace stridor::io {
@@ -13,49 +17,45 @@ namespace {
 using namespace json_parts;
 using parameters::Case;
 
-Json rates_object(const analysis::Rates& rates) {
-    return {{"slip", rates.slip}, {"stick", rates.stick}, {"separation", rates.separation}};
+// where a dotted key stands, made on the way
+Json& place_of(Json& object, std::string_view key) {
+    const std::size_t dot = key.find('.');
+    Json& member = object[std::string(key.substr(0, dot))];
+    return dot == std::string_view::npos ? member : place_of(member, key.substr(dot + 1));
 }
 
-Json level_object(const analysis::Level& level) {
-    return {{"rms", level.rms}, {"peak", level.peak}, {"level", level.decibels}, {"peak_level", level.peak_decibels}};
+Json figure_value(const analysis::EvidenceFigure& figure, const analysis::Evidence& evidence) {
+    const double value = figure.value(evidence);
+    return figure.holds == analysis::EvidenceFigure::Holds::count ? Json(static_cast<std::int64_t>(value))
+                                                                  : Json(value);
+}
+
+// the figures of the table; beside two of them stands what is no single number
+void put_figures(Json& object, const analysis::Evidence& evidence) {
+    const analysis::Alternation& alternation = evidence.alternation;
+    for (const analysis::EvidenceFigure& figure : analysis::evidence_figures()) {
+        place_of(object, figure.key) = figure_value(figure, evidence);
+        if (figure.key == "variation") object["mismatch"] = alternation.mismatch;
+        if (figure.key == "lag")
+            object["beat"] = {{"from", name_of(model::contact_state_names, alternation.from)},
+                              {"to", name_of(model::contact_state_names, alternation.to)}};
+    }
+    object["levels"]["reference"] = "1e-9 m/s";
 }
 
 Json verdict_object(const classification::Verdict& verdict) {
-    const analysis::Evidence& evidence = verdict.evidence;
-    const analysis::Alternation& alternation = evidence.alternation;
-    return {{"category", classification::name(verdict.category)},
-            {"quiet_because", quiet_word(verdict.quiet)},
-            {"rates", rates_object(evidence.rates)},
-            {"judged_rates", rates_object(evidence.judged_rates)},
-            {"regularity", alternation.regularity},
-            {"repetition", alternation.repetition},
-            {"variation", alternation.variation},
-            {"mismatch", alternation.mismatch},
-            {"intervals", alternation.intervals},
-            {"releases", evidence.releases},
-            {"lag", alternation.lag},
-            {"beat",
-             {{"from", name_of(model::contact_state_names, alternation.from)},
-              {"to", name_of(model::contact_state_names, alternation.to)}}},
-            {"period", alternation.period},
-            {"frequency", alternation.frequency},
-            {"levels",
-             {{"joint", level_object(evidence.levels.joint)},
-              {"plate", level_object(evidence.levels.plate)},
-              {"reference", "1e-9 m/s"}}},
-            {"margins", margins_array(verdict.margins)},
-            {"reasons", verdict.reasons}};
+    Json object{{"category", classification::name(verdict.category)}, {"quiet_because", quiet_word(verdict.quiet)}};
+    put_figures(object, verdict.evidence);
+    object["margins"] = margins_array(verdict.margins);
+    object["reasons"] = verdict.reasons;
+    return object;
 }
 
 // of a structure with several contacts: each by itself, numbered from 1
 Json contacts_array(const Case& c, const record::Tally& phase) {
     Json contacts = Json::array();
     for (const classification::Verdict& verdict : classification::classify_contacts(phase, c.verdict))
-        contacts.push_back({{"contact", verdict.evidence.contact + 1},
-                            {"rates", rates_object(verdict.evidence.rates)},
-                            {"category", classification::name(verdict.category)},
-                            {"quiet_because", quiet_word(verdict.quiet)}});
+        contacts.push_back({{"contact", verdict.evidence.contact + 1}, {"verdict", verdict_object(verdict)}});
     return contacts;
 }
 
@@ -96,20 +96,13 @@ Json simulation_units(const Case& c) {
                       {"outcome.ending.release", "s"},
                       {"energy", "J"},
                       {"energy.relative_residual", "1"},
-                      {"phases.window", "s"},
-                      {"phases.verdict.rates", "1"},
-                      {"phases.verdict.judged_rates", "1"},
-                      {"phases.verdict.regularity", "1"},
-                      {"phases.verdict.repetition", "1"},
-                      {"phases.verdict.mismatch", "1"},
-                      {"phases.verdict.variation", "1"},
-                      {"phases.verdict.period", "s"},
-                      {"phases.verdict.frequency", "Hz"},
-                      {"phases.verdict.levels.rms", "m/s"},
-                      {"phases.verdict.levels.peak", "m/s"},
-                      {"phases.verdict.levels.level", "dB re 1e-9 m/s"},
-                      {"phases.verdict.levels.peak_level", "dB re 1e-9 m/s"},
-                      {"phases.verdict.margins", "1"}});
+                      {"phases.window", "s"}});
+    for (const analysis::EvidenceFigure& figure : analysis::evidence_figures()) {
+        if (figure.key == "variation") units["phases.verdict.mismatch"] = "1";
+        if (const std::string key = analysis::unit_key(figure); !key.empty())
+            units["phases.verdict." + key] = figure.unit;
+    }
+    units["phases.verdict.margins"] = "1";
     return units;
 }
 

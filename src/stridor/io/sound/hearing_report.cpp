@@ -149,7 +149,7 @@ void add_row(base::csv_text::Table& table, const HeardSound& sound, const std::s
     table.word(is_done ? word(sound.heard) : "");
     table.word(!is_done ? "" : sound.cell.category == sound.heard ? "1" : "0");
     for (const sweep::CellFigure& figure : sweep::cell_figures())
-        table.number(sound.cell.*figure.member);
+        table.number(figure_of(sound.cell, figure));
     for (const SoundFigure& figure : sound_figures)
         if (is_done)
             table.number(sound.features.*figure.member);
