@@ -9,12 +9,12 @@
 #include "stridor/io/sound/json_verdict.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/signal/channel_name.hpp"
+#include "stridor/sound/feature_table.hpp"
 #include "terminal.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -31,31 +31,12 @@ constexpr std::size_t most_channels = 64;
 constexpr double lowest_rate = 1e3;   // [Hz] what is slower is no sound
 constexpr double highest_rate = 1e7;  // [Hz]
 
-struct FeatureFigure {
-    const char* name;
-    const char* unit;
-    double SoundFeatures::*member;
-};
-
-// as `classify --json` calls them
-constexpr std::array features{FeatureFigure{"clearness", "dB", &SoundFeatures::clearness},
-                              FeatureFigure{"prominence", "dB", &SoundFeatures::prominence},
-                              FeatureFigure{"tonality", "1", &SoundFeatures::tonality},
-                              FeatureFigure{"regularity", "1", &SoundFeatures::regularity},
-                              FeatureFigure{"repetition", "1", &SoundFeatures::repetition},
-                              FeatureFigure{"movement", "1", &SoundFeatures::movement},
-                              FeatureFigure{"unsteadiness", "dB", &SoundFeatures::unsteadiness},
-                              FeatureFigure{"abruptness", "dB", &SoundFeatures::abruptness},
-                              FeatureFigure{"rest", "1", &SoundFeatures::rest},
-                              FeatureFigure{"kurtosis", "1", &SoundFeatures::kurtosis},
-                              FeatureFigure{"crest", "1", &SoundFeatures::crest}};
-
 // six digits are more than any recording has, and print the same everywhere
 double six_digits(double value) {
     return base::parse_quantity(fmt::format("{:.6g}", value), "1");
 }
 
-void add_figure(std::vector<Figure>& figures, const char* name, const std::string& unit, double value) {
+void add_figure(std::vector<Figure>& figures, const std::string& name, const std::string& unit, double value) {
     if (std::isfinite(value)) figures.push_back({name, unit, six_digits(value)});
 }
 
@@ -79,8 +60,9 @@ std::vector<Figure> figures_of(const io::SoundReport& report) {
     if (found.frequency > 0.0) add_figure(figures, noise_library::frequency_figure, "Hz", found.frequency);
     // silence has no features
     if (!(segment->mean_square > 0.0)) return figures;
-    for (const FeatureFigure& feature : features)
-        add_figure(figures, feature.name, feature.unit, found.*(feature.member));
+    for (const sound::SoundFeature& feature : sound::feature_table)
+        if (feature.told != sound::SoundFeature::Told::in_evaluations)
+            add_figure(figures, std::string(feature.name), std::string(feature.unit), found.*feature.member);
     if (segment->impulse_interval > 0.0) {
         add_figure(figures, "impulses", "1", static_cast<double>(segment->impulses.size()));
         add_figure(figures, "impulse_interval", "s", segment->impulse_interval);

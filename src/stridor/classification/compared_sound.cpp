@@ -1,6 +1,7 @@
 #include "stridor/classification/compared_sound.hpp"
 
 #include "stridor/signal/level.hpp"
+#include "stridor/sound/feature_table.hpp"
 
 #include <fmt/format.h>
 
@@ -66,6 +67,13 @@ double impulse_regularity(const ComparedSound& sound) {
 
 using enum FigureStyle;
 
+// the row of a feature, in words for people
+template <double SoundFeatures::*member, double (*value)(const ComparedSound&) = of_sound<member>>
+constexpr ComparedFigure feature(std::string_view words, FigureStyle style, int digits) {
+    constexpr const sound::SoundFeature& row = sound::feature_of(member);
+    return {row.name, row.unit, words, style, digits, value};
+}
+
 constexpr std::array table{
     ComparedFigure{"slip", "1", "slip", percent, 1, rate<&analysis::Rates::slip>},
     ComparedFigure{"stick", "1", "stick", percent, 1, rate<&analysis::Rates::stick>},
@@ -73,19 +81,19 @@ constexpr std::array table{
     ComparedFigure{"contact_regularity", "1", "regularity of the states", fixed, 3, contact_regularity},
     ComparedFigure{"contact_frequency", "Hz", "frequency of the states", fixed, 0, contact_frequency},
     ComparedFigure{"level", "", "level", fixed, 1, level},
-    ComparedFigure{"clearness", "dB", "clearness", fixed, 1, of_sound<&SoundFeatures::clearness>},
-    ComparedFigure{"frequency", "Hz", "dominant frequency", fixed, 0, if_any<&SoundFeatures::frequency>},
-    ComparedFigure{"prominence", "dB", "prominence", fixed, 1, of_sound<&SoundFeatures::prominence>},
-    ComparedFigure{"tonality", "1", "tonality", fixed, 2, of_sound<&SoundFeatures::tonality>},
-    ComparedFigure{"regularity", "1", "regularity", fixed, 3, of_sound<&SoundFeatures::regularity>},
-    ComparedFigure{"repetition_frequency", "Hz", "best cycle", fixed, 0, if_any<&SoundFeatures::repetition_frequency>},
-    ComparedFigure{"repetition", "1", "likeness of cycles", fixed, 3, of_sound<&SoundFeatures::repetition>},
-    ComparedFigure{"movement", "1", "movement", percent, 1, of_sound<&SoundFeatures::movement>},
-    ComparedFigure{"unsteadiness", "dB", "unsteadiness", fixed, 1, of_sound<&SoundFeatures::unsteadiness>},
-    ComparedFigure{"abruptness", "dB", "abruptness", fixed, 1, of_sound<&SoundFeatures::abruptness>},
-    ComparedFigure{"rest", "1", "rest", fixed, 2, of_sound<&SoundFeatures::rest>},
-    ComparedFigure{"kurtosis", "1", "kurtosis", fixed, 1, of_sound<&SoundFeatures::kurtosis>},
-    ComparedFigure{"crest", "1", "crest factor", fixed, 1, of_sound<&SoundFeatures::crest>},
+    feature<&SoundFeatures::clearness>("clearness", fixed, 1),
+    feature<&SoundFeatures::frequency, if_any<&SoundFeatures::frequency>>("dominant frequency", fixed, 0),
+    feature<&SoundFeatures::prominence>("prominence", fixed, 1),
+    feature<&SoundFeatures::tonality>("tonality", fixed, 2),
+    feature<&SoundFeatures::regularity>("regularity", fixed, 3),
+    feature<&SoundFeatures::repetition_frequency, if_any<&SoundFeatures::repetition_frequency>>("best cycle", fixed, 0),
+    feature<&SoundFeatures::repetition>("likeness of cycles", fixed, 3),
+    feature<&SoundFeatures::movement>("movement", percent, 1),
+    feature<&SoundFeatures::unsteadiness>("unsteadiness", fixed, 1),
+    feature<&SoundFeatures::abruptness>("abruptness", fixed, 1),
+    feature<&SoundFeatures::rest>("rest", fixed, 2),
+    feature<&SoundFeatures::kurtosis>("kurtosis", fixed, 1),
+    feature<&SoundFeatures::crest>("crest factor", fixed, 1),
     ComparedFigure{"impulse_interval", "s", "impulse interval", milliseconds, 1, impulse_interval},
     ComparedFigure{"impulse_regularity", "1", "impulse regularity", fixed, 2, impulse_regularity},
 };

@@ -1,6 +1,7 @@
 #include "stridor/classification/likeness.hpp"
 
 #include "stridor/base/elementary.hpp"
+#include "stridor/sound/feature_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,26 +41,35 @@ double impulsiveness(const SoundProfile& p) {
     return share((p.features.kurtosis - noise) / (impulses - noise));
 }
 
+// a feature as it is
+template <double SoundFeatures::*member>
+double feature(const SoundProfile& p) {
+    return p.features.*member;
+}
+
 double sure_interval(const SoundProfile& p) {
     return p.impulse_interval > 0.0 ? impulsiveness(p) * share(p.impulse_regularity) : 0.0;
 }
 
+// its row, with what makes it comparable
+template <double SoundFeatures::*member>
+constexpr LikenessFigure of_feature(std::string_view sentence, FigureScale scale, double step, double weight,
+                                    double (*sureness)(const SoundProfile&) = nullptr) {
+    constexpr const sound::SoundFeature& row = sound::feature_of(member);
+    return {row.name, row.unit, sentence, scale, step, weight, feature<member>, sureness};
+}
+
 constexpr std::array likeness_table{
-    LikenessFigure{"frequency", "Hz", "strongest line; as sure as the sound is tonal", FigureScale::octaves, 1.0 / 6.0,
-                   3.0, [](const SoundProfile& p) { return p.features.frequency; }, tone},
+    of_feature<&SoundFeatures::frequency>("strongest line; as sure as the sound is tonal", FigureScale::octaves,
+                                          1.0 / 6.0, 3.0, tone),
     LikenessFigure{"tonality", "1", "share of the power in the strongest line", FigureScale::linear, 0.2, 2.0,
                    tonality},
     LikenessFigure{"repetition", "1", "likeness of cycles", FigureScale::linear, 0.2, 1.0, repetition},
-    LikenessFigure{"movement", "1", "movement of the strongest line", FigureScale::linear, 0.1, 1.0,
-                   [](const SoundProfile& p) { return p.features.movement; }, tone},
-    LikenessFigure{"unsteadiness", "dB", "deviation of the level from a line", FigureScale::linear, 3.0, 1.0,
-                   [](const SoundProfile& p) { return p.features.unsteadiness; }},
-    LikenessFigure{"abruptness", "dB", "largest change of the level within 20 ms", FigureScale::linear, 6.0, 1.0,
-                   [](const SoundProfile& p) { return p.features.abruptness; }},
-    LikenessFigure{"rest", "1", "share of time at rest", FigureScale::linear, 0.15, 2.0,
-                   [](const SoundProfile& p) { return p.features.rest; }},
-    LikenessFigure{"kurtosis", "1", "impulsiveness", FigureScale::octaves, 0.5, 2.0,
-                   [](const SoundProfile& p) { return p.features.kurtosis; }},
+    of_feature<&SoundFeatures::movement>("movement of the strongest line", FigureScale::linear, 0.1, 1.0, tone),
+    of_feature<&SoundFeatures::unsteadiness>("deviation of the level from a line", FigureScale::linear, 3.0, 1.0),
+    of_feature<&SoundFeatures::abruptness>("largest change of the level within 20 ms", FigureScale::linear, 6.0, 1.0),
+    of_feature<&SoundFeatures::rest>("share of time at rest", FigureScale::linear, 0.15, 2.0),
+    of_feature<&SoundFeatures::kurtosis>("impulsiveness", FigureScale::octaves, 0.5, 2.0),
     LikenessFigure{"impulse_interval", "s", "time between impulses; as sure as there are any, and they are regular",
                    FigureScale::octaves, 0.25, 2.0, [](const SoundProfile& p) { return p.impulse_interval; },
                    sure_interval},
@@ -125,20 +135,15 @@ std::vector<SoundFeatures> loud_ones(std::span<const SoundStretch> stretches, do
 }
 
 SoundFeatures typical(const std::vector<SoundFeatures>& loud) {
-    const auto middle = [&](auto member) {
+    const auto middle = [&](double SoundFeatures::*member) {
         std::vector<Weighted> values;
         for (const SoundFeatures& f : loud)
-            values.push_back({static_cast<double>(f.*member), sound::energy(f)});
+            values.push_back({f.*member, sound::energy(f)});
         return median(std::move(values));
     };
     SoundFeatures result;
-    for (double SoundFeatures::*member :
-         {&SoundFeatures::clearness, &SoundFeatures::frequency, &SoundFeatures::prominence, &SoundFeatures::tonality,
-          &SoundFeatures::regularity, &SoundFeatures::repetition, &SoundFeatures::repetition_frequency,
-          &SoundFeatures::movement, &SoundFeatures::trend, &SoundFeatures::unsteadiness, &SoundFeatures::abruptness,
-          &SoundFeatures::rest, &SoundFeatures::kurtosis, &SoundFeatures::crest, &SoundFeatures::impulse_interval,
-          &SoundFeatures::impulse_periodicity})
-        result.*member = middle(member);
+    for (const sound::SoundFeature& feature : sound::feature_table)
+        result.*feature.member = middle(feature.member);
     double energy = 0.0;
     for (const SoundFeatures& f : loud) {
         energy += sound::energy(f);

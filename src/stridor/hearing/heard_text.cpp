@@ -1,8 +1,7 @@
 #include "stridor/hearing/heard_text.hpp"
 
 #include "stridor/base/packed_text.hpp"
-
-#include <array>
+#include "stridor/sound/feature_table.hpp"
 
 namespace stridor::hearing {
 
@@ -11,29 +10,6 @@ namespace {
 using base::Packing;
 using base::Unpacking;
 using sound::SoundFeatures;
-
-constexpr std::array feature_members{&SoundFeatures::from,
-                                     &SoundFeatures::duration,
-                                     &SoundFeatures::mean_square,
-                                     &SoundFeatures::peak,
-                                     &SoundFeatures::clearness,
-                                     &SoundFeatures::frequency,
-                                     &SoundFeatures::prominence,
-                                     &SoundFeatures::tonality,
-                                     &SoundFeatures::regularity,
-                                     &SoundFeatures::repetition,
-                                     &SoundFeatures::repetition_frequency,
-                                     &SoundFeatures::movement,
-                                     &SoundFeatures::trend,
-                                     &SoundFeatures::unsteadiness,
-                                     &SoundFeatures::abruptness,
-                                     &SoundFeatures::rest,
-                                     &SoundFeatures::kurtosis,
-                                     &SoundFeatures::crest,
-                                     &SoundFeatures::impulse_interval,
-                                     &SoundFeatures::impulse_periodicity};
-// a feature that is added belongs into the list above
-static_assert(sizeof(SoundFeatures) == feature_members.size() * sizeof(double) + sizeof(std::size_t));
 
 template <typename Enumeration>
 void add(Packing& packing, Enumeration value) {
@@ -49,15 +25,19 @@ bool read(Unpacking& unpacking, const Names& names, Enumeration& value) {
 }
 
 void add(Packing& packing, const SoundFeatures& features) {
-    for (const auto member : feature_members)
-        packing.add(features.*member);
+    for (const double value : {features.from, features.duration, features.mean_square, features.peak})
+        packing.add(value);
+    for (const sound::SoundFeature& feature : sound::feature_table)
+        packing.add(features.*feature.member);
     packing.add(static_cast<std::uint64_t>(features.impulses));
 }
 
 SoundFeatures features_in(Unpacking& unpacking) {
     SoundFeatures features;
-    for (const auto member : feature_members)
-        features.*member = unpacking.number();
+    for (double* value : {&features.from, &features.duration, &features.mean_square, &features.peak})
+        *value = unpacking.number();
+    for (const sound::SoundFeature& feature : sound::feature_table)
+        features.*feature.member = unpacking.number();
     features.impulses = unpacking.count();
     return features;
 }

@@ -3,6 +3,7 @@
 #include "stridor/base/csv_text.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/io/json_parts.hpp"
+#include "stridor/sound/feature_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,30 +20,12 @@ using classification::Confusion;
 using hearing::Half;
 using hearing::HeardSound;
 using json_parts::name_of;
-using sound::SoundFeatures;
+using sound::SoundFeature;
 
-// figures of a sound that the rules look at
-struct SoundFigure {
-    std::string_view name;
-    std::string_view unit;
-    double SoundFeatures::*member;
-};
-
-constexpr std::array<SoundFigure, 13> sound_figures{{
-    {"ear_clearness", "dB", &SoundFeatures::clearness},
-    {"ear_frequency", "Hz", &SoundFeatures::frequency},
-    {"ear_tonality", "1", &SoundFeatures::tonality},
-    {"ear_regularity", "1", &SoundFeatures::regularity},
-    {"ear_repetition", "1", &SoundFeatures::repetition},
-    {"ear_repetition_frequency", "Hz", &SoundFeatures::repetition_frequency},
-    {"ear_movement", "1", &SoundFeatures::movement},
-    {"ear_trend", "dB/s", &SoundFeatures::trend},
-    {"ear_unsteadiness", "dB", &SoundFeatures::unsteadiness},
-    {"ear_rest", "1", &SoundFeatures::rest},
-    {"ear_kurtosis", "1", &SoundFeatures::kurtosis},
-    {"ear_impulse_interval", "s", &SoundFeatures::impulse_interval},
-    {"ear_impulse_periodicity", "1", &SoundFeatures::impulse_periodicity},
-}};
+// features that the rules look at
+bool is_told(const SoundFeature& feature) {
+    return feature.told != SoundFeature::Told::in_entries;
+}
 
 std::string_view word(Category category) {
     return classification::name(category);
@@ -133,8 +116,8 @@ std::vector<TableColumn> columns() {
                                      {"status"}, {"contact_states"}, {"by_ear"}, {"agrees"}};
     for (const sweep::CellFigure& figure : sweep::cell_figures())
         columns.push_back({std::string(figure.name), std::string(figure.unit)});
-    for (const SoundFigure& figure : sound_figures)
-        columns.push_back({std::string(figure.name), std::string(figure.unit)});
+    for (const SoundFeature& feature : sound::feature_table)
+        if (is_told(feature)) columns.push_back({"ear_" + std::string(feature.name), std::string(feature.unit)});
     for (const hearing::Perturbation& perturbation : hearing::perturbations())
         columns.push_back({std::string(perturbation.name)});
     columns.push_back({"reason"});
@@ -150,10 +133,10 @@ void add_row(base::csv_text::Table& table, const HeardSound& sound, const std::s
     table.word(!is_done ? "" : sound.cell.category == sound.heard ? "1" : "0");
     for (const sweep::CellFigure& figure : sweep::cell_figures())
         table.number(figure_of(sound.cell, figure));
-    for (const SoundFigure& figure : sound_figures)
-        if (is_done)
-            table.number(sound.features.*figure.member);
-        else
+    for (const SoundFeature& feature : sound::feature_table)
+        if (is_told(feature) && is_done)
+            table.number(sound.features.*feature.member);
+        else if (is_told(feature))
             table.word("");
     for (std::size_t k = 0; k < hearing::perturbations().size(); ++k)
         table.word(sound.perturbed.empty() ? "" : word(sound.perturbed[k]));

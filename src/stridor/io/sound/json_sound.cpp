@@ -3,7 +3,9 @@
 #include "stridor/base/version.hpp"
 #include "stridor/io/json_parts.hpp"
 #include "stridor/signal/bands.hpp"
+#include "stridor/sound/feature_table.hpp"
 
+#include <string>
 #include <utility>
 
 namespace stridor::io {
@@ -22,24 +24,13 @@ Json opening(const char* schema, const SoundReport& report) {
 }
 
 Json features_object(const SoundFeatures& f, double reference) {
-    return {{"level", signal::level_of(f.mean_square, reference)},
-            {"clearness", f.clearness},
-            {"frequency", f.frequency},
-            {"prominence", f.prominence},
-            {"tonality", f.tonality},
-            {"regularity", f.regularity},
-            {"repetition", f.repetition},
-            {"repetition_frequency", f.repetition_frequency},
-            {"movement", f.movement},
-            {"trend", f.trend},
-            {"unsteadiness", f.unsteadiness},
-            {"abruptness", f.abruptness},
-            {"rest", f.rest},
-            {"kurtosis", f.kurtosis},
-            {"crest", f.crest},
-            {"impulses", f.impulses},
-            {"impulse_interval", f.impulse_interval},
-            {"impulse_periodicity", f.impulse_periodicity}};
+    Json object{{"level", signal::level_of(f.mean_square, reference)}};
+    for (const sound::SoundFeature& feature : sound::feature_table) {
+        // the count of the impulses stands before what their instants tell
+        if (feature.member == &SoundFeatures::impulse_interval) object["impulses"] = f.impulses;
+        object[std::string(feature.name)] = f.*feature.member;
+    }
+    return object;
 }
 
 Json segment_object(const classification::SoundSegment& segment, double reference) {
@@ -80,10 +71,9 @@ Json channel_opening(const SoundAnalysis& analysis) {
 }
 
 Json units_object() {
-    Json units{{"rate", "Hz"},       {"duration", "s"},         {"from", "s"},
-               {"to", "s"},          {"frequency", "Hz"},       {"clearness", "dB"},
-               {"prominence", "dB"}, {"trend", "dB/s"},         {"unsteadiness", "dB"},
-               {"abruptness", "dB"}, {"impulse_interval", "s"}, {"repetition_frequency", "Hz"}};
+    Json units{{"rate", "Hz"}, {"duration", "s"}, {"from", "s"}, {"to", "s"}, {"frequency", "Hz"}};
+    for (const sound::SoundFeature& feature : sound::feature_table)
+        if (feature.unit != "1") units[std::string(feature.name)] = feature.unit;
     for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
         units["thresholds." + std::string(threshold.name)] = threshold.unit;
     return units;
