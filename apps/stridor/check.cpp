@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/model/frequencies.hpp"
@@ -81,9 +82,7 @@ void check(const CheckOptions& options) {
     const parameters::Case c = load_case(options.input);
     const integration::Cost cost = integration::cost(c);
     if (c.run.engine == parameters::Engine::beta_2 && c.run.step > cost.step_limit)
-        throw Error(ErrorKind::input, {fmt::format("run.step = {:g} s is beyond the stability limit {:.4g} s",
-                                                   c.run.step, cost.step_limit),
-                                       "the highest open mode would grow without bound", "Shorten run.step."});
+        throw integration::beyond_step_limit(c);
     if (options.json) {
         print(io::case_json(c) + "\n");
         return;

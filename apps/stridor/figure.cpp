@@ -9,6 +9,7 @@
 #include "stridor/figures/noise_chart.hpp"
 #include "stridor/figures/rate_map.hpp"
 #include "stridor/figures/time_history.hpp"
+#include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/paper_charts.hpp"
@@ -31,13 +32,11 @@ constexpr double trace_interval = 20e-6;  // [s] 50 samples a period at 1 kHz
 
 record::Record recorded(const Case& c, const record::TraceRequest& trace, const std::stop_token& stop) {
     integration::Motion motion = integration::simulate(c, {record::KeepHistory::yes, trace}, stop);
-    if (motion.outcome.reason == integration::Reason::cancelled)
-        throw Error(ErrorKind::interrupted,
-                    {"stopped while simulating \"" + c.title + "\"", "", "Run the same command again to go on."});
-    if (!integration::has_result(motion.outcome))
-        throw Error(ErrorKind::numerical,
-                    {"\"" + c.title + "\" has no motion to draw",
-                     std::string(integration::reason_names[static_cast<std::size_t>(motion.outcome.reason)]), ""});
+    if (const std::optional<Error> failure = integration::failure(c, motion)) {
+        base::Problem problem = failure->problem();
+        problem.what = "\"" + c.title + "\": " + problem.what;
+        throw Error(failure->kind(), problem);
+    }
     return std::move(motion.record);
 }
 

@@ -6,6 +6,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/contact_rules.hpp"
+#include "stridor/integration/failure.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/io/simulation/motion_csv.hpp"
 #include "stridor/io/simulation/motion_netcdf.hpp"
@@ -170,40 +171,6 @@ std::string report(const parameters::Case& c, const integration::Motion& motion,
     return text;
 }
 
-void require_result(const integration::Motion& motion, const parameters::Case& c) {
-    using integration::Reason;
-    const integration::Outcome& outcome = motion.outcome;
-    const std::string at = fmt::format("{:.6g} s of {:g} s", outcome.time, c.run.duration);
-    switch (outcome.reason) {
-        case Reason::completed:
-        case Reason::settled:
-            return;
-        case Reason::diverged:
-            throw Error(ErrorKind::numerical, {"the motion left double precision at " + at,
-                                               "its forces or velocities have no end", "Check the units of the case."});
-        case Reason::step_limit: {
-            const double limit = integration::cost(c).step_limit;
-            throw Error(ErrorKind::input,
-                        {fmt::format("run.step = {} s is beyond the stability limit {:.4g} s",
-                                     base::shortest(c.run.step), limit),
-                         "the highest open mode would grow without bound",
-                         fmt::format("Use at most {:.1g} s; 1e-06 s or less for rates you quote.", 0.1 * limit)});
-        }
-        case Reason::chattering:
-            throw Error(ErrorKind::numerical, {"events pile up without end at " + at,
-                                               "double precision cannot tell them apart, so the motion stops there",
-                                               "Change a parameter a little, or try run.engine = \"beta_2\"."});
-        case Reason::unbalanced:
-            throw Error(ErrorKind::numerical, {fmt::format("the energy balance is off by {:.1g} of the turnover",
-                                                           motion.energy.relative_residual()),
-                                               "the motion hangs on differences that double precision does not hold",
-                                               "Check the units of the case, or use a smaller run.step with beta_2."});
-        case Reason::cancelled:
-            throw Error(ErrorKind::interrupted,
-                        {"stopped at " + at, "a single run keeps nothing", "Run the same command again."});
-    }
-}
-
 void write_records(const SimulateOptions& options, const parameters::Case& c, const integration::Motion& motion,
                    double interval) {
     if (!options.history.empty()) write_output(options.history, io::history_csv(c, motion.record.histories));
@@ -221,7 +188,7 @@ void simulate(const SimulateOptions& options) {
     const record::Request request = request_for(options, c);
     const Interrupt interrupt;
     const integration::Motion motion = integration::simulate(c, request, interrupt.token());
-    require_result(motion, c);
+    if (const std::optional<Error> failure = integration::failure(c, motion)) throw Error(*failure);
     const std::vector<Verdict> verdicts = classification::classify_phases(motion.record.phases, c.verdict);
     write_records(options, c, motion, request.trace.interval);
     print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"

@@ -2,9 +2,8 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/hearing/run_sound.hpp"
+#include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,21 +11,6 @@
 #include <utility>
 
 namespace stridor::app {
-
-namespace {
-
-void require_result(const integration::Outcome& outcome) {
-    if (outcome.reason == integration::Reason::cancelled)
-        throw Error(ErrorKind::interrupted, {fmt::format("stopped at {:.6g} s of the motion", outcome.time),
-                                             "half a sound is not kept", "Run the same command again."});
-    if (!integration::has_result(outcome))
-        throw Error(ErrorKind::numerical,
-                    {fmt::format("the motion cannot be heard beyond {:.6g} s", outcome.time),
-                     std::string(integration::reason_names[static_cast<std::size_t>(outcome.reason)]),
-                     "`stridor simulate` with the same case says more."});
-}
-
-}  // namespace
 
 Spool::Spool(double rate, std::string unit) : layout_{rate, {{"", std::move(unit)}}, 0} {}
 
@@ -67,7 +51,7 @@ Rendering render(const parameters::Case& c, const sound::AuralisationSettings& s
         if (progress) progress(trace.time.back());
     };
     integration::Motion motion = integration::simulate(c, request, stop);
-    require_result(motion.outcome);
+    if (const std::optional<Error> failure = integration::failure(c, motion)) throw Error(*failure);
     sound->append(auralisation.finish());
     sound->rewind();
     return {std::move(sound), std::move(motion.record)};

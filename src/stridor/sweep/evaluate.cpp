@@ -3,8 +3,8 @@
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/analysis/sliding_stability.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/text.hpp"
 #include "stridor/classification/contact_rules.hpp"
+#include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/check.hpp"
@@ -25,28 +25,15 @@ using parameters::Case;
 using parameters::Direction;
 using record::Phase;
 
+// of a run without a result
+Status status_of(Reason reason) {
+    if (reason == Reason::step_limit) return Status::step_limit;
+    return reason == Reason::diverged ? Status::diverged : Status::failed;
+}
+
 Attempt ended(Motion motion, const Case& c) {
-    const std::string time = base::shortest(motion.outcome.time) + " s";
-    switch (motion.outcome.reason) {
-        case Reason::step_limit:
-            return {Status::step_limit,
-                    "run.step = " + base::shortest(c.run.step) + " s exceeds the largest stable step, " +
-                        base::shortest(integration::cost(c).step_limit) + " s",
-                    {}};
-        case Reason::diverged:
-            return {Status::diverged, "a number left double precision before " + time, {}};
-        case Reason::chattering:
-            return {Status::failed, "events pile up at " + time, {}};
-        case Reason::unbalanced:
-            return {Status::failed,
-                    "the energy balance is off by " + base::shortest(motion.energy.relative_residual()) +
-                        " of the turnover: double precision cannot follow this motion",
-                    {}};
-        case Reason::completed:
-        case Reason::settled:
-        case Reason::cancelled:
-            break;
-    }
+    if (const std::optional<Error> failure = integration::failure(c, motion))
+        return {status_of(motion.outcome.reason), failure->what(), {}};
     return {Status::done, "", std::move(motion)};
 }
 

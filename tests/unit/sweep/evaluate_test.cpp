@@ -2,9 +2,9 @@
 
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/analysis/sliding_stability.hpp"
-#include "stridor/base/text.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/classification/contact_rules.hpp"
+#include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "support/error_text.hpp"
@@ -127,10 +127,10 @@ TEST(Evaluate, SaysWhatStepWouldBeStable) {
     Study study = small_study();
     study.base.run.engine = parameters::Engine::beta_2;
     study.base.run.step = 1e-3;
-    const std::string limit = base::shortest(integration::cost(case_at(study, {0, 0, 0})).step_limit);
+    const std::string sentence = integration::beyond_step_limit(case_at(study, {0, 0, 0})).what();
     for (const Cell& cell : evaluate(study, 0, 0)) {
         EXPECT_EQ(cell.status, Status::step_limit);
-        EXPECT_EQ(cell.message, "run.step = 0.001 s exceeds the largest stable step, " + limit + " s");
+        EXPECT_EQ(cell.message, sentence);
         expect_no_figures(cell);
     }
 }

@@ -1,0 +1,48 @@
+#include "stridor/integration/failure.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/integration/simulate.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace stridor::integration {
+
+Error beyond_step_limit(const parameters::Case& c) {
+    const double limit = cost(c).step_limit;
+    return {ErrorKind::input,
+            {fmt::format("run.step = {} s is beyond the stability limit {:.4g} s", base::shortest(c.run.step), limit),
+             "the highest open mode would grow without bound",
+             fmt::format("Use at most {:.1g} s; 1e-06 s or less for rates you quote.", 0.1 * limit)}};
+}
+
+std::optional<Error> failure(const parameters::Case& c, const Motion& motion) {
+    const std::string at = fmt::format("{:.6g} s of {:g} s", motion.outcome.time, c.run.duration);
+    switch (motion.outcome.reason) {
+        case Reason::completed:
+        case Reason::settled:
+            break;
+        case Reason::diverged:
+            return Error(ErrorKind::numerical,
+                         {"the motion left double precision at " + at, "its forces or velocities have no end",
+                          "Check the units of the case."});
+        case Reason::step_limit:
+            return beyond_step_limit(c);
+        case Reason::chattering:
+            return Error(ErrorKind::numerical, {"events pile up without end at " + at,
+                                                "double precision cannot tell them apart, so the motion stops there",
+                                                "Change a parameter a little, or try run.engine = \"beta_2\"."});
+        case Reason::unbalanced:
+            return Error(ErrorKind::numerical, {fmt::format("the energy balance is off by {:.1g} of the turnover",
+                                                            motion.energy.relative_residual()),
+                                                "the motion hangs on differences that double precision does not hold",
+                                                "Check the units of the case, or use a smaller run.step with beta_2."});
+        case Reason::cancelled:
+            return Error(ErrorKind::interrupted,
+                         {"stopped at " + at, "a run that is stopped keeps nothing", "Run the same command again."});
+    }
+    return std::nullopt;
+}
+
+}  // namespace stridor::integration
