@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/io/library/csv_library.hpp"
 #include "stridor/io/library/json_library.hpp"
 #include "stridor/noise_library/field.hpp"
@@ -114,10 +115,10 @@ std::string shown(const ShowOptions& options, const Library& library, const Entr
     if (options.field.empty()) return entry_page(library, entry);
     const Field* field = noise_library::find_field(options.field);
     if (field == nullptr)
-        throw Error(ErrorKind::input, {"\"" + options.field + "\" is no field", "",
-                                       noise_library::did_you_mean(
-                                           options.field, noise_library::field_names([](const Field&) { return true; }),
-                                           "`stridor library fields` lists them.")});
+        throw Error(ErrorKind::input,
+                    {"\"" + options.field + "\" is no field", "",
+                     base::did_you_mean(options.field, noise_library::field_names([](const Field&) { return true; }),
+                                        "`stridor library fields` lists them.")});
     const std::string value = noise_library::value_text(entry, *field);
     return value + (value.ends_with('\n') ? "" : "\n");
 }

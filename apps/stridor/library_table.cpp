@@ -1,5 +1,6 @@
 #include "library.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "terminal.hpp"
 
@@ -45,9 +46,8 @@ Column column_of(const std::string& name, const std::vector<Entry>& entries, con
         std::vector<std::string> names = noise_library::field_names([](const Field&) { return true; });
         for (const FigureKind& each : figures)
             names.push_back(each.name);
-        throw Error(ErrorKind::input,
-                    {"\"" + name + "\" is no field", "no entry has a figure of that name either",
-                     noise_library::did_you_mean(name, names, "`stridor library fields` lists them.")});
+        throw Error(ErrorKind::input, {"\"" + name + "\" is no field", "no entry has a figure of that name either",
+                                       base::did_you_mean(name, names, "`stridor library fields` lists them.")});
     }
     Column column;
     // levels of recordings that were calibrated differently do not compare

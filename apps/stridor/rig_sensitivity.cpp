@@ -3,6 +3,7 @@
 #include "library.hpp"
 #include "rig.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/figures/sensitivity.hpp"
 #include "stridor/io/library/json_library.hpp"
 #include "stridor/noise_library/field.hpp"
@@ -51,7 +52,7 @@ std::string unit_over(const std::string& name, noise_library::Library& library) 
     throw Error(ErrorKind::input,
                 {"--over " + name + " is no quantity",
                  field == nullptr ? "there is no field or figure of that name" : "it is words",
-                 noise_library::did_you_mean(name, names, "`stridor library fields` lists them, with units.")});
+                 base::did_you_mean(name, names, "`stridor library fields` lists them, with units.")});
 }
 
 std::string with_unit(const std::string& unit) {

@@ -2,6 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/drawing/layout.hpp"
 #include "stridor/drawing/palette.hpp"
@@ -175,10 +176,9 @@ drawing::Scene figure_chart(const sweep::SweepResult& result, std::string_view n
         std::vector<std::string_view> known{"category"};
         for (const sweep::CellFigure& each : sweep::cell_figures())
             known.push_back(each.name);
-        const std::string_view near = base::nearest_name(name, known);
-        throw Error(ErrorKind::input, {"\"" + std::string(name) + "\" is no figure of a cell",
-                                       "it is neither \"category\" nor a column of the results",
-                                       near.empty() ? "" : "Did you mean \"" + std::string(near) + "\"?"});
+        throw Error(ErrorKind::input,
+                    {"\"" + std::string(name) + "\" is no figure of a cell",
+                     "it is neither \"category\" nor a column of the results", base::did_you_mean(name, known)});
     }
     const std::string& title = result.study.base.title;
     drawing::Scene scene = empty_chart(result, (title.empty() ? "" : title + ": ") + spelled(figure->name));

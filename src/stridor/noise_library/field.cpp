@@ -2,6 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/sha256.hpp"
 #include "stridor/base/text.hpp"
@@ -22,7 +23,6 @@ constexpr std::array<std::string_view, 22> systems{
     "clutch",  "belt",       "window lift", "steering gear", "suspension", "convertible top", "center console", "trim",
     "armrest", "cup holder", "glove box",   "pedal",         "sun visor",  "trunk lid"};
 constexpr std::array<std::string_view, 3> places{"vehicle", "rig", "simulation"};
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const std::array table{
     Field{"system", "vehicle system that makes the noise", Text{&Entry::system, Text::Shape::line, systems}},
@@ -58,25 +58,6 @@ const std::array table{
 
 bool is_unknown(std::string_view text) {
     return text.empty() || text == "unknown";
-}
-
-std::string quoted_list(std::span<const std::string_view> names) {
-    std::string text;
-    for (const std::string_view name : names)
-        text += (text.empty() ? "\"" : ", \"") + std::string(name) + "\"";
-    return text;
-}
-
-void set_choice(std::string& member, const Field& field, std::string_view text) {
-    const auto& names = std::get<Choice>(field.kind).names;
-    if (std::find(names.begin(), names.end(), text) == names.end()) {
-        const std::string_view near = base::nearest_name(text, names);
-        throw Error(
-            ErrorKind::input,
-            {std::string(field.name) + " = \"" + std::string(text) + "\" is not one of its choices",
-             "choices: " + quoted_list(names), near.empty() ? "" : "Did you mean \"" + std::string(near) + "\"?"});
-    }
-    member = text;
 }
 
 // the digits of a part of a date as a number; -1 if they are none
@@ -138,8 +119,7 @@ std::span<const Field> fields() {
 }
 
 const Field* find_field(std::string_view name) {
-    const auto found = std::find_if(table.begin(), table.end(), [&](const Field& field) { return field.name == name; });
-    return found == table.end() ? nullptr : &*found;
+    return base::find_named(table, name);
 }
 
 std::string option_of(const Field& field) {
@@ -191,16 +171,10 @@ double parse_value(std::string_view text, std::string_view unit) {
 void set_quantity(Entry& entry, const Field& field, double value) {
     const auto& quantity = std::get<Quantity>(field.kind);
     const bool is_inside = std::isnan(value) || (value >= quantity.lowest && value <= quantity.highest);
-    if (!is_inside || std::isinf(value)) {
-        const std::string suffix = quantity.unit == "1" ? "" : " " + std::string(quantity.unit);
-        const std::string range = quantity.highest < infinity ? "between " + base::shortest(quantity.lowest) + " and " +
-                                                                    base::shortest(quantity.highest) + suffix
-                                  : quantity.lowest > -infinity ? "at least " + base::shortest(quantity.lowest) + suffix
-                                                                : std::string("finite");
+    if (!is_inside || std::isinf(value))
         throw Error(ErrorKind::input,
-                    {std::string(field.name) + " = " + base::shortest(value) + suffix + " is out of range",
-                     "it must be " + range, ""});
-    }
+                    {std::string(field.name) + " = " + base::quantity_text(value, quantity.unit) + " is out of range",
+                     "it must be " + base::limits_text(quantity.lowest, quantity.highest, quantity.unit), ""});
     quantity_in(entry, field) = value;
 }
 
@@ -218,7 +192,8 @@ void set_from_text(Entry& entry, const Field& field, std::string_view text) {
     if (is_unknown(given)) {
         member.clear();
     } else if (std::holds_alternative<Choice>(field.kind)) {
-        set_choice(member, field, given);
+        const auto& names = std::get<Choice>(field.kind).names;
+        member = names[base::place_of_choice(field.name, given, names)];
     } else if (std::holds_alternative<Date>(field.kind)) {
         if (!is_date(given))
             throw Error(ErrorKind::input, {std::string(field.name) + " = \"" + std::string(given) + "\" is no date",
@@ -234,8 +209,7 @@ std::string value_text(const Entry& entry, const Field& field) {
     if (!std::holds_alternative<Quantity>(field.kind)) return words_in(entry, field);
     const double value = quantity_in(entry, field);
     if (std::isnan(value)) return {};
-    const std::string_view unit = unit_of(field);
-    return base::shortest(value) + (unit == "1" ? "" : " " + std::string(unit));
+    return base::quantity_text(value, unit_of(field));
 }
 
 bool is_figure_name(std::string_view name) {
@@ -282,12 +256,6 @@ double number_of(const Entry& entry, std::string_view name) {
     for (const Figure& figure : entry.figures)
         if (figure.name == name) return figure.value;
     return unknown;
-}
-
-std::string did_you_mean(std::string_view name, std::span<const std::string> names, std::string otherwise) {
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    const std::string_view near = base::nearest_name(name, views);
-    return near.empty() ? std::move(otherwise) : "Did you mean \"" + std::string(near) + "\"?";
 }
 
 std::vector<std::string> field_names(bool (*wanted)(const Field&)) {

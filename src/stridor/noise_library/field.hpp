@@ -97,9 +97,6 @@ void set_figure(Entry& entry, const Figure& figure);
 /// The value of a figure or a quantity by its name; `unknown` where the entry has none.
 double number_of(const Entry& entry, std::string_view name);
 
-/// The name among `names` that a misspelt one means, as a suggestion: "Did you mean \"preload\"?"; else `otherwise`.
-std::string did_you_mean(std::string_view name, std::span<const std::string> names, std::string otherwise);
-
 /// Names of all fields a predicate accepts.
 std::vector<std::string> field_names(bool (*wanted)(const Field&));
 

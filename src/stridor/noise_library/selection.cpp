@@ -1,6 +1,7 @@
 #include "stridor/noise_library/selection.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/field_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@ struct QueryTerm {
     for (const FigureKind& figure : figures)
         names.push_back(figure.name);
     throw Error(ErrorKind::input, {in_quotes(name) + " is no field", "no entry has a figure of that name either",
-                                   did_you_mean(name, names, "`stridor library fields` lists them.")});
+                                   base::did_you_mean(name, names, "`stridor library fields` lists them.")});
 }
 
 // figure names are [a-z0-9_], and this one is known: it may stand in the text

@@ -1,6 +1,7 @@
 #include "stridor/parameters/field.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/base/hash.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
@@ -196,25 +197,8 @@ bool contains(const Range& range, double value) {
 }
 
 std::string range_text(const Range& range, std::string_view unit) {
-    const std::string suffix = unit == "1" ? "" : " " + std::string(unit);
-    if (range.high == infinity)
-        return (range.low_end == Range::Low::open ? "above " : "at least ") + base::shortest(range.low) + suffix;
-    return "between " + base::shortest(range.low) + " and " + base::shortest(range.high) + suffix;
-}
-
-void set_choice(Case& c, const Choice& choice, const std::string& key, std::string_view text) {
-    const auto found = std::find(choice.names.begin(), choice.names.end(), text);
-    if (found != choice.names.end()) {
-        choice.set(c, static_cast<int>(found - choice.names.begin()));
-        return;
-    }
-    std::string options;
-    for (const std::string_view name : choice.names)
-        options += (options.empty() ? "\"" : ", \"") + std::string(name) + "\"";
-    const std::string_view near = base::nearest_name(text, choice.names);
-    throw Error(ErrorKind::input,
-                {key + " = \"" + std::string(text) + "\" is not one of its choices", "choices: " + options,
-                 near.empty() ? "" : "Did you mean \"" + std::string(near) + "\"?"});
+    const bool is_open = range.low_end == Range::Low::open;
+    return base::limits_text(range.low, range.high, unit, is_open ? base::LowEnd::open : base::LowEnd::closed);
 }
 
 }  // namespace
@@ -347,7 +331,7 @@ void set_from_text(Case& c, const Field& field, std::string_view text) {
     } else if (const auto* quantity = std::get_if<Quantity>(&field.kind)) {
         set_quantity(c, field, base::parse_quantity(text, quantity->unit));
     } else if (const auto* choice = std::get_if<Choice>(&field.kind)) {
-        set_choice(c, *choice, key_of(field), base::trimmed(text));
+        choice->set(c, static_cast<int>(base::place_of_choice(key_of(field), base::trimmed(text), choice->names)));
     } else {
         std::get<Text>(field.kind).set(c, text);
     }
@@ -360,10 +344,8 @@ std::optional<double> damping_ratio(const Case& c, const Field& field) {
 
 std::string value_text(const Case& c, const Field& field) {
     if (const std::optional<double> ratio = damping_ratio(c, field)) return damping_ratio_text(*ratio);
-    if (const auto* quantity = std::get_if<Quantity>(&field.kind)) {
-        const std::string number = base::shortest(get_quantity(c, field));
-        return quantity->unit == "1" ? number : number + " " + std::string(quantity->unit);
-    }
+    if (std::holds_alternative<Quantity>(field.kind))
+        return base::quantity_text(get_quantity(c, field), unit_of(field));
     if (const auto* choice = std::get_if<Choice>(&field.kind))
         return std::string(choice->names[static_cast<std::size_t>(choice->get(c))]);
     return std::get<Text>(field.kind).get(c);

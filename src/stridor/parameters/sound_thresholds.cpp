@@ -1,10 +1,10 @@
 #include "stridor/parameters/sound_thresholds.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -66,10 +66,9 @@ double threshold_value(std::string_view text, std::string_view unit) {
     std::vector<std::string_view> names;
     for (const SoundThreshold& threshold : threshold_table)
         names.push_back(threshold.name);
-    const std::string_view near = base::nearest_name(key, names);
     throw Error(ErrorKind::input,
                 {"no threshold is called \"" + std::string(key) + "\"", "thresholds by sound have names of their own",
-                 near.empty() ? "See `stridor classify --help`." : "Did you mean \"" + std::string(near) + "\"?"},
+                 base::did_you_mean(key, names, "See `stridor classify --help`.")},
                 base::Place{"--set", 0, 0, ""});
 }
 
@@ -88,9 +87,8 @@ void set_sound_threshold(SoundThresholds& thresholds, std::string_view assignmen
             {"\"" + std::string(assignment) + "\" sets nothing", "it has no =", "Write --set squeal_regularity=0.7"},
             place);
     const std::string_view key = base::trimmed(assignment.substr(0, sign));
-    const auto* found = std::find_if(threshold_table.begin(), threshold_table.end(),
-                                     [&](const SoundThreshold& threshold) { return threshold.name == key; });
-    if (found == threshold_table.end()) refuse_key(key);
+    const SoundThreshold* found = base::find_named(threshold_table, key);
+    if (found == nullptr) refuse_key(key);
     double value = 0.0;
     try {
         value = threshold_value(assignment.substr(sign + 1), found->unit);

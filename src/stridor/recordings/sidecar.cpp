@@ -1,5 +1,6 @@
 #include "stridor/recordings/sidecar.hpp"
 
+#include "stridor/base/field_table.hpp"
 #include "stridor/base/json.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
@@ -23,10 +24,8 @@ void check_keys(const Json& object, std::initializer_list<std::string_view> know
             is_known = is_known || key == candidate;
         if (is_known) continue;
         const std::vector<std::string_view> candidates(known);
-        const std::string_view near = base::nearest_name(key, candidates);
         throw refusal(name, "unknown key \"" + key + "\"", "",
-                      near.empty() ? "What has no key of its own goes into \"metadata\"."
-                                   : "Did you mean \"" + std::string(near) + "\"?");
+                      base::did_you_mean(key, candidates, "What has no key of its own goes into \"metadata\"."));
     }
 }
 

@@ -3,9 +3,9 @@
 #include "stridor/analysis/evidence_figures.hpp"
 #include "stridor/analysis/sliding_stability.hpp"
 #include "stridor/base/check.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/integration/motion.hpp"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -56,10 +56,7 @@ std::span<const CellFigure> cell_figures() {
 }
 
 const CellFigure* find_cell_figure(std::string_view name) {
-    const std::span<const CellFigure> figures = cell_figures();
-    const auto found =
-        std::find_if(figures.begin(), figures.end(), [&](const CellFigure& figure) { return figure.name == name; });
-    return found == figures.end() ? nullptr : &*found;
+    return base::find_named(cell_figures(), name);
 }
 
 const CellFigure& cell_figure(std::string_view name) {

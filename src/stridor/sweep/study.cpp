@@ -4,6 +4,7 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
@@ -31,11 +32,6 @@ constexpr std::string_view initial_key = "run.initial";
 
 std::string in_quotes(std::string_view text) {
     return "\"" + std::string(text) + "\"";
-}
-
-std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates) {
-    const std::string_view near = base::nearest_name(name, candidates);
-    return near.empty() ? "" : "Did you mean " + in_quotes(near) + "?";
 }
 
 bool is_constant(const Study& study) {
@@ -69,11 +65,9 @@ const Field& quantity_of(const Study& study, const Axis& axis, const std::string
     const Field* field = parameters::find_field(axis.parameter);
     const bool is_quantity = field != nullptr && std::holds_alternative<parameters::Quantity>(field->kind);
     if (!is_quantity) {
-        const std::vector<std::string> keys = parameters::quantity_keys();
-        const std::vector<std::string_view> candidates(keys.begin(), keys.end());
         base::refuse(name + ".parameter = " + in_quotes(axis.parameter) + " is no quantity",
-                     field == nullptr ? "a case has no such key" : "it has no numbers an axis could run through",
-                     did_you_mean(axis.parameter, candidates));
+               field == nullptr ? "a case has no such key" : "it has no numbers an axis could run through",
+               base::did_you_mean(axis.parameter, parameters::quantity_keys()));
     }
     if (!field->belongs(widest_case(study)))
         base::refuse(name + ".parameter = " + in_quotes(axis.parameter) + " changes nothing",
@@ -147,7 +141,7 @@ void check_quantities(const Study& study) {
     for (const std::string& quantity : study.quantities)
         if (std::find(names.begin(), names.end(), quantity) == names.end())
             base::refuse("chart.quantities names " + in_quotes(quantity), "a cell has no such figure",
-                         did_you_mean(quantity, names));
+                   base::did_you_mean(quantity, names));
 }
 
 // the one value of y of a study over x alone

@@ -1,5 +1,6 @@
 #include "stridor/io/chart/toml_study.hpp"
 
+#include "stridor/base/field_table.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/complaints.hpp"
@@ -107,16 +108,7 @@ double number_of(const TomlEntry& entry, std::string_view unit) {
 
 // an index into names
 std::size_t name_of(const std::string& text, const TomlEntry& entry, std::span<const std::string_view> names) {
-    const auto found = std::find(names.begin(), names.end(), text);
-    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-    std::string choices;
-    for (const std::string_view name : names)
-        choices += (choices.empty() ? "\"" : ", \"") + std::string(name) + "\"";
-    const std::string_view near = base::nearest_name(text, names);
-    throw Error(ErrorKind::input,
-                {entry.key + " = \"" + text + "\" is not one of its choices", "choices: " + choices,
-                 near.empty() ? "" : "Did you mean \"" + std::string(near) + "\"?"},
-                entry.value_place);
+    return base::place_of_choice(entry.key, text, names, entry.value_place);
 }
 
 const parameters::Field& axis_field(const TomlEntry& entry) {

@@ -6,7 +6,6 @@
 #include "stridor/sound/feature_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace stridor::io {
