@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -47,6 +49,37 @@ std::vector<std::vector<std::string>> all_commands() {
     return commands;
 }
 
+bool is_of_name(char c) {
+    return c == '-' || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+}
+
+// "--set", "--over": every long option that a text names, in its order
+std::vector<std::string> options_named_in(const std::string& text) {
+    std::vector<std::string> options;
+    for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) {
+        const std::size_t begin = at;
+        at += 2;
+        const bool is_option = (begin == 0 || !is_of_name(text[begin - 1])) && text[at] >= 'a' && text[at] <= 'z';
+        while (is_of_name(text[at]))
+            ++at;
+        if (is_option) options.push_back(text.substr(begin, at - begin));
+    }
+    return options;
+}
+
+// those that a command takes, but --help
+std::vector<std::string> options_of(std::vector<std::string> command) {
+    command.emplace_back("--help");
+    std::istringstream lines(run(command).out);
+    std::vector<std::string> options;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("  -")) continue;
+        for (const std::string& option : options_named_in(line.substr(0, line.find("  ", 2))))
+            if (option != "--help") options.push_back(option);
+    }
+    return options;
+}
+
 std::string words(const std::vector<std::string>& command) {
     return command.size() == 1 ? "stridor " + command[0] : command[0] + " " + command[1];
 }
@@ -54,6 +87,22 @@ std::string words(const std::vector<std::string>& command) {
 std::string without_backslashes(std::string text) {
     std::erase(text, '\\');
     return text;
+}
+
+// what the manual says of all commands of one first word, and of options that many have
+std::string sections_on(const std::string& manual, const std::string& first_word) {
+    const std::size_t common = manual.find("\n.SH OPTIONS");
+    std::string text = manual.substr(common, manual.find("\n.SH ", common + 1) - common);
+    for (std::size_t at = manual.find("\n.SS "); at != std::string::npos; at = manual.find("\n.SS ", at + 1)) {
+        const std::string section = manual.substr(at, manual.find("\n.S", at + 1) - at);
+        const std::string title = section.substr(0, section.find('\n', 1)) + " ";
+        if (contains(title, ".SS " + first_word + " ") || contains(title, ", " + first_word + " ")) text += section;
+    }
+    return text;
+}
+
+bool is_among(const std::vector<std::string>& options, const std::string& option) {
+    return std::find(options.begin(), options.end(), option) != options.end();
 }
 
 void expect_answer(const std::vector<std::string>& arguments, const std::string& answer) {
@@ -89,6 +138,39 @@ TEST(Usage, ManualGuideAndCompletionNameEveryCommand) {
         EXPECT_TRUE(contains(guide, words(command))) << "docs/guide/commands.md lacks " << words(command);
         EXPECT_TRUE(contains(completion, command.back())) << "the completion lacks " << words(command);
     }
+}
+
+TEST(Usage, TheManualExplainsEveryOptionOfACommand) {
+    const std::string manual = without_backslashes(read_text(STRIDOR_SOURCE_DIR "/man/stridor.1"));
+    for (const std::vector<std::string>& command : all_commands()) {
+        const std::vector<std::string> explained = options_named_in(sections_on(manual, command[0]));
+        for (const std::string& option : options_of(command))
+            EXPECT_TRUE(is_among(explained, option)) << "man/stridor.1 lacks " << words(command) << " " << option;
+    }
+}
+
+TEST(Usage, TheGuideListsTheOptionsOfEveryCommand) {
+    std::string table = "| command | options |\n| --- | --- |\n";
+    for (const std::vector<std::string>& command : all_commands()) {
+        std::string options;
+        for (const std::string& option : options_of(command))
+            options += (options.empty() ? "`" : ", `") + option + "`";
+        table += "| `" + command[0] + (command.size() > 1 ? " " + command[1] : "") + "` | " +
+                 (options.empty() ? "none" : options) + " |\n";
+    }
+    EXPECT_TRUE(read_text(STRIDOR_SOURCE_DIR "/docs/guide/commands.md").ends_with(table))
+        << "docs/guide/commands.md must end with\n\n"
+        << table;
+}
+
+TEST(Usage, ManualAndGuideNameNoOptionThatNoCommandHas) {
+    std::vector<std::string> known{"--help", "--version"};
+    for (const std::vector<std::string>& command : all_commands())
+        for (const std::string& option : options_of(command))
+            known.push_back(option);
+    for (const std::string page : {"/man/stridor.1", "/docs/guide/commands.md"})
+        for (const std::string& option : options_named_in(without_backslashes(read_text(STRIDOR_SOURCE_DIR + page))))
+            EXPECT_TRUE(is_among(known, option)) << page << " names " << option;
 }
 
 TEST(Usage, HelpOfEveryCommandFitsItsColumns) {
