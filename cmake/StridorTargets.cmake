@@ -2,9 +2,9 @@
 # LIBRARIES and PUBLIC_LIBRARIES take third-party targets from StridorDependencies.cmake.
 #
 #   stridor_module(NAME [SOURCES a.cpp ...] [HEADERS only_header.hpp ...] [DEPENDS modules ...]
-#                  [LIBRARIES targets ...] [PUBLIC_LIBRARIES targets ...] [APART sources ...])
-#   stridor_program(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [APART sources ...])
-#   stridor_test(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [APART sources ...] [LABEL label]
+#                  [LIBRARIES targets ...] [PUBLIC_LIBRARIES targets ...])
+#   stridor_program(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...])
+#   stridor_test(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [LABEL label]
 #                [TIMEOUT seconds] [COST seconds] [PROGRAM] [THREADS])
 #   stridor_example(NAME SOURCE main.cpp [DEPENDS modules ...] [ARGUMENTS ...])
 #   stridor_benchmark(NAME SOURCES ... [DEPENDS modules ...] [LIBRARIES targets ...] [OWN_MAIN])
@@ -62,13 +62,12 @@ function(stridor_spare_sources)
 endfunction()
 
 # The sources of a target are compiled up to eight at a time: one parse of the headers and one copy of each template
-# instead of eight, a third of the time. Not in debug builds, which so stay quick to change. Names in the unnamed
-# namespaces of two sources may then clash; such a source stands in the APART of its target. -Wshadow would see the
+# instead of eight, a third of the time. Not in debug builds, which so stay quick to change. A name in the unnamed
+# namespace of a source is its own among those of its folder: there is no list of exceptions. -Wshadow would see the
 # names of the neighbours, -Wsubobject-linkage would take each source for a header: debug builds look after both.
 function(stridor_join_sources target)
     if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-        set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
         target_compile_options(${target} PRIVATE -Wno-shadow -Wno-subobject-linkage)
     endif()
 endfunction()
@@ -93,7 +92,7 @@ endfunction()
 # A static library stridor_NAME, known as stridor::NAME. Its public headers are the .hpp beside each source and the
 # HEADERS; both are installed, and each must compile on its own. Without SOURCES the module is header-only.
 function(stridor_module name)
-    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;HEADERS;DEPENDS;LIBRARIES;PUBLIC_LIBRARIES;APART")
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;HEADERS;DEPENDS;LIBRARIES;PUBLIC_LIBRARIES")
     stridor_check_arguments(stridor_module ${name})
 
     set(headers)
@@ -126,7 +125,7 @@ function(stridor_module name)
 
     stridor_compile_options(${target} ${scope})
     if(ARG_SOURCES)
-        stridor_join_sources(${target} ${ARG_APART})
+        stridor_join_sources(${target})
     endif()
     stridor_link_modules(${target} ${scope} ${ARG_DEPENDS})
     target_link_libraries(${target} ${scope} ${ARG_PUBLIC_LIBRARIES})
@@ -138,14 +137,14 @@ endfunction()
 
 # An executable that users run: built as ${CMAKE_BINARY_DIR}/NAME and installed.
 function(stridor_program name)
-    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;DEPENDS;LIBRARIES;APART")
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;DEPENDS;LIBRARIES")
     stridor_check_arguments(stridor_program ${name})
     add_executable(${name} ${ARG_SOURCES})
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")
     target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
     stridor_compile_options(${name} PRIVATE)
     stridor_spare_wiring(${name})
-    stridor_join_sources(${name} ${ARG_APART})
+    stridor_join_sources(${name})
     stridor_link_modules(${name} PRIVATE ${ARG_DEPENDS})
     target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES})
     set_property(GLOBAL APPEND PROPERTY STRIDOR_PROGRAM_TARGETS ${name})
@@ -159,7 +158,7 @@ endfunction()
 # by the target thread_tests, and have the label `threads` as well under sanitizers: the thread sanitizer runs these
 # alone.
 function(stridor_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 ARG "PROGRAM;THREADS" "LABEL;TIMEOUT;COST" "SOURCES;DEPENDS;LIBRARIES;APART")
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "PROGRAM;THREADS" "LABEL;TIMEOUT;COST" "SOURCES;DEPENDS;LIBRARIES")
     stridor_check_arguments(stridor_test ${name})
     if(NOT ARG_LABEL)
         set(ARG_LABEL fast)
@@ -177,7 +176,7 @@ function(stridor_test name)
     target_compile_definitions(${target} PRIVATE STRIDOR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     stridor_compile_options(${target} PRIVATE)
     stridor_spare_wiring(${target})
-    stridor_join_sources(${target} ${ARG_APART})
+    stridor_join_sources(${target})
     stridor_link_modules(${target} PRIVATE ${ARG_DEPENDS})
     target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main rapidcheck)
     # the headers every test includes are parsed once for all

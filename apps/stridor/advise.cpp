@@ -1,15 +1,15 @@
-#include "advise_text.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
-#include "progress.hpp"
 #include "stridor/advice/advice.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/console/advice_text.hpp"
+#include "stridor/console/progress.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/io/advice/json_advice.hpp"
 #include "stridor/io/chart/range_text.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -102,7 +102,7 @@ advice::Advice advice_on(const parameters::Case& c, const AdviseCommand& command
     options.threads = command.threads;
     const Interrupt interrupt;
     options.stop = interrupt.token();
-    ShareDisplay display("advice:", TimeLeft::shown);
+    console::ShareDisplay display("advice:", console::TimeLeft::shown);
     options.progress = [&](const advice::AdviceProgress& progress) {
         display.show(progress.share, stage_text(progress));
     };
@@ -112,12 +112,13 @@ advice::Advice advice_on(const parameters::Case& c, const AdviseCommand& command
 void advise(const AdviseCommand& command) {
     const parameters::Case c = load_case(command.input);
     const advice::Advice advice = advice_on(c, command);
-    print(command.json ? io::advice_json(advice) + "\n" : advice_text(advice));
-    if (command.json || !has_terminal() || !advice.recommended) return;
+    console::print(command.json ? io::advice_json(advice) + "\n" : console::advice_text(advice));
+    if (command.json || !console::has_terminal() || !advice.recommended) return;
     std::string next = "next: stridor simulate " + base::shell_word(command.input.file);
     for (const std::string& text : command.input.overrides)
         next += " --set " + base::shell_word(text);
-    say(styled(next + " " + advice::settings_of(advice.space, advice.changes[*advice.recommended]), Style::dim, 2));
+    console::say(console::styled(next + " " + advice::settings_of(advice.space, advice.changes[*advice.recommended]),
+                                 console::Style::dim, 2));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "terminal.hpp"
+#include "stridor/console/terminal.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -86,7 +86,7 @@ void say_usage_error(const CLI::App& program, const CLI::ParseError& error) {
         problem = {
             "`" + path_of(command) + "` needs a command", "",
             "`" + path_of(command) + " --help` lists them, `" + path_of(command) + " COMMAND --help` their options."};
-    say_error(Error(ErrorKind::input, problem));
+    console::say_error(Error(ErrorKind::input, problem));
 }
 
 CLI::Option* add_output_file(CLI::App& command, std::string& file, const std::string& sentence) {

@@ -1,6 +1,6 @@
 #include "commands.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/io/case/toml_case.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -24,7 +24,7 @@ void add_no_early_option(CLI::App& command, CaseOptions& options) {
 io::TomlSource load_source(const std::string& path, std::vector<std::string> overrides) {
     io::TomlSource source = io::load_toml(path, std::move(overrides));
     for (const base::Complaint& warning : io::case_warnings(io::parse_toml(source)))
-        say_warning(warning);
+        console::say_warning(warning);
     return source;
 }
 

@@ -1,8 +1,10 @@
 #include "arguments.hpp"
 #include "chart_run.hpp"
 #include "commands.hpp"
-#include "figures.hpp"
-#include "progress.hpp"
+#include "stridor/console/chart_text.hpp"
+#include "stridor/console/progress.hpp"
+#include "stridor/console/terminal.hpp"
+#include "stridor/figures/picture_files.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/chart_csv.hpp"
@@ -10,7 +12,6 @@
 #include "stridor/io/chart/json_chart.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/storage/atomic_file.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -50,32 +51,6 @@ void refuse_if_nothing_is_valid(const sweep::SweepResult& result) {
                 {"no cell of the chart has a result", first.message, "Check the axes and run.step."});
 }
 
-// whether the starts agree, if there are any: "from 3 starts: agree 60  quiet unless disturbed 4"
-std::string starts_text(const sweep::SweepResult& result) {
-    if (result.study.starts.empty()) return {};
-    std::string text = fmt::format("from {} starts:", result.study.starts.size());
-    for (std::size_t k = 0; k < sweep::agreement_names.size(); ++k) {
-        const auto number = std::count_if(
-            result.cells.begin(), result.cells.end(),
-            [k](const sweep::CellVerdict& cell) { return static_cast<std::size_t>(cell.agreement) == k; });
-        std::string name(sweep::agreement_names[k]);
-        std::replace(name.begin(), name.end(), '_', ' ');
-        if (number > 0) text += fmt::format(" {} {} ", name, number);
-    }
-    return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
-}
-
-// "the design lies outside of the chart: contact.preload = 50 N, contact.kinetic_friction = 0.6"
-std::string outside_text(const sweep::Study& study) {
-    std::string values;
-    for (const sweep::Axis* axis : {&study.x, &study.y}) {
-        if (axis == &study.y && sweep::has_one_axis(study)) continue;
-        const parameters::Field& field = *parameters::find_field(axis->parameter);
-        values += (values.empty() ? "" : ", ") + axis->parameter + " = " + parameters::value_text(study.base, field);
-    }
-    return "the design lies outside of the chart: " + values;
-}
-
 void chart(const ChartOptions& options) {
     sweep::Study study = io::read_study(load_source(options.input.file, options.input.overrides), options.axes);
     if (options.preview) study = sweep::preview(std::move(study));
@@ -97,23 +72,17 @@ void chart(const ChartOptions& options) {
     if (is_diagram) {
         const std::vector<sweep::DiagramCell> cells = compute_diagram(result, out / "diagram.sqlite", options.threads);
         storage::write_file((out / "diagram.csv").string(), io::diagram_csv(study, cells));
-        draw_diagram(result, cells, out);
+        figures::draw_diagram(result, cells, out);
     } else {
-        draw_charts(result, out);
+        figures::draw_charts(result, out);
     }
-    if (!sweep::holds_design(study)) say(outside_text(study));
+    if (!sweep::holds_design(study)) console::say(console::outside_text(study));
     if (options.json) {
-        print(io::chart_json(result) + "\n");
+        console::print(io::chart_json(result) + "\n");
         return;
     }
-    sweep::Counts counts;
-    for (const sweep::CellVerdict& cell : result.cells)
-        sweep::count(counts, cell);
-    const std::size_t computed = sweep::computed_count(result);
-    const std::string share = study.refine == 0 ? "" : fmt::format(", {} of them computed", computed);
-    print(fmt::format("{} cells{}: {}\n", result.cells.size(), share, counts_text(counts)));
-    print(starts_text(result));
-    print(
+    console::print(console::cells_text(result) + console::starts_text(result));
+    console::print(
         fmt::format("{0}/chart.png {0}/chart.svg {0}/chart.csv {0}/boundaries.csv {0}/chart.nc {0}/chart.sqlite "
                     "{0}/chart.toml{1}\n",
                     out.string(), is_diagram ? " " + out.string() + "/diagram.csv" : ""));

@@ -1,10 +1,10 @@
 #include "chart_run.hpp"
 
 #include "interrupt.hpp"
-#include "progress.hpp"
+#include "stridor/console/progress.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/store.hpp"
-#include "terminal.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace stridor::app {
 sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::path& store_file, int threads) {
     const auto store = std::make_shared<sweep::Store>(store_file, study);
     const Interrupt interrupt;
-    ProgressDisplay display;
+    console::ProgressDisplay display;
     sweep::RunOptions options;
     options.threads = threads;
     options.stop = interrupt.token();
@@ -31,7 +31,7 @@ std::vector<sweep::DiagramCell> compute_diagram(const sweep::SweepResult& result
                                                 int threads) {
     storage::KeptResults kept(file, sweep::diagram_text(result.study), "diagram");
     const Interrupt interrupt;
-    ShareDisplay display("diagram:", TimeLeft::shown);
+    console::ShareDisplay display("diagram:", console::TimeLeft::shown);
     sweep::DiagramOptions options;
     options.threads = threads;
     options.stop = interrupt.token();
@@ -50,10 +50,12 @@ void report_failures(const sweep::SweepResult& result, const std::string& chart_
         ++failures;
     }
     if (failures == 0) return;
-    say(fmt::format("{} of {} cells have no result and are drawn hatched; the first: {} ({})", failures,
-                    result.cells.size(), sweep::status_names[static_cast<std::size_t>(result.cells[first].status)],
-                    sweep::computed_cell(result, first).message));
-    say("  reproduce: " + sweep::reproduce_command(result.study, sweep::shown_place(result, first), chart_file));
+    console::say(fmt::format("{} of {} cells have no result and are drawn hatched; the first: {} ({})", failures,
+                             result.cells.size(),
+                             sweep::status_names[static_cast<std::size_t>(result.cells[first].status)],
+                             sweep::computed_cell(result, first).message));
+    console::say("  reproduce: " +
+                 sweep::reproduce_command(result.study, sweep::shown_place(result, first), chart_file));
 }
 
 }  // namespace stridor::app

@@ -1,12 +1,9 @@
 #include "commands.hpp"
+#include "stridor/console/case_text.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
-#include "stridor/model/frequencies.hpp"
-#include "stridor/model/rubbing_system.hpp"
-#include "stridor/parameters/field.hpp"
-#include "stridor/parameters/temperature_table.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -20,63 +17,10 @@ namespace stridor::app {
 
 namespace {
 
-// what the beta_2 loop needs for one step on a present-day core [s]; only for the estimate that is printed
-constexpr double seconds_per_step = 25e-9;
-// with two thousand events a second of motion
-constexpr double seconds_per_exact_step = 1e-7;
-
 struct CheckOptions {
     CaseOptions input;
     bool json = false;
 };
-
-std::string temperature_table_text(const parameters::Case& c) {
-    std::string text = fmt::format("{:<20} = {}\n", "at", fmt::join(parameters::node_texts(c), ", "));
-    for (const parameters::TemperatureColumn& column : c.temperature.columns)
-        text += fmt::format("{:<20} = {}\n", column.key, fmt::join(parameters::value_texts(column), ", "));
-    return text;
-}
-
-std::string fields_text(const parameters::Case& c) {
-    std::string text;
-    std::string_view section;
-    for (const parameters::Field& field : parameters::fields()) {
-        if (!field.belongs(c) || field.section.empty()) continue;
-        if (field.section != section) text += (section.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
-        section = field.section;
-        const std::string symbol = field.symbol.empty() ? "" : std::string(field.symbol) + ": ";
-        std::string value = parameters::value_text(c, field);
-        if (parameters::damping_ratio(c, field))
-            value =
-                fmt::format("{:.6g} {} ({})", parameters::get_quantity(c, field), parameters::unit_of(field), value);
-        if (parameters::temperature_column(c, parameters::key_of(field)) != nullptr) value += ", over temperature";
-        text += fmt::format("{:<20} = {:<16} ", field.name, value) +
-                styled("# " + symbol + std::string(field.sentence), Style::dim, STDOUT_FILENO) + "\n";
-        if (field.section == "temperature") text += temperature_table_text(c);
-    }
-    return text;
-}
-
-std::string frequencies_text(const parameters::Case& c) {
-    using model::ContactState;
-    const auto structure = model::rubbing_system(c);
-    const auto row = [&](const char* name, ContactState state) {
-        std::string text = fmt::format("{:<22}", name);
-        for (const double omega : model::natural_frequencies(structure, state))
-            text += fmt::format("{:10.2f} Hz", omega / (2.0 * std::numbers::pi));
-        return text + "\n";
-    };
-    return row("sliding, mu = 0", ContactState::slip) + row("sticking", ContactState::stick) +
-           row("open (plate, joint)", ContactState::separation);
-}
-
-std::string cost_text(const parameters::Case& c, const integration::Cost& cost) {
-    if (c.run.engine == parameters::Engine::exact)
-        return fmt::format("\ncost: {:.3g} steps and the events, about {:.2g} s of one core\n", cost.steps,
-                           cost.steps * seconds_per_exact_step);
-    return fmt::format("\ncost: {:.3g} steps, about {:.2g} s of one core; largest stable step {:.4g} s\n", cost.steps,
-                       cost.steps * seconds_per_step, cost.step_limit);
-}
 
 void check(const CheckOptions& options) {
     const parameters::Case c = load_case(options.input);
@@ -84,11 +28,10 @@ void check(const CheckOptions& options) {
     if (c.run.engine == parameters::Engine::beta_2 && c.run.step > cost.step_limit)
         throw integration::beyond_step_limit(c);
     if (options.json) {
-        print(io::case_json(c) + "\n");
+        console::print(io::case_json(c) + "\n");
         return;
     }
-    print(styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n\n" + fields_text(c) + "\n" +
-          "undamped natural frequencies\n" + frequencies_text(c) + cost_text(c, cost));
+    console::print(console::case_text(c, cost));
 }
 
 }  // namespace

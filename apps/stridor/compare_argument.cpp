@@ -1,12 +1,12 @@
 #include "compare_argument.hpp"
 
-#include "cell_choice.hpp"
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/chart/toml_study.hpp"
-#include "terminal.hpp"
+#include "stridor/sweep/cell_choice.hpp"
 
 #include <fmt/format.h>
 
@@ -22,10 +22,6 @@ namespace stridor::app {
 
 namespace {
 
-[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
-    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
-}
-
 // --- what an argument means
 
 Asked asked_file(const std::string& name, const std::string& path, const recordings::OpenOptions& open) {
@@ -33,7 +29,7 @@ Asked asked_file(const std::string& name, const std::string& path, const recordi
     const std::unique_ptr<recordings::SignalFile> file = recordings::open_signal(recorded.input, open);
     recorded.rate = file->layout().rate;
     for (const std::string& note : file->facts().notes)
-        say("stridor: note: " + name + ": " + note);
+        console::say("stridor: note: " + name + ": " + note);
     return {name, std::filesystem::path(path).filename().string(), "recording", std::move(recorded)};
 }
 
@@ -42,8 +38,8 @@ Asked asked_entry(const std::string& text, const std::string& number, const Libr
     const auto end = number.data() + number.size();
     const auto parsed = std::from_chars(number.data(), end, id);
     if (parsed.ec != std::errc{} || parsed.ptr != end || id < 1)
-        refuse("\"" + text + "\" names no entry", "an entry of the noise library has a number",
-               "For example library:3; `stridor library list` shows them.");
+        base::refuse("\"" + text + "\" names no entry", "an entry of the noise library has a number",
+                     "For example library:3; `stridor library list` shows them.");
     noise_library::Library library = open_library(option, noise_library::Access::read);
     const noise_library::Entry entry = library.get(std::span(&id, 1)).front();
     recordings::OpenOptions open;
@@ -65,18 +61,18 @@ Asked asked_case(const std::string& path) {
 
 Asked asked_cell(const std::string& text, const std::string& path, const std::string& cell) {
     const sweep::Study study = io::read_study(load_source(path));
-    const CellChoice choice = parse_cell(cell);
-    const sweep::CellPlace place = nearest_cell(study, choice);
+    const sweep::CellChoice choice = sweep::parse_cell(cell);
+    const sweep::CellPlace place = sweep::nearest_cell(study, choice);
     SimulatedSound simulated{text, sweep::case_at(study, place), {}};
     if (choice.direction) simulated.stretches = hearing::heard_stretches(simulated.c, *choice.direction);
     if (choice.direction && simulated.stretches.empty())
-        refuse("nothing of \"" + text + "\" can be heard", "the drive never moves that way in the window", "");
-    return {text, cell_name(study, place), "simulation", std::move(simulated)};
+        base::refuse("nothing of \"" + text + "\" can be heard", "the drive never moves that way in the window", "");
+    return {text, sweep::cell_name(study, place), "simulation", std::move(simulated)};
 }
 
 recordings::OpenOptions with_channel(const std::string& text, const std::string& name) {
     if (name.empty())
-        refuse("\"" + text + "\" names no channel", "it ends before its name", "For example rig.uff:channel=2.");
+        base::refuse("\"" + text + "\" names no channel", "it ends before its name", "For example rig.uff:channel=2.");
     recordings::OpenOptions open;
     open.channel_name = name;
     return open;

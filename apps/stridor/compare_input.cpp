@@ -2,15 +2,15 @@
 
 #include "compare_argument.hpp"
 #include "interrupt.hpp"
-#include "sound.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/classification/sound_rules.hpp"
+#include "stridor/console/terminal.hpp"
+#include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/signal/resample.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -33,10 +33,6 @@ constexpr double least_motion_rate = 8000.0;   // [Hz] beside recordings of any 
 constexpr double most_motion_rate = 192000.0;  // [Hz]
 constexpr double least_detail = 1e-3;          // [s]
 constexpr double most_detail = 2.0;            // [s]
-
-[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
-    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
-}
 
 // --- one rate for all
 
@@ -192,14 +188,14 @@ ComparedSound loaded(const Asked& asked, double rate, const MotionOptions& motio
 
 void require_number(std::size_t number) {
     if (number >= least_sounds && number <= most_sounds) return;
-    refuse(fmt::format("{} sound{} cannot be laid side by side", number, number == 1 ? "" : "s"),
-           fmt::format("it takes {} to {}", least_sounds, most_sounds), "");
+    base::refuse(fmt::format("{} sound{} cannot be laid side by side", number, number == 1 ? "" : "s"),
+                 fmt::format("it takes {} to {}", least_sounds, most_sounds), "");
 }
 
 double detail_of(const std::string& text) {
     const double detail = base::parse_quantity(text, "s");
     if (!(detail >= least_detail && detail <= most_detail))
-        refuse("--detail " + text + " is too short or too long", "it goes from 1 ms to 2 s", "");
+        base::refuse("--detail " + text + " is too short or too long", "it goes from 1 ms to 2 s", "");
     return detail;
 }
 
@@ -237,10 +233,10 @@ void add_compare_options(CLI::App& command, CompareOptions& options) {
 std::vector<ComparedSound> load_sounds(const CompareOptions& options) {
     require_number(options.sounds.size());
     if (!options.labels.empty() && options.labels.size() != options.sounds.size())
-        refuse(fmt::format("{} labels for {} sounds", options.labels.size(), options.sounds.size()),
-               "each sound needs its own", "");
+        base::refuse(fmt::format("{} labels for {} sounds", options.labels.size(), options.sounds.size()),
+                     "each sound needs its own", "");
     if (std::count(options.sounds.begin(), options.sounds.end(), "-") > 1)
-        refuse("standard input is asked for twice", "it can be read once", "");
+        base::refuse("standard input is asked for twice", "it can be read once", "");
     const double detail = detail_of(options.detail);
     std::vector<Asked> all;
     for (const std::string& text : options.sounds)
@@ -252,14 +248,14 @@ std::vector<ComparedSound> load_sounds(const CompareOptions& options) {
     for (std::size_t k = 0; k < options.labels.size(); ++k)
         sounds[k].label = options.labels[k];
     if (std::any_of(all.begin(), all.end(), [&](const Asked& asked) { return is_resampled(asked, rate); }))
-        say(fmt::format("stridor: note: all sounds are compared at the lowest rate, {:g} Hz", rate));
+        console::say(fmt::format("stridor: note: all sounds are compared at the lowest rate, {:g} Hz", rate));
     return sounds;
 }
 
 ComparedSound load_recording(const std::string& text, const LibraryOption& library) {
     if (text.ends_with(".toml") || text.find(".toml:") != std::string::npos)
-        refuse("\"" + text + "\" is no recording", "it is a case or a chart",
-               "`stridor compare` lays simulations side by side; `stridor listen -o` makes a recording of one.");
+        base::refuse("\"" + text + "\" is no recording", "it is a case or a chart",
+                     "`stridor compare` lays simulations side by side; `stridor listen -o` makes a recording of one.");
     const Asked asked = asked_sound(text, library);
     return loaded(asked, std::get<Recorded>(asked.source).rate, {}, 0.05);
 }
@@ -271,7 +267,8 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const MotionOption
     settings.stretches = simulated.stretches;
     if (settings.stretches.empty()) settings.stretches = {{0.0, simulated.c.run.duration}};
     const Interrupt interrupt;
-    const Rendering rendering = render(simulated.c, settings, record::KeepHistory::yes, interrupt.token(), {});
+    const hearing::Rendering rendering =
+        hearing::render(simulated.c, settings, record::KeepHistory::yes, interrupt.token(), {});
     ComparedSound sound;
     judge(sound, std::move(sound::analyse(*rendering.sound).front()));
     if (sound.analysis.peak < hearing::least_motion) {

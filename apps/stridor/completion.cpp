@@ -1,6 +1,6 @@
 #include "commands.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/parameters/field.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -155,7 +155,7 @@ void add_completion(CLI::App& program) {
     auto shell = std::make_shared<std::string>("bash");
     command->add_option("shell", *shell, "bash")->check(CLI::IsMember({"bash"}))->capture_default_str();
     command->footer("Example:\n  stridor completion bash > ~/.local/share/bash-completion/completions/stridor");
-    command->callback([&program, shell] { print(bash_script(program)); });
+    command->callback([&program, shell] { console::print(bash_script(program)); });
 }
 
 }  // namespace stridor::app

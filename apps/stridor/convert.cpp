@@ -2,12 +2,13 @@
 #include "input_options.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/console/signal_text.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/io/sound/signal_report.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/recordings/table/signal_csv_writer.hpp"
 #include "stridor/recordings/uff58/uff58.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -96,56 +97,24 @@ io::SignalOutput write(const ConvertOptions& options, const io::SignalSummary& s
     return output;
 }
 
-// why a channel has its unit
-std::string origin(recordings::Calibration calibration, const recordings::FullScale& scale) {
-    const std::string value = fmt::format(" (1 in the file is {:.6g} {}, says ", scale.value, scale.unit);
-    switch (calibration) {
-        case recordings::Calibration::option:
-            return value + "--full-scale)";
-        case recordings::Calibration::sidecar:
-            return value + "the sidecar)";
-        case recordings::Calibration::description:
-            return value + "its description)";
-        case recordings::Calibration::file:
-            return "";
-        case recordings::Calibration::none:
-            return " (not calibrated)";
-    }
-    return "";
-}
-
-std::string report(const io::SignalSummary& summary) {
-    const signal::ChannelLayout& layout = summary.layout;
-    const auto frames = static_cast<double>(*layout.frames);
-    std::string text =
-        fmt::format("{}\n  format    {}\n  rate      {} Hz\n  duration  {:.6g} s ({} frames)\n", summary.facts.name,
-                    summary.facts.format, base::shortest(layout.rate), frames / layout.rate, *layout.frames);
-    for (std::size_t k = 0; k < layout.channels.size(); ++k) {
-        const signal::Channel& channel = layout.channels[k];
-        const std::string name = channel.name.empty() ? "" : " " + channel.name;
-        text += fmt::format("  channel {}{}: peak {:.6g} {}", k + 1, name, summary.peaks[k], channel.unit);
-        text += origin(summary.facts.calibrations[k], summary.facts.full_scales[k]) + "\n";
-    }
-    return text;
-}
-
 void convert(const ConvertOptions& options) {
     const recordings::OpenOptions open = open_options(options.recording);
     if (!options.output.empty()) format_of(options);  // before hours are read
     const recordings::SignalInput input = recordings::open_input(options.input);
     const io::SignalSummary summary = io::summary_of(*recordings::open_signal(input, open));
     for (const std::string& note : summary.facts.notes)
-        say("stridor: note: " + note);
+        console::say("stridor: note: " + note);
     std::optional<io::SignalOutput> output;
     if (!options.output.empty()) {
         output = write(options, summary, *recordings::open_signal(input, open));
-        if (output->clipped > 0) say(fmt::format("stridor: note: {} samples were cut to full scale", output->clipped));
+        if (output->clipped > 0)
+            console::say(fmt::format("stridor: note: {} samples were cut to full scale", output->clipped));
     }
-    const std::string text = options.json ? io::convert_json(summary, output) + "\n" : report(summary);
+    const std::string text = options.json ? io::convert_json(summary, output) + "\n" : console::signal_text(summary);
     if (options.output == "-")
-        say(text);
+        console::say(text);
     else
-        print(text);
+        console::print(text);
 }
 
 }  // namespace

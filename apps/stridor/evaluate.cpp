@@ -1,19 +1,19 @@
 #include "commands.hpp"
-#include "evaluate_text.hpp"
 #include "heard_recordings.hpp"
 #include "interrupt.hpp"
-#include "kept.hpp"
-#include "progress.hpp"
-#include "sound.hpp"
+#include "stridor/console/evaluation_text.hpp"
+#include "stridor/console/progress.hpp"
+#include "stridor/console/terminal.hpp"
+#include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/sound/hearing_report.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/storage/atomic_file.hpp"
+#include "stridor/storage/command_cache.hpp"
 #include "stridor/sweep/paper_charts.hpp"
 #include "stridor/sweep/soft_parts.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -69,7 +69,7 @@ classification::RecordingVerdict verdict_on_whole(const parameters::Case& c, con
     settings.pickup = options.settings.sound.pickup;
     settings.rate = options.settings.sound.rate;
     settings.stretches = {{0.0, c.run.duration}};
-    const std::unique_ptr<Spool> sound = render(c, settings, options.stop, [](double) {});
+    const std::unique_ptr<hearing::RenderedSound> sound = hearing::render(c, settings, options.stop, [](double) {});
     return verdict_on(*sound, options.settings.thresholds);
 }
 
@@ -123,18 +123,19 @@ std::vector<io::HeardChart> charts_of(const EvaluateOptions& options) {
 
 // each chart is kept until all of them are heard
 void hear_charts(std::vector<io::HeardChart>& charts, hearing::HearingOptions options) {
-    std::vector<std::unique_ptr<Kept>> all_kept;
+    std::vector<std::unique_ptr<storage::CommandCache>> all_kept;
     for (io::HeardChart& chart : charts) {
-        all_kept.push_back(std::make_unique<Kept>("evaluate", hearing::heard_text(chart.study, options)));
+        all_kept.push_back(std::make_unique<storage::CommandCache>(
+            "evaluate", hearing::heard_text(chart.study, options), console::say));
         options.kept = all_kept.back()->results();
-        say(fmt::format("{} sounds: {}", sweep::cell_count(chart.study), chart.study.base.title));
-        ProgressDisplay display;
+        console::say(fmt::format("{} sounds: {}", sweep::cell_count(chart.study), chart.study.base.title));
+        console::ProgressDisplay display;
         options.progress = [&](const sweep::Progress& progress) { display.show(progress); };
         chart.sounds = hearing::hear(chart.study, options);
         display.finish();
         if (chart.sounds.empty()) interrupted(chart.study.base.title);
     }
-    for (const std::unique_ptr<Kept>& kept : all_kept)
+    for (const std::unique_ptr<storage::CommandCache>& kept : all_kept)
         kept->finish();
 }
 
@@ -156,7 +157,7 @@ void evaluate(const EvaluateOptions& options) {
             report.recordings = heard_recordings(expectations, report.options.settings.thresholds, report.options.stop);
     }
     if (!options.csv.empty()) storage::write_file(options.csv, io::hearing_csv(report));
-    print(options.json ? io::hearing_json(report) + "\n" : evaluation_text(report));
+    console::print(options.json ? io::hearing_json(report) + "\n" : console::evaluation_text(report));
 }
 
 }  // namespace

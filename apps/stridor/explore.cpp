@@ -2,6 +2,7 @@
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/explorer/api.hpp"
 #include "stridor/explorer/gate.hpp"
 #include "stridor/explorer/link.hpp"
@@ -13,7 +14,6 @@
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/noise_library/library.hpp"
 #include "stridor/parameters/temperature_table.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -128,15 +128,15 @@ public:
         const std::string& fragment = options_.fragment;
         const std::string link = base_ + "/open?token=" + token + (fragment.empty() ? "" : "#" + fragment);
         redirect_.reset();  // it led to the one that was used
-        print(link + "\n");
+        console::print(link + "\n");
         if (std::exchange(is_told_, true)) return;
-        if (!has_port()) say("listening at " + options_.address.unix_socket.string());
-        say("Open the link above; it opens once, and a new one follows. Ctrl-C ends.");
+        if (!has_port()) console::say("listening at " + options_.address.unix_socket.string());
+        console::say("Open the link above; it opens once, and a new one follows. Ctrl-C ends.");
         if (!has_port() || options_.no_browser || !has_screen()) return;
         try {
             open_browser(redirect_.emplace(link).file().string());
         } catch (const Error& error) {
-            say_error(error);  // the link above works without
+            console::say_error(error);  // the link above works without
         }
     }
 
@@ -150,7 +150,7 @@ private:
 };
 
 void explore(ExploreOptions options) {
-    if (!options.typescript.empty()) return print(explorer::typescript(options.typescript));
+    if (!options.typescript.empty()) return console::print(explorer::typescript(options.typescript));
     check(options);
     if (explorer::is_link(options.file)) {
         options.fragment = explorer::fragment_of(options.file);
@@ -172,8 +172,8 @@ void explore(ExploreOptions options) {
     // their threads still use what is here: all that is left behind is taken away, and they end with the program
     links.reset();
     server.reset();
-    say(fmt::format("{} did not stop and {} ended with the program",
-                    stuck == 1 ? "1 run" : fmt::format("{} runs", stuck), stuck == 1 ? "is" : "are"));
+    console::say(fmt::format("{} did not stop and {} ended with the program",
+                             stuck == 1 ? "1 run" : fmt::format("{} runs", stuck), stuck == 1 ? "is" : "are"));
     std::_Exit(0);
 }
 

@@ -2,18 +2,18 @@
 #include "chart_run.hpp"
 #include "commands.hpp"
 #include "compare.hpp"
-#include "figures.hpp"
 #include "interrupt.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/figures/contact_states.hpp"
 #include "stridor/figures/friction_law.hpp"
 #include "stridor/figures/noise_chart.hpp"
+#include "stridor/figures/picture_files.hpp"
 #include "stridor/figures/rate_map.hpp"
 #include "stridor/figures/time_history.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/paper_charts.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -56,7 +56,7 @@ struct PaperOptions {
 };
 
 void announce(const std::filesystem::path& stem, const char* what) {
-    print(fmt::format("{0}.png {0}.svg  {1}\n", stem.string(), what));
+    console::print(fmt::format("{0}.png {0}.svg  {1}\n", stem.string(), what));
 }
 
 // figures in the order of what they cost, so that something is there to look at soon
@@ -70,11 +70,12 @@ void draw_paper(const PaperOptions& options) {
     {
         const Interrupt interrupt;
         const Case squeal = parameters::paper_case(PaperCase::squeal);
-        draw_both(figures::friction_law(squeal.contact), out / "figure-3");
+        figures::draw_both(figures::friction_law(squeal.contact), out / "figure-3");
         announce(out / "figure-3", "friction law");
-        draw_both(time_history_scene(
-                      squeal, recorded(squeal, {0.0, squeal.run.duration, trace_interval}, interrupt.token()), {}),
-                  out / "figure-5");
+        figures::draw_both(
+            figures::time_history_scene(
+                squeal, recorded(squeal, {0.0, squeal.run.duration, trace_interval}, interrupt.token()), {}),
+            out / "figure-5");
         announce(out / "figure-5", "time history of the squeal case with its contact states");
         std::vector<NamedCase> cases;
         for (const PaperCase which : {PaperCase::quiet, PaperCase::squeal, PaperCase::squeak, PaperCase::creak})
@@ -82,17 +83,18 @@ void draw_paper(const PaperOptions& options) {
                 which == PaperCase::quiet ? "no noise" : parameters::paper_case_names[static_cast<std::size_t>(which)],
                 parameters::paper_case(which));
         // long enough for ten slips of the creak, short enough to see single stays of the squeal
-        draw_both(states_scene(cases, figures::telling_stretch(squeal, 40e-3), interrupt.token()), out / "figure-7");
+        figures::draw_both(states_scene(cases, figures::telling_stretch(squeal, 40e-3), interrupt.token()),
+                           out / "figure-7");
         announce(out / "figure-7", "contact states of the four cases of Table 1");
     }
     std::vector<sweep::SweepResult> maps;
     for (const double angle : {70.0, 150.0})
         maps.push_back(
             compute(sweep::figure_6(angle), out / fmt::format("figure-6-{:g}.sqlite", angle), options.threads));
-    draw_both(figures::rate_map(maps), out / "figure-6");
+    figures::draw_both(figures::rate_map(maps), out / "figure-6");
     announce(out / "figure-6", "contact-state rates over velocity and preload, 70 and 150 deg");
     const sweep::SweepResult pair = compute(sweep::figure_8(), out / "figure-8.sqlite", options.threads);
-    draw_both(figures::noise_chart(pair), out / "figure-8");
+    figures::draw_both(figures::noise_chart(pair), out / "figure-8");
     announce(out / "figure-8", "noise charts over preload and kinetic friction");
 }
 
@@ -110,14 +112,15 @@ CLI::App* add_one(CLI::App& figure, const char* name, const char* description,
 }
 
 void draw_law(const OneFigureOptions& options) {
-    draw(figures::friction_law(load_case(options.input).contact), options.output);
+    figures::draw(figures::friction_law(load_case(options.input).contact), options.output);
 }
 
 void draw_states(const OneFigureOptions& options) {
     const Case c = load_case(options.input);
     const Interrupt interrupt;
-    draw(states_scene({{c.title.empty() ? options.input.file : c.title, c}}, {0.0, c.run.duration}, interrupt.token()),
-         options.output);
+    figures::draw(
+        states_scene({{c.title.empty() ? options.input.file : c.title, c}}, {0.0, c.run.duration}, interrupt.token()),
+        options.output);
 }
 
 }  // namespace

@@ -1,12 +1,13 @@
 #include "heard_recordings.hpp"
 
-#include "kept.hpp"
-#include "progress.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/sound_rules.hpp"
+#include "stridor/console/progress.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/recordings/sidecar.hpp"
+#include "stridor/storage/command_cache.hpp"
 
 #include <fmt/format.h>
 
@@ -68,9 +69,9 @@ std::optional<io::HeardRecording> unpacked(const io::Expectation& expectation, c
 }
 
 // How far a row of recordings is by their bytes; few and short ones go without.
-class RowDisplay {
+class HearingDisplay {
 public:
-    explicit RowDisplay(std::span<const io::Expectation> expectations) : count_(expectations.size()) {
+    explicit HearingDisplay(std::span<const io::Expectation> expectations) : count_(expectations.size()) {
         for (const io::Expectation& each : expectations)
             total_ += size_of(each.file);
     }
@@ -80,14 +81,14 @@ public:
         ++number_;
     }
     void show(double share) {
-        if (total_ == 0 || !takes_long(count_, total_)) return;
+        if (total_ == 0 || !console::takes_long(count_, total_)) return;
         const double done = static_cast<double>(done_) + share * static_cast<double>(size_);
         display_.show(done / static_cast<double>(total_), fmt::format("{} of {}: {}", number_, count_, file_));
     }
     void end() { done_ += size_; }
 
 private:
-    ShareDisplay display_{"listened to", TimeLeft::shown};
+    console::ShareDisplay display_{"listened to", console::TimeLeft::shown};
     std::size_t count_;
     std::size_t number_ = 0;
     std::string file_;
@@ -97,7 +98,7 @@ private:
 };
 
 io::HeardRecording hear_recording(const io::Expectation& expectation, const parameters::SoundThresholds& thresholds,
-                                  const std::stop_token& stop, RowDisplay& display) {
+                                  const std::stop_token& stop, HearingDisplay& display) {
     const std::unique_ptr<recordings::SignalFile> file = recordings::open_signal(expectation.file);
     const double frames = static_cast<double>(file->layout().frames.value_or(0));
     const classification::RecordingVerdict verdict = verdict_on(*file, thresholds, [&](std::uint64_t done) {
@@ -121,8 +122,8 @@ classification::RecordingVerdict verdict_on(signal::Source& source, const parame
 std::vector<io::HeardRecording> heard_recordings(std::span<const io::Expectation> expectations,
                                                  const parameters::SoundThresholds& thresholds,
                                                  const std::stop_token& stop) {
-    Kept kept("evaluate", heard_text(expectations, thresholds));
-    RowDisplay display(expectations);
+    storage::CommandCache kept("evaluate", heard_text(expectations, thresholds), console::say);
+    HearingDisplay display(expectations);
     std::vector<io::HeardRecording> heard;
     for (std::size_t k = 0; k < expectations.size(); ++k) {
         const io::Expectation& expectation = expectations[k];

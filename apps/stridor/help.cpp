@@ -1,7 +1,7 @@
 #include "help.hpp"
 
 #include "stridor/base/text.hpp"
-#include "terminal.hpp"
+#include "stridor/console/terminal.hpp"
 
 #include <unistd.h>
 
@@ -55,7 +55,7 @@ std::string names_of(const std::set<CLI::Option*>& options) {
 }  // namespace
 
 HelpFormatter::HelpFormatter()
-    : columns_(static_cast<std::size_t>(std::min(widest, terminal_columns(STDOUT_FILENO)))) {}
+    : columns_(static_cast<std::size_t>(std::min(widest, console::terminal_columns(STDOUT_FILENO)))) {}
 
 std::string HelpFormatter::entry(const std::string& name, const std::string& sentence) const {
     const std::size_t column = columns_ < 60 ? 4 : 30;

@@ -1,13 +1,13 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/io/case/case_schema.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/paper_charts.hpp"
 #include "stridor/sweep/soft_parts.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -63,7 +63,7 @@ void spare_others(const std::string& file) {
 
 void init(const InitOptions& options) {
     if (!options.is_forced) spare_others(options.output);
-    write_output(options.output, text_of(options.kind));
+    console::write_output(options.output, text_of(options.kind));
 }
 
 }  // namespace

@@ -15,13 +15,6 @@ void add_full_scale_option(CLI::App& command, std::vector<std::string>& full_sca
         ->allow_extra_args(false);
 }
 
-std::vector<recordings::FullScale> parsed_full_scales(const std::vector<std::string>& texts) {
-    std::vector<recordings::FullScale> full_scales;
-    for (const std::string& text : texts)
-        full_scales.push_back(recordings::parse_full_scale(text));
-    return full_scales;
-}
-
 void add_input_options(CLI::App& command, InputOptions& options) {
     add_full_scale_option(command, options.full_scales);
     command.add_option("--channel", options.channel, "this channel alone: its name, or its number from 1")
@@ -34,7 +27,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
 
 recordings::OpenOptions open_options(const InputOptions& options) {
     recordings::OpenOptions open;
-    open.full_scales = parsed_full_scales(options.full_scales);
+    open.full_scales = recordings::parse_full_scales(options.full_scales);
     if (!options.rate.empty()) open.rate = base::parse_quantity(options.rate, "Hz");
     if (open.rate && !(*open.rate > 0.0))
         throw Error(ErrorKind::input, {"\"" + options.rate + "\" is no sampling rate", "it must be positive", ""});

@@ -23,9 +23,6 @@ struct InputOptions {
 /// Adds --full-scale.
 void add_full_scale_option(CLI::App& command, std::vector<std::string>& full_scales);
 
-/// Throws `Error` (input) for what is no full scale.
-std::vector<recordings::FullScale> parsed_full_scales(const std::vector<std::string>& texts);
-
 /// Adds --full-scale, --channel, --dataset and --rate.
 void add_input_options(CLI::App& command, InputOptions& options);
 

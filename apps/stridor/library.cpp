@@ -3,10 +3,11 @@
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"
+#include "stridor/console/library_text.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/io/library/csv_library.hpp"
 #include "stridor/io/library/json_library.hpp"
 #include "stridor/noise_library/field.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -81,10 +82,10 @@ void print_json(Library& library, const noise_library::Query& query) {
     library.visit(query, [&](const Entry& entry) {
         text += document.entry(entry);
         if (text.size() < piece) return;
-        print(text);
+        console::print(text);
         text.clear();
     });
-    print(text + document.closing() + "\n");
+    console::print(text + document.closing() + "\n");
 }
 
 void list(const ListOptions& options) {
@@ -94,12 +95,13 @@ void list(const ListOptions& options) {
     query.limit = limit_of(options);
     if (options.json) return print_json(library, query);
     const std::vector<Entry> entries = library.find(query);
-    if (options.csv) return print_data(io::library_csv(entries));
-    if (entries.empty()) return say("no entry meets the conditions");
-    print(entry_table(entries, parted_at_commas(options.columns), library.figures()));
+    if (options.csv) return console::print_data(io::library_csv(entries));
+    if (entries.empty()) return console::say("no entry meets the conditions");
+    console::print(console::entry_table(entries, parted_at_commas(options.columns), library.figures()));
     if (query.limit == 0 || entries.size() < query.limit) return;
     if (const std::int64_t left = library.count(query) - static_cast<std::int64_t>(entries.size()); left > 0)
-        say(fmt::format("... and {} more: --limit all shows them, --where and --search narrow the list", left));
+        console::say(
+            fmt::format("... and {} more: --limit all shows them, --where and --search narrow the list", left));
 }
 
 struct ShowOptions {
@@ -112,7 +114,7 @@ struct ShowOptions {
 
 std::string shown(const ShowOptions& options, const Library& library, const Entry& entry) {
     if (options.audio) return library.sound_file(entry).string() + "\n";
-    if (options.field.empty()) return entry_page(library, entry);
+    if (options.field.empty()) return console::entry_page(library, entry);
     const Field* field = noise_library::find_field(options.field);
     if (field == nullptr)
         throw Error(ErrorKind::input,
@@ -126,11 +128,11 @@ std::string shown(const ShowOptions& options, const Library& library, const Entr
 void show(const ShowOptions& options) {
     Library library = open_library(options.library, Access::read);
     const std::vector<Entry> entries = library.get(options.ids);
-    if (options.json) return print(io::library_json(library.file(), entries) + "\n");
+    if (options.json) return console::print(io::library_json(library.file(), entries) + "\n");
     std::string text;
     for (const Entry& entry : entries)
         text += (text.empty() || options.audio || !options.field.empty() ? "" : "\n") + shown(options, library, entry);
-    options.audio || !options.field.empty() ? print_data(text) : print(text);
+    options.audio || !options.field.empty() ? console::print_data(text) : console::print(text);
 }
 
 struct EditOptions {
@@ -147,8 +149,8 @@ void edit(const EditOptions& options) {
     Library library = open_library(options.library, Access::read);
     std::string text;
     for (const Entry& entry : library.edit(options.ids, [&](Entry& each) { apply(said, each); }))
-        text += (text.empty() ? "" : "\n") + entry_page(library, entry);
-    print(text);
+        text += (text.empty() ? "" : "\n") + console::entry_page(library, entry);
+    console::print(text);
 }
 
 struct RemoveOptions {
@@ -161,7 +163,7 @@ void remove(const RemoveOptions& options) {
     const std::vector<Entry> entries = library.get(options.ids);
     library.remove(options.ids);
     for (const Entry& entry : entries)
-        say(fmt::format("removed {} ({})", entry.id, entry.file));
+        console::say(fmt::format("removed {} ({})", entry.id, entry.file));
 }
 
 struct WordsOptions {
@@ -196,23 +198,17 @@ void words(const WordsOptions& options) {
     std::string text;
     for (const std::string& word : found)
         text += word + "\n";
-    print(text);
+    console::print(text);
 }
 
 void fields(const LibraryOption& option) {
-    std::string text;
-    for (const Field& field : noise_library::fields()) {
-        const std::string_view unit = unit_of(field);
-        text += fmt::format("{:<17}{:<6}{}{}\n", field.name, unit, field.sentence,
-                            field.writer == noise_library::Writer::user ? "" : " (written by Stridor)");
-    }
+    std::vector<noise_library::FigureKind> figures;
     try {
-        for (const noise_library::FigureKind& figure : open_library(option, Access::read).figures())
-            text += fmt::format("{:<17}{:<6}figure\n", figure.name, figure.unit);
+        figures = open_library(option, Access::read).figures();
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::io) throw;  // without a library there are no figures
     }
-    print(text);
+    console::print(console::fields_text(figures));
 }
 
 void add_list(CLI::App& library) {

@@ -52,25 +52,6 @@ void add_entry_options(CLI::App& command, EntryOptions& options);
 /// Writes what was said into an entry; throws `Error` (input) that names the option.
 void apply(const EntryOptions& options, noise_library::Entry& entry);
 
-/// Entries as a table of the fields and figures named, with a row of units.
-std::string entry_table(const std::vector<noise_library::Entry>& entries, const std::vector<std::string>& columns,
-                        const std::vector<noise_library::FigureKind>& figures);
-
-/// One entry in full, a line per field that is known.
-std::string entry_page(const noise_library::Library& library, const noise_library::Entry& entry);
-
-/// "1 entry", "2 entries"
-std::string counted(std::size_t count, const char* one, const char* many);
-
-/// "12  squeal.wav  3.2 s, 48000 Hz, 2 channels"
-std::string entry_line(const noise_library::Entry& entry);
-
-/// "   1  squeal.wav  3.2 s, 48000 Hz, 1 channel: squeal", with the category where there is one.
-std::string judged_line(const noise_library::Entry& entry);
-
-/// What became of many recordings: numbers, then a line for each that was known (if they are few) or refused.
-std::string summary_text(const noise_library::Arrivals& arrivals);
-
 /// Runs work over many recordings, then has it say what became of all, also where an error ended it, which is thrown
 /// after that.
 template <typename Work>

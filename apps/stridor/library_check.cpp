@@ -1,8 +1,9 @@
 #include "library.hpp"
-#include "library_hearing.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/console/library_text.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/io/library/library_repair.hpp"
-#include "terminal.hpp"
+#include "stridor/io/library/recording_probe.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -21,45 +22,34 @@ struct CheckOptions {
     std::vector<std::string> archives;
 };
 
-std::string ids_text(const std::vector<std::int64_t>& ids) {
-    return fmt::format("{} {}", ids.size() == 1 ? "entry" : "entries", fmt::join(ids, ", "));
-}
-
-// a line for each thing that is wrong
-std::vector<std::string> lines_of(const Findings& findings) {
-    std::vector<std::string> lines = findings.saved.damages;
-    for (const noise_library::LostEntry& lost : findings.saved.lost)
-        lines.push_back(fmt::format("entry {} is not what was written", lost.id));
-    for (const noise_library::DamagedSound& sound : findings.damaged_sounds)
-        lines.push_back(fmt::format("the audio {} of {} is {}", noise_library::path_of(sound.name).string(),
-                                    ids_text(sound.entries), sound.is_missing ? "missing" : "damaged"));
-    return lines;
-}
-
 // says what is there; throws what is not
 void tell(const Findings& findings, const std::filesystem::path& file) {
-    const std::vector<std::string> lines = lines_of(findings);
+    const std::vector<std::string> lines = console::finding_lines(findings);
     std::string text;
     for (const std::string& line : lines)
         text += line + "\n";
-    text += fmt::format("{}, {}: {}\n", counted(findings.saved.entries.size(), "entry", "entries"),
-                        counted(findings.sounds, "sound", "sounds"),
+    text += fmt::format("{}, {}: {}\n", console::counted(findings.saved.entries.size(), "entry", "entries"),
+                        console::counted(findings.sounds, "sound", "sounds"),
                         lines.empty() ? "nothing is damaged" : "whole but for what is named above");
-    print(text);
+    console::print(text);
     if (!lines.empty())
-        throw Error(ErrorKind::io,
-                    {"the library " + file.string() + " is damaged", counted(lines.size(), "finding", "findings"),
-                     "`stridor library check --repair ARCHIVE` brings back what an export has."});
+        throw Error(ErrorKind::io, {"the library " + file.string() + " is damaged",
+                                    console::counted(lines.size(), "finding", "findings"),
+                                    "`stridor library check --repair ARCHIVE` brings back what an export has."});
 }
 
 void repair(const CheckOptions& options, const std::filesystem::path& file) {
     const std::vector<std::filesystem::path> archives(options.archives.begin(), options.archives.end());
-    const io::Repair done = io::repair_library(file, archives, probe_of({}, {}));
-    print(fmt::format("{} kept, {} brought back from archives, {} made anew from sounds, {} lost\n",
-                      counted(done.kept, "entry", "entries"), done.from_archives, done.from_sounds, done.lost.size()));
-    if (!done.lost.empty()) print("lost: " + ids_text(done.lost) + "\n");
-    if (done.mended_sounds > 0) print(counted(done.mended_sounds, "sound", "sounds") + " brought back\n");
-    if (!done.damaged_file.empty()) say("the damaged file is kept as " + done.damaged_file.string());
+    io::HearingOptions hearing;
+    hearing.note = console::say_note;
+    const io::Repair done = io::repair_library(file, archives, io::probe_of(hearing, {}));
+    console::print(fmt::format("{} kept, {} brought back from archives, {} made anew from sounds, {} lost\n",
+                               console::counted(done.kept, "entry", "entries"), done.from_archives, done.from_sounds,
+                               done.lost.size()));
+    if (!done.lost.empty()) console::print("lost: " + console::ids_text(done.lost) + "\n");
+    if (done.mended_sounds > 0)
+        console::print(console::counted(done.mended_sounds, "sound", "sounds") + " brought back\n");
+    if (!done.damaged_file.empty()) console::say("the damaged file is kept as " + done.damaged_file.string());
     tell(done.findings, file);
 }
 

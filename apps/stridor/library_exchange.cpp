@@ -1,8 +1,9 @@
 #include "library.hpp"
-#include "progress.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/console/library_text.hpp"
+#include "stridor/console/progress.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/io/library/library_archive.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,10 +25,6 @@ struct ExportOptions {
     SelectionOptions selection;
 };
 
-std::string count_text(std::size_t count) {
-    return fmt::format("{} {}", count, count == 1 ? "entry" : "entries");
-}
-
 void export_entries(const ExportOptions& options) {
     Library library = open_library(options.library, Access::read);
     std::vector<Entry> entries;
@@ -41,7 +38,7 @@ void export_entries(const ExportOptions& options) {
     if (entries.empty())
         throw Error(ErrorKind::input, {"there is nothing to export", "no entry meets the conditions", ""});
     io::export_library(library, entries, options.archive);
-    say(fmt::format("wrote {} to {}", count_text(entries.size()), options.archive));
+    console::say(fmt::format("wrote {} to {}", console::counted(entries.size(), "entry", "entries"), options.archive));
 }
 
 struct ImportOptions {
@@ -52,7 +49,7 @@ struct ImportOptions {
 void import_entries(const ImportOptions& options) {
     Library library = open_library(options.library, Access::fill);
     constexpr std::uint64_t large = 100'000'000;  // [bytes] what takes a second or so
-    ShareDisplay display("imported");
+    console::ShareDisplay display("imported");
     const auto show = [&](std::uint64_t done, std::uint64_t total) {
         if (total >= large) display.show(static_cast<double>(done) / static_cast<double>(total));
     };
@@ -62,9 +59,10 @@ void import_entries(const ImportOptions& options) {
                             : result.added.size() == 1
                                 ? fmt::format(", id {}", result.added.front())
                                 : fmt::format(", ids {} to {}", result.added.front(), result.added.back());
-    print(fmt::format("{} added{}; {} there already\n", count_text(result.added.size()), ids, result.skipped));
+    console::print(fmt::format("{} added{}; {} there already\n",
+                               console::counted(result.added.size(), "entry", "entries"), ids, result.skipped));
     if (result.heard_otherwise > 0)
-        say(fmt::format(
+        console::say(fmt::format(
             "stridor: note: {} of those there already had another verdict by ear, which was kept; `stridor library "
             "judge` brings verdicts up to date",
             result.heard_otherwise));

@@ -1,17 +1,19 @@
 #include "interrupt.hpp"
 #include "library.hpp"
-#include "library_hearing.hpp"
-#include "progress.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/console/library_text.hpp"
+#include "stridor/console/progress.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/library/json_library.hpp"
+#include "stridor/io/library/recording_probe.hpp"
+#include "stridor/noise_library/entry_filler.hpp"
 #include "stridor/noise_library/recording.hpp"
 #include "stridor/noise_library/starter_noises.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/storage/temporary.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -89,7 +91,7 @@ Entry given(const noise_library::StarterNoise& noise, const std::string& contact
     entry.operation = noise.operation;
     entry.recorded = "simulation";
     entry.preload = noise.c.contact.preload;
-    entry.velocity = peak_velocity(drive);
+    entry.velocity = noise_library::peak_velocity(drive);
     entry.velocity_profile =
         drive.kind == parameters::DriveKind::constant ? "constant" : fmt::format("sinusoidal {:g} Hz", drive.frequency);
     entry.temperature = noise.temperature;
@@ -124,8 +126,8 @@ public:
 
     void tell() {
         display_.clear();
-        if (options_.json) print(io::arrivals_json(library_.file(), entries_, arrivals_) + "\n");
-        say(summary_text(arrivals_));
+        if (options_.json) console::print(io::arrivals_json(library_.file(), entries_, arrivals_) + "\n");
+        console::say(console::summary_text(arrivals_));
     }
 
 private:
@@ -147,14 +149,14 @@ private:
         write(file.string(), made_noise.sound, noise.c);
         if (const auto twin = library_.entry_with(noise_library::audio_hash(file)))
             return arrivals_.known.push_back({name, *twin});
-        const Entry entry =
-            noise_library::add_recording(library_, {file, given(noise, made_noise.contact)}, probe_of({}, {}));
+        const Entry entry = noise_library::add_recording(library_, {file, given(noise, made_noise.contact)},
+                                                         io::probe_of(hearing_, {}));
         arrivals_.added.push_back(entry.id);
         display_.clear();
         if (options_.json)
             entries_.push_back(entry);
         else
-            print(judged_line(entry));
+            console::print(console::judged_line(entry));
     }
 
     const StarterOptions& options_;
@@ -163,8 +165,9 @@ private:
     noise_library::Library library_;
     storage::PrivateFolder folder_{};
     integration::Workspace workspace_{};
-    ShareDisplay display_{"made"};
+    console::ShareDisplay display_{"made"};
     noise_library::Arrivals arrivals_{};
+    io::HearingOptions hearing_{io::Judging::by_ear, {}, {}, console::say_note};
     std::vector<Entry> entries_{};  // for JSON alone
 };
 

@@ -1,13 +1,16 @@
 #include "arguments.hpp"
-#include "cell_choice.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "player.hpp"
-#include "sound.hpp"
 #include "stridor/base/elementary.hpp"
+#include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
+#include "stridor/console/listening_text.hpp"
+#include "stridor/console/terminal.hpp"
+#include "stridor/hearing/rendered_sound.hpp"
+#include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/case/toml_writer.hpp"
@@ -17,7 +20,7 @@
 #include "stridor/record/schedule.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/storage/temporary.hpp"
-#include "terminal.hpp"
+#include "stridor/sweep/cell_choice.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -41,7 +44,6 @@ constexpr double normal_peak = -1.0;  // [dBFS] where the largest sample of a no
 // full scale of an absolute sound: the loudest of Table 1 peaks at a third of it
 constexpr double velocity_full_scale = 10.0;       // [m/s]
 constexpr double acceleration_full_scale = 100e3;  // [m/s^2]
-constexpr double least_peak = 1e-9;                // [m/s], [m/s^2] what is smaller is rounding and is not made louder
 
 struct ListenOptions {
     CaseOptions input;
@@ -66,10 +68,6 @@ struct Choice {
     io::SoundInfo info;  // where it came from
 };
 
-[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
-    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
-}
-
 std::optional<Direction> direction_of(const ListenOptions& options) {
     if (options.direction.empty()) return std::nullopt;
     return options.direction == "going" ? Direction::going : Direction::coming;
@@ -81,7 +79,8 @@ std::optional<Direction> direction_of(const ListenOptions& options) {
 std::optional<double> seconds_of(const ListenOptions& options) {
     if (options.seconds.empty()) return std::nullopt;
     const double seconds = base::parse_quantity(options.seconds, "s");
-    if (!(seconds > 0.0)) refuse("--seconds " + options.seconds + " is no time to listen", "it must be positive", "");
+    if (!(seconds > 0.0))
+        base::refuse("--seconds " + options.seconds + " is no time to listen", "it must be positive", "");
     return seconds;
 }
 
@@ -96,11 +95,11 @@ void set_duration(io::TomlSource& source, const parameters::Case& c, const std::
 Choice chosen_cell(const ListenOptions& options, io::TomlSource source) {
     set_duration(source, io::read_study(source).base, seconds_of(options));
     const sweep::Study study = io::read_study(source);
-    CellChoice cell = parse_cell(options.cell);
+    sweep::CellChoice cell = sweep::parse_cell(options.cell);
     if (const std::optional<Direction> direction = direction_of(options)) cell.direction = direction;
-    const sweep::CellPlace place = nearest_cell(study, cell);
+    const sweep::CellPlace place = sweep::nearest_cell(study, cell);
     Choice choice{sweep::case_at(study, place), {}};
-    choice.info.cell = cell_words(study, place);
+    choice.info.cell = sweep::cell_words(study, place);
     return choice;
 }
 
@@ -117,8 +116,8 @@ sound::Pickup pickup(const ListenOptions& options) {
     const bool is_joint = options.of == "joint";
     const std::string component = options.component.empty() ? (is_joint ? "x" : "y") : options.component;
     if (!is_joint && component == "x")
-        refuse("the plate's motion along x is imposed", "it is the drive, without any vibration",
-               "Listen to --component y of the plate, or to the joint.");
+        base::refuse("the plate's motion along x is imposed", "it is the drive, without any vibration",
+                     "Listen to --component y of the plate, or to the joint.");
     const MotionQuantity quantity =
         options.quantity == "velocity" ? MotionQuantity::velocity : MotionQuantity::acceleration;
     if (!is_joint) return {2, quantity};
@@ -131,21 +130,21 @@ std::vector<sound::Stretch> stretches(const ListenOptions& options, const parame
     const bool is_constant = c.drive.kind == DriveKind::constant;
     if (is_constant && direction && options.cell.empty() &&
         (*direction == Direction::going) != (c.drive.velocity > 0.0))
-        refuse("this drive has no " + options.direction + " phase", "its velocity is constant",
-               "Change its sign: --set drive.velocity=" + base::shortest(-c.drive.velocity));
+        base::refuse("this drive has no " + options.direction + " phase", "its velocity is constant",
+                     "Change its sign: --set drive.velocity=" + base::shortest(-c.drive.velocity));
     if (!options.judged && (is_constant || !direction)) return {{0.0, c.run.duration}};
     if (!is_constant && !direction)
-        refuse("--judged needs a direction", "going and coming phases are judged by themselves",
-               "Add --direction going or coming.");
+        base::refuse("--judged needs a direction", "going and coming phases are judged by themselves",
+                     "Add --direction going or coming.");
     const record::Phase phase = is_constant                      ? record::Phase::all
                                 : *direction == Direction::going ? record::Phase::going
                                                                  : record::Phase::coming;
     std::vector<sound::Stretch> found =
         sound::stretches_of(record::schedule(c), phase, options.judged ? record::Use::judged : record::Use::counted);
     if (found.empty())
-        refuse("no " + options.direction + " phase lies in the window of " + base::shortest(c.run.window) + " s",
-               options.judged ? "only whole phases are judged" : "the drive does not move that way",
-               "Ask for more --seconds.");
+        base::refuse("no " + options.direction + " phase lies in the window of " + base::shortest(c.run.window) + " s",
+                     options.judged ? "only whole phases are judged" : "the drive does not move that way",
+                     "Ask for more --seconds.");
     return found;
 }
 
@@ -156,38 +155,40 @@ sound::AuralisationSettings settings_for(const ListenOptions& options, const par
     settings.high_pass = base::parse_quantity(options.high_pass, "Hz");
     settings.fade = base::parse_quantity(options.fade, "s");
     if (!(settings.rate >= 8000.0 && settings.rate <= 192000.0) || settings.rate != std::floor(settings.rate))
-        refuse("--rate " + options.rate + " is no rate for a sound", "it is a whole number from 8 kHz to 192 kHz",
-               "Use 44100, 48000 or 51200.");
+        base::refuse("--rate " + options.rate + " is no rate for a sound", "it is a whole number from 8 kHz to 192 kHz",
+                     "Use 44100, 48000 or 51200.");
     if (!(settings.high_pass >= 0.0 && settings.high_pass <= 0.1 * settings.rate))
-        refuse("--high-pass " + options.high_pass + " leaves nothing to hear", "it goes from 0 to a tenth of the rate",
-               "20 Hz is the default, 0 leaves all in.");
-    if (!(settings.fade >= 0.0)) refuse("--fade " + options.fade + " is no time", "it must not be negative", "");
+        base::refuse("--high-pass " + options.high_pass + " leaves nothing to hear",
+                     "it goes from 0 to a tenth of the rate", "20 Hz is the default, 0 leaves all in.");
+    if (!(settings.fade >= 0.0)) base::refuse("--fade " + options.fade + " is no time", "it must not be negative", "");
     const double end = seconds_of(options).value_or(c.run.duration);
     for (const sound::Stretch& stretch : stretches(options, c))
         if (stretch.from < end) settings.stretches.push_back({stretch.from, std::min(stretch.to, end)});
     if (settings.stretches.empty())
-        refuse("nothing of this part lies in the first " + base::shortest(end) + " s", "", "Ask for more --seconds.");
+        base::refuse("nothing of this part lies in the first " + base::shortest(end) + " s", "",
+                     "Ask for more --seconds.");
     return settings;
 }
 
 // --- how loud
 
-double full_scale_for(const ListenOptions& options, const Spool& sound) {
+double full_scale_for(const ListenOptions& options, const hearing::RenderedSound& sound) {
     const std::string unit = sound.layout().channels.front().unit;
     const bool is_absolute = options.level == "absolute";
     if (!options.full_scale.empty() && !is_absolute)
-        refuse("--full-scale does not go with a normalised level", "its full scale follows from the loudest sample",
-               "Add --level absolute.");
+        base::refuse("--full-scale does not go with a normalised level",
+                     "its full scale follows from the loudest sample", "Add --level absolute.");
     const double usual = unit == "m/s" ? velocity_full_scale : acceleration_full_scale;
     if (!is_absolute)
-        return sound.peak() < least_peak ? usual
-                                         : sound.peak() / base::power_of_2(normal_peak / 20.0 * 3.321928094887362);
+        return sound.peak() < hearing::least_motion
+                   ? usual
+                   : sound.peak() / base::power_of_2(normal_peak / 20.0 * 3.321928094887362);
     const double full_scale = options.full_scale.empty() ? usual : base::parse_quantity(options.full_scale, unit);
-    if (!(full_scale > 0.0)) refuse("--full-scale " + options.full_scale + " is not positive", "", "");
+    if (!(full_scale > 0.0)) base::refuse("--full-scale " + options.full_scale + " is not positive", "", "");
     if (sound.peak() > full_scale)
-        refuse(fmt::format("the sound peaks at {:.4g} {}, above the full scale of {:g} {}", sound.peak(), unit,
-                           full_scale, unit),
-               "it would be clipped", fmt::format("Use --full-scale \"{:.1g} {}\".", 2.0 * sound.peak(), unit));
+        base::refuse(fmt::format("the sound peaks at {:.4g} {}, above the full scale of {:g} {}", sound.peak(), unit,
+                                 full_scale, unit),
+                     "it would be clipped", fmt::format("Use --full-scale \"{:.1g} {}\".", 2.0 * sound.peak(), unit));
     return full_scale;
 }
 
@@ -200,14 +201,14 @@ public:
 
     void show(double time) {
         const int percent = static_cast<int>(100.0 * time / duration_);
-        const int step = has_terminal() ? 1 : 10;
+        const int step = console::has_terminal() ? 1 : 10;
         if (duration_ < 20.0 || percent / step == shown_ / step) return;
         shown_ = percent;
         const std::string line = fmt::format("rendered {:.0f} of {:g} s", time, duration_);
-        if (has_terminal())
+        if (console::has_terminal())
             fmt::print(stderr, "\r{}{}", line, percent >= 100 ? "\n" : "");
         else
-            say(line);
+            console::say(line);
     }
 
 private:
@@ -222,21 +223,9 @@ void require_destination(const ListenOptions& options) {
                         {"no program to play a sound is installed", "none of " + known_players() + " is on the PATH",
                          "Write a file with -o FILE.wav, or install one (Debian: alsa-utils)."});
     } else if (!options.out.ends_with(".wav")) {
-        refuse("-o " + options.out + " is no WAV file", "sounds are written as WAV only",
-               "Give it a name that ends in .wav.");
+        base::refuse("-o " + options.out + " is no WAV file", "sounds are written as WAV only",
+                     "Give it a name that ends in .wav.");
     }
-}
-
-std::string report(const io::SoundInfo& info) {
-    const double loudest = info.peak < least_peak ? 0.0 : info.peak;
-    std::string text = fmt::format("{} {} along {}, {:g} s at {:g} Hz", info.of, info.quantity, info.component,
-                                   info.duration, info.rate);
-    if (!info.cell.empty()) text += "; cell " + info.cell;
-    text += fmt::format("\npeak {:.4g} {}, rms {:.4g} {}; full scale {:.4g} {} ({})\n", loudest, info.unit, info.rms,
-                        info.unit, info.full_scale, info.unit, info.level);
-    if (loudest == 0.0) text += "nothing vibrates in this part of the motion: the sound is silence\n";
-    if (!info.file.empty()) text += info.file + "\n";
-    return text;
 }
 
 std::string description(const io::SoundInfo& info, const parameters::Case& c) {
@@ -246,15 +235,16 @@ std::string description(const io::SoundInfo& info, const parameters::Case& c) {
 
 void listen(ListenOptions options) {
     require_destination(options);
-    const std::optional<Direction> of_cell = options.cell.empty() ? std::nullopt : parse_cell(options.cell).direction;
+    const std::optional<Direction> of_cell =
+        options.cell.empty() ? std::nullopt : sweep::parse_cell(options.cell).direction;
     if (options.direction.empty() && of_cell) options.direction = direction_names[static_cast<std::size_t>(*of_cell)];
     Choice choice = choose(options);
     const sound::AuralisationSettings settings = settings_for(options, choice.c);
-    std::unique_ptr<Spool> sound;
+    std::unique_ptr<hearing::RenderedSound> sound;
     {
         const Interrupt interrupt;
         RenderDisplay display(choice.c.run.duration);
-        sound = render(choice.c, settings, interrupt.token(), [&](double time) { display.show(time); });
+        sound = hearing::render(choice.c, settings, interrupt.token(), [&](double time) { display.show(time); });
     }
     io::SoundInfo& info = choice.info;
     info.file = options.out;
@@ -279,7 +269,7 @@ void listen(ListenOptions options) {
                                       description(info, choice.c),
                                       recordings::case_mark + case_text};
     if (!options.out.empty()) recordings::write_wav(options.out, *sound, file);
-    print(options.json ? io::listen_json(choice.c, info) + "\n" : report(info));
+    console::print(options.json ? io::listen_json(choice.c, info) + "\n" : console::listening_text(info));
     if (!options.out.empty()) return;
     const storage::PrivateFolder folder;
     const std::string temporary = (folder.path() / "sound.wav").string();

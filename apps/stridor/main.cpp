@@ -3,7 +3,7 @@
 #include "help.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
-#include "terminal.hpp"
+#include "stridor/console/terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -69,7 +69,7 @@ void parse(CLI::App& program, std::vector<std::string> arguments) {
     } catch (const CLI::Success& asked) {  // --help, --version
         std::ostringstream text;
         program.exit(asked, text, text);
-        print(text.str());
+        console::print(text.str());
     }
 }
 
@@ -83,13 +83,13 @@ int run(int argc, char** argv) {
         say_usage_error(program, error);
         return bad_usage;
     } catch (const Error& error) {
-        say_error(error);
+        console::say_error(error);
         return base::exit_code(error.kind());
     } catch (const std::bad_alloc&) {
-        say("stridor: error: out of memory");
+        console::say("stridor: error: out of memory");
         return base::exit_code(ErrorKind::io);
     } catch (const std::exception& error) {
-        say(std::string("stridor: error: ") + error.what());
+        console::say(std::string("stridor: error: ") + error.what());
         return base::exit_code(ErrorKind::io);
     }
 }
@@ -99,7 +99,7 @@ int run(int argc, char** argv) {
 }  // namespace stridor::app
 
 int main(int argc, char** argv) {
-    stridor::app::open_standard_streams();
+    stridor::console::open_standard_streams();
     // a closed pipe and a file beyond its size limit are error returns, not silent deaths
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

@@ -1,21 +1,23 @@
 #include "arguments.hpp"
-#include "cell_choice.hpp"
 #include "commands.hpp"
 #include "compare.hpp"
 #include "compare_input.hpp"
-#include "figures.hpp"
 #include "interrupt.hpp"
-#include "kept.hpp"
-#include "progress.hpp"
-#include "sound.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/console/match_text.hpp"
+#include "stridor/console/progress.hpp"
+#include "stridor/console/terminal.hpp"
+#include "stridor/figures/picture_files.hpp"
 #include "stridor/figures/side_by_side.hpp"
+#include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/sound/json_compare.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/storage/atomic_file.hpp"
+#include "stridor/storage/command_cache.hpp"
+#include "stridor/sweep/cell_choice.hpp"
 #include "stridor/sweep/store.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -33,10 +35,10 @@ using classification::Category;
 using classification::ComparedSound;
 using hearing::SoundMatch;
 
-constexpr double least_rate = 8000.0;       // [Hz] of a rendered cell
-constexpr double most_rate = 192000.0;      // [Hz]
-constexpr std::size_t drawn = 3;            // [1] matches beside the recording in the figure
-constexpr double normal_peak = 0.89125094;  // [1] of full scale: -1 dB
+constexpr double least_rate = 8000.0;      // [Hz] of a rendered cell
+constexpr double most_rate = 192000.0;     // [Hz]
+constexpr std::size_t drawn = 3;           // [1] matches beside the recording in the figure
+constexpr double match_peak = 0.89125094;  // [1] of full scale: -1 dB
 
 struct MatchOptions {
     std::string recording;
@@ -52,23 +54,19 @@ struct MatchOptions {
     bool json = false;
 };
 
-[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
-    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
-}
-
 // says how far the search is: a line that is redrawn in a terminal, a line per 10 % anywhere else
 class SearchDisplay {
 public:
     void show(const hearing::SearchProgress& progress) {
         if (progress.done <= progress.before && progress.done < progress.known) return;  // known from an earlier run
-        if (!has_terminal() && progress.known < least_said) return;
+        if (!console::has_terminal() && progress.known < least_said) return;
         display_.show(static_cast<double>(progress.done) / static_cast<double>(progress.known),
                       fmt::format("{} of {} cells", progress.done, progress.known));
     }
 
 private:
     static constexpr std::size_t least_said = 50;  // [1] cells: less takes no time worth a line
-    ShareDisplay display_{"listened to", TimeLeft::shown};
+    console::ShareDisplay display_{"listened to", console::TimeLeft::shown};
 };
 
 // --- what is searched
@@ -91,10 +89,10 @@ std::vector<bool> ruled_out(const MatchOptions& options, const sweep::Study& stu
 
 void require_sound(const ComparedSound& recording) {
     if (recording.analysis.stretches.empty())
-        refuse(fmt::format("{} is too short to be matched, {:.3g} s", recording.name, recording.length),
-               "nothing shorter than 20 ms can be described", "");
+        base::refuse(fmt::format("{} is too short to be matched, {:.3g} s", recording.name, recording.length),
+                     "nothing shorter than 20 ms can be described", "");
     if (is_silent(recording.profile))
-        refuse("nothing can be heard in " + recording.name, "silence sounds like every quiet cell", "");
+        base::refuse("nothing can be heard in " + recording.name, "silence sounds like every quiet cell", "");
 }
 
 double cell_rate(const ComparedSound& recording) {
@@ -104,10 +102,10 @@ double cell_rate(const ComparedSound& recording) {
 void require_level(const MatchOptions& options, const ComparedSound& recording) {
     const std::string unit = sound::unit_of(pickup_of(options.motion).quantity);
     if (!options.with_level || recording.analysis.unit == unit) return;
-    refuse("the level of " + recording.name + " cannot be compared",
-           "it is in " + recording.analysis.unit + ", the model's motion in " + unit +
-               ": a sound pressure would need a model of radiation",
-           "Leave --with-level out, or choose --quantity.");
+    base::refuse("the level of " + recording.name + " cannot be compared",
+                 "it is in " + recording.analysis.unit + ", the model's motion in " + unit +
+                     ": a sound pressure would need a model of radiation",
+                 "Leave --with-level out, or choose --quantity.");
 }
 
 hearing::SoundSearchResult searched(const MatchOptions& options, const io::MatchReport& report,
@@ -122,7 +120,7 @@ hearing::SoundSearchResult searched(const MatchOptions& options, const io::Match
     SearchDisplay display;
     settings.stop = interrupt.token();
     settings.progress = [&](const hearing::SearchProgress& progress) { display.show(progress); };
-    Kept kept("match", hearing::listening_text(report.study, listening));
+    storage::CommandCache kept("match", hearing::listening_text(report.study, listening), console::say);
     settings.kept = kept.results();
     hearing::SoundSearchResult result = hearing::search(report.study, report.recording.profile, listening, settings);
     if (result.is_stopped)
@@ -137,58 +135,12 @@ hearing::SoundSearchResult searched(const MatchOptions& options, const io::Match
     return result;
 }
 
-// --- what is told
-
-std::string name_of(const sweep::Study& study, const SoundMatch& match) {
-    const sweep::CellPlace place = sweep::place_of(study, match.cell.index);
-    const auto direction = static_cast<std::size_t>(study.directions[place.direction]);
-    return cell_name(study, place) + ",direction=" + std::string(parameters::direction_names[direction]);
-}
-
-// "dominant frequency 425 -> 431 Hz"
-std::string difference_words(const classification::FigureDifference& each) {
-    std::string name(each.name);
-    std::replace(name.begin(), name.end(), '_', ' ');
-    const std::string unit = each.unit == "1" ? "" : " " + std::string(each.unit);
-    return fmt::format("{} {:.3g} -> {:.3g}{}", name, each.first, each.second, unit);
-}
-
-std::string differences(const classification::Likeness& likeness) {
-    std::string text;
-    for (std::size_t k = 0; k < std::min<std::size_t>(3, likeness.differences.size()); ++k)
-        if (likeness.differences[k].share >= 0.1)
-            text += (text.empty() ? "" : ", ") + difference_words(likeness.differences[k]);
-    return text.empty() ? "nothing" : text;
-}
-
-std::string search_words(const io::MatchReport& report) {
-    const hearing::SoundSearchResult& result = report.result;
-    std::string text = fmt::format("listened to {} of {} cells", result.heard, sweep::cell_count(report.study));
-    if (result.ruled_out > 0) text += fmt::format("; {} ruled out by the store", result.ruled_out);
-    if (result.without_result > 0) text += fmt::format("; {} without a result", result.without_result);
-    return text + "\n";
-}
-
-std::string report_text(const io::MatchReport& report) {
-    const sweep::Study& study = report.study;
-    std::string text = fmt::format("{}: {} by ear\n{}: x is {}, y is {}; {}\n{}\n", report.recording.name,
-                                   classification::name(report.recording.heard.category), report.chart,
-                                   study.x.parameter, study.y.parameter, report.motion, search_words(report));
-    text += fmt::format("{:>3} {:>9}  {:<9}{:<9}{:<40}  what differs\n", "", "distance", "by ear", "contact", "cell");
-    for (std::size_t k = 0; k < report.result.best.size(); ++k) {
-        const SoundMatch& match = report.result.best[k];
-        text += fmt::format("{:>3} {:>9.3f}  {:<9}{:<9}{:<40}  {}\n", k + 1, match.likeness.distance,
-                            classification::name(match.cell.heard), classification::name(match.cell.contact),
-                            name_of(study, match), differences(match.likeness));
-    }
-    return text;
-}
-
 // --- what is left in the folder
 
 SimulatedSound simulated(const io::MatchReport& report, const SoundMatch& match) {
     const sweep::CellPlace place = sweep::place_of(report.study, match.cell.index);
-    SimulatedSound sound{name_of(report.study, match), sweep::case_at(report.study, place), {}, report.rate};
+    SimulatedSound sound{
+        console::match_name(report.study, match), sweep::case_at(report.study, place), {}, report.rate};
     sound.stretches = hearing::heard_stretches(sound.c, report.study.directions[place.direction]);
     return sound;
 }
@@ -199,9 +151,10 @@ void write_cell(const SimulatedSound& cell, const MatchOptions& options, const s
     settings.rate = cell.rate;
     settings.stretches = cell.stretches;
     const Interrupt interrupt;
-    const std::unique_ptr<Spool> sound = render(cell.c, settings, interrupt.token(), [](double) {});
+    const std::unique_ptr<hearing::RenderedSound> sound =
+        hearing::render(cell.c, settings, interrupt.token(), [](double) {});
     const std::string unit = sound::unit_of(settings.pickup.quantity);
-    const double full_scale = sound->peak() > 0.0 ? sound->peak() / normal_peak : 1.0;
+    const double full_scale = sound->peak() > 0.0 ? sound->peak() / match_peak : 1.0;
     recordings::write_wav(file, *sound,
                           {recordings::WavSamples::pcm_24,
                            {{full_scale, unit}},
@@ -225,7 +178,7 @@ void write_folder(const MatchOptions& options, const io::MatchReport& report) {
         sounds.back().label = fmt::format("match {}", k + 1);
         sounds.back().origin = "simulation at " + cell.name;
     }
-    draw_both(figures::side_by_side(sounds), folder / "match");
+    figures::draw_both(figures::side_by_side(sounds), folder / "match");
 }
 
 void match(const MatchOptions& options) {
@@ -245,12 +198,13 @@ void match(const MatchOptions& options) {
     hearing::check_audible(report.study.base, listening.sound);
     report.result = searched(options, report, listening);
     if (!options.out.empty()) write_folder(options, report);
-    print(options.json ? io::match_json(report) + "\n" : report_text(report));
+    console::print(options.json ? io::match_json(report) + "\n" : console::match_text(report));
     if (!options.out.empty() && !options.json)
-        print(fmt::format("\n{0}/match.png {0}/match.svg {0}/match.json {0}/match-1.wav ...\n", options.out));
-    if (!options.json && has_terminal()) {
+        console::print(fmt::format("\n{0}/match.png {0}/match.svg {0}/match.json {0}/match-1.wav ...\n", options.out));
+    if (!options.json && console::has_terminal()) {
         const sweep::CellPlace place = sweep::place_of(report.study, report.result.best.front().cell.index);
-        say(styled("next: " + sweep::reproduce_command(report.study, place, report.chart), Style::dim, 2));
+        console::say(console::styled("next: " + sweep::reproduce_command(report.study, place, report.chart),
+                                     console::Style::dim, 2));
     }
 }
 

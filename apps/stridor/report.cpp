@@ -1,17 +1,17 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "pdf.hpp"
-#include "progress.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/console/progress.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/chart/axis_text.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/report/design_report.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -94,7 +94,7 @@ sweep::Study study_for(const ReportOptions& options, const io::TomlSource& sourc
 
 void add_advice(report::DesignResults& results, const ReportOptions& options, const std::stop_token& asked) {
     const Deadline deadline(asked, longest_advice);
-    ShareDisplay display("advice:", TimeLeft::shown);
+    console::ShareDisplay display("advice:", console::TimeLeft::shown);
     advice::AdviceOptions advice;
     advice.threads = options.threads;
     advice.stop = deadline.token();
@@ -149,8 +149,8 @@ void make_report(const ReportOptions& options) {
     if (study) results.chart = report::chart_in_memory(*study, options.threads, interrupt.token());
     if (options.has_advice) add_advice(results, options, interrupt.token());
     const std::string page = report::html(report::design_report(results));
-    write_output(output, is_pdf ? printed_pdf(page) : page);
-    if (output != "-") print(output + "\n");
+    console::write_output(output, is_pdf ? printed_pdf(page) : page);
+    if (output != "-") console::print(output + "\n");
 }
 
 }  // namespace

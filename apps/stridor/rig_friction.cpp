@@ -1,16 +1,18 @@
 #include "commands.hpp"
 #include "rig.hpp"
-#include "rig_channels.hpp"
 #include "stridor/analysis/friction_trace.hpp"
+#include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/console/friction_text.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/simulation/json_friction.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/recordings/open_signal.hpp"
+#include "stridor/recordings/rig_channels.hpp"
 #include "stridor/signal/channel_name.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -25,9 +27,7 @@ namespace stridor::app {
 
 namespace {
 
-using analysis::FrictionFigures;
 using analysis::FrictionTrace;
-using analysis::MeasuredCoefficient;
 
 // an hour of four channels at 10 kHz
 constexpr std::uint64_t most_samples = 150'000'000;
@@ -44,84 +44,6 @@ struct FrictionOptions {
     bool json = false;
 };
 
-[[noreturn]] void refuse(std::string what, std::string why, std::string suggestion) {
-    throw Error(ErrorKind::input, {std::move(what), std::move(why), std::move(suggestion)});
-}
-
-// by its name or its number from 1
-std::size_t channel_in(const signal::ChannelLayout& layout, const std::string& name, const std::string& unit) {
-    const std::size_t found = signal::channel_named(layout, name);
-    if (layout.channels[found].unit != unit)
-        refuse("channel \"" + name + "\" is in " + layout.channels[found].unit, "it must be in " + unit,
-               unit == "N" ? "If it is not calibrated, say --full-scale \"50 N\"." : "");
-    return found;
-}
-
-// what is named, else what the channels say themselves
-FrictionChannels channels_of(const signal::ChannelLayout& layout, const FrictionOptions& options) {
-    const Forces forces = forces_of(layout);
-    FrictionChannels channels;
-    if (!options.channel.empty())
-        channels.force = channel_in(layout, options.channel, "N");
-    else if (forces.rubbing.size() == 1)
-        channels.force = forces.rubbing.front();
-    else
-        refuse(
-            forces.rubbing.empty() ? "no channel is a friction force in newtons"
-                                   : "several channels may be the friction force",
-            "the file has " + signal::channel_list(layout),
-            forces.rubbing.empty() ? "If it is not calibrated, say --full-scale \"50 N\"." : "Name it with --channel.");
-    channels.velocity = options.velocity_channel.empty() ? imposed_velocity(layout)
-                                                         : channel_in(layout, options.velocity_channel, "m/s");
-    if (!options.normal_channel.empty())
-        channels.normal = channel_in(layout, options.normal_channel, "N");
-    else if (forces.pressing.size() == 1)
-        channels.normal = forces.pressing.front();
-    return channels;
-}
-
-std::string coefficient_text(const MeasuredCoefficient& c) {
-    if (!std::isfinite(c.value)) return "-";
-    return std::isfinite(c.uncertainty) && c.count > 1 ? fmt::format("{:.4f} +- {:.4f}", c.value, c.uncertainty)
-                                                       : fmt::format("{:.4f}", c.value);
-}
-
-std::string number_or_dash(double value, const char* unit) {
-    return std::isfinite(value) ? fmt::format("{:.4g}{}", value, unit) : "-";
-}
-
-std::string row(const FrictionFigures& figures) {
-    const char* direction = figures.direction == 0 ? "all" : figures.direction > 0 ? "going" : "coming";
-    return fmt::format("{:<8}{:>18}{:>18}{:>9.4f}{:>7}{:>11}{:>11}{:>11}{:>11}\n", direction,
-                       coefficient_text(figures.static_friction), coefficient_text(figures.kinetic_friction),
-                       figures.mean_friction, figures.drops, number_or_dash(figures.drop_rate, " 1/s"),
-                       number_or_dash(figures.mean_drop, " N"), number_or_dash(figures.largest_drop, " N"),
-                       number_or_dash(figures.variation, ""));
-}
-
-std::string report(const io::FrictionTest& test, const FrictionTrace& trace) {
-    std::string text = styled(test.file, Style::bold, STDOUT_FILENO) + "\n";
-    text += fmt::format("{:.4g} s at {:g} Hz, preload {:g} N", test.duration, test.rate, test.preload);
-    if (std::isfinite(test.velocity)) text += fmt::format(", {:.4g} mm/s", 1e3 * test.velocity);
-    if (!test.condition.empty()) text += " (" + test.condition + ")";
-    text += fmt::format(
-        "\nforce \"{}\"{}{}; noise {:.2g} N, drops from {:.3g} N on\n\n", test.channel,
-        test.velocity_channel.empty() ? ", direction by its sign" : ", velocity \"" + test.velocity_channel + "\"",
-        test.normal_channel.empty() ? "" : ", normal force \"" + test.normal_channel + "\"", trace.noise,
-        trace.threshold * test.preload);
-    text += fmt::format("{:<8}{:>18}{:>18}{:>9}{:>7}{:>11}{:>11}{:>11}{:>11}\n", "", "static", "kinetic", "mean",
-                        "drops", "rate", "mean drop", "largest", "variation");
-    for (const FrictionFigures& figures : trace.directions)
-        text += row(figures);
-    if (trace.directions.size() > 1) text += row(trace.all);
-    text +=
-        fmt::format("\nkinetic from {}", analysis::kinetic_source_names[static_cast<std::size_t>(trace.all.source)]);
-    if (trace.all.drops > 0 && std::isfinite(trace.all.distance))
-        text += fmt::format("; {:.4g} drops per millimetre",
-                            static_cast<double>(trace.all.drops) / (1e3 * trace.all.distance));
-    return text + "; +- is one standard uncertainty\n";
-}
-
 double rounded(double value) {
     return std::round(value * 1e4) / 1e4;
 }
@@ -131,15 +53,15 @@ std::string changed_case(const FrictionOptions& options, const io::FrictionTest&
     parameters::Case c = io::read_case(load_source(options.into));
     const double mu_d = rounded(trace.all.kinetic_friction.value);
     double mu_s = rounded(trace.all.static_friction.value);
-    if (!std::isfinite(mu_d)) refuse("the trace shows no kinetic coefficient", "nothing slides in it", "");
+    if (!std::isfinite(mu_d)) base::refuse("the trace shows no kinetic coefficient", "nothing slides in it", "");
     std::string heading = fmt::format("friction coefficients measured: {}, preload {:g} N", test.file, test.preload);
     if (!std::isfinite(mu_s)) {
         mu_s = mu_d;
         heading += "\nno static coefficient was to be seen: it is set to the kinetic one";
     }
     if (mu_s < mu_d)
-        refuse(fmt::format("the static coefficient, {:g}, comes out below the kinetic one, {:g}", mu_s, mu_d),
-               "the model needs it the other way round", "Is --preload right, and the sensor's zero?");
+        base::refuse(fmt::format("the static coefficient, {:g}, comes out below the kinetic one, {:g}", mu_s, mu_d),
+                     "the model needs it the other way round", "Is --preload right, and the sensor's zero?");
     parameters::set_quantity(c, *parameters::find_field("contact.static_friction"), mu_s);
     parameters::set_quantity(c, *parameters::find_field("contact.kinetic_friction"), mu_d);
     return io::case_toml(c, {io::Comments::full, heading});
@@ -150,9 +72,10 @@ void friction(const FrictionOptions& options) {
     if (!options.full_scale.empty()) open.full_scales = {recordings::parse_full_scale(options.full_scale)};
     const std::unique_ptr<recordings::SignalFile> file = recordings::open_signal(options.file, open);
     const signal::ChannelLayout layout = file->layout();
-    const FrictionChannels places = channels_of(layout, options);
+    const recordings::FrictionChannels places =
+        recordings::friction_channels(layout, {options.channel, options.velocity_channel, options.normal_channel});
     for (const std::string& note : file->facts().notes)
-        say("stridor: note: " + note);
+        console::say("stridor: note: " + note);
     const std::vector<signal::Signal> channels = signal::read_all(*file, most_samples);
 
     analysis::FrictionMeasurement measurement;
@@ -175,18 +98,18 @@ void friction(const FrictionOptions& options) {
     test.duration = signal::duration(channels[places.force]);
     test.preload = measurement.preload;
     test.velocity = !options.velocity.empty() ? base::parse_quantity(options.velocity, "m/s")
-                    : places.velocity         ? usual_speed(channels[*places.velocity].samples)
+                    : places.velocity         ? recordings::usual_speed(channels[*places.velocity].samples)
                                               : std::numeric_limits<double>::quiet_NaN();
     test.condition = analysis::vda_condition(test.preload, test.velocity);
     for (const std::string& note : trace.notes)
-        say("stridor: note: " + note);
+        console::say("stridor: note: " + note);
     if (!options.into.empty()) {
-        print_data(changed_case(options, test, trace));
-        say(fmt::format("static {}, kinetic {}", coefficient_text(trace.all.static_friction),
-                        coefficient_text(trace.all.kinetic_friction)));
+        console::print_data(changed_case(options, test, trace));
+        console::say(fmt::format("static {}, kinetic {}", console::coefficient_text(trace.all.static_friction),
+                                 console::coefficient_text(trace.all.kinetic_friction)));
         return;
     }
-    print(options.json ? io::friction_json(test, trace) + "\n" : report(test, trace));
+    console::print(options.json ? io::friction_json(test, trace) + "\n" : console::friction_text(test, trace));
 }
 
 }  // namespace

@@ -1,17 +1,18 @@
 #include "stridor/integration/simulate.hpp"
 
 #include "commands.hpp"
-#include "figures.hpp"
 #include "interrupt.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/contact_rules.hpp"
+#include "stridor/console/simulation_text.hpp"
+#include "stridor/console/terminal.hpp"
+#include "stridor/figures/picture_files.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/io/simulation/motion_csv.hpp"
 #include "stridor/io/simulation/motion_netcdf.hpp"
 #include "stridor/parameters/field.hpp"
-#include "terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ namespace {
 using classification::Category;
 using classification::Verdict;
 
-constexpr double most_samples = 2e6;  // of a trace: 0.9 GB with the text of its file
+constexpr double most_trace_samples = 2e6;  // of a trace: 0.9 GB with the text of its file
 
 struct SimulateOptions {
     CaseOptions input;
@@ -59,10 +60,10 @@ record::Request request_for(const SimulateOptions& options, const parameters::Ca
                                        "its interval must be positive and --trace-from before --trace-to", ""});
     const double samples = (request.trace.to - request.trace.from) / request.trace.interval;
     const bool is_countable = std::abs(request.trace.to / request.trace.interval) <= 1e15;
-    if (samples > most_samples || !is_countable)
+    if (samples > most_trace_samples || !is_countable)
         throw Error(ErrorKind::input,
                     {fmt::format("the trace has {:.3g} samples", samples),
-                     fmt::format("a trace is kept in memory, {:.0f} samples at most", most_samples),
+                     fmt::format("a trace is kept in memory, {:.0f} samples at most", most_trace_samples),
                      "Lengthen --trace-interval, or shorten the time from --trace-from to --trace-to."});
     return request;
 }
@@ -80,105 +81,15 @@ void require_ending(const std::string& option, const std::string& file,
                  "Name it " + std::filesystem::path(file).replace_extension(*endings.begin()).string() + "."});
 }
 
-std::string drive_text(const parameters::Case& c) {
-    using parameters::DriveKind;
-    switch (c.drive.kind) {
-        case DriveKind::sinusoidal:
-            return fmt::format("sinusoidal drive of {:g} mm at {:g} Hz", 1e3 * c.drive.amplitude, c.drive.frequency);
-        case DriveKind::constant:
-            return fmt::format("constant drive of {:g} m/s", c.drive.velocity);
-        case DriveKind::sampled:
-            return "sampled drive " + c.drive.file;
-    }
-    return {};
-}
-
-std::string figure_or_dash(double value, const char* format) {
-    return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : std::string("-");
-}
-
-std::string verdict_row(const Verdict& verdict) {
-    const analysis::Evidence& e = verdict.evidence;
-    const bool is_noisy = verdict.category != Category::none;
-    // padded before it is styled: escape codes have no width
-    const std::string category = styled(fmt::format("{:<10}", classification::name(verdict.category)),
-                                        is_noisy ? Style::bold : Style::plain, STDOUT_FILENO);
-    return fmt::format(
-        "{:<8}{}{:>8}{:>8}{:>8}{:>13}{:>12}{:>12}\n", record::phase_names[static_cast<std::size_t>(e.phase)], category,
-        figure_or_dash(100.0 * e.rates.slip, "{:.1f} %"), figure_or_dash(100.0 * e.rates.stick, "{:.1f} %"),
-        figure_or_dash(100.0 * e.rates.separation, "{:.1f} %"), figure_or_dash(e.alternation.regularity, "{:.3f}"),
-        figure_or_dash(e.alternation.frequency, "{:.1f} Hz"), figure_or_dash(e.levels.joint.decibels, "{:.1f} dB"));
-}
-
-std::string engine_text(const parameters::Case& c) {
-    if (c.run.engine == parameters::Engine::beta_2)
-        return fmt::format("beta_2 = {:g}, step {:g} s", c.run.beta_2, c.run.step);
-    return "exact, impact " + parameters::value_text(c, *parameters::find_field("contact.impact"));
-}
-
-// what is known of the rest of a run that ended early
-std::string proof_text(const integration::Motion& motion) {
-    if (motion.silence)
-        return fmt::format("slips for ever from {:.4g} s on: N stays above {:.4g} N, |w| above {:.4g} m/s\n\n",
-                           motion.silence->time, motion.silence->normal_force, motion.silence->slip_velocity);
-    if (motion.cycle)
-        return fmt::format("limit cycle from {:.4g} s on: period {:.9g} s, {} events, returns to {:.1e}\n\n",
-                           motion.cycle->time, motion.cycle->period, motion.cycle->events, motion.cycle->residual);
-    return "";
-}
-
-// what of the window no verdict looks at
-std::string left_out(const parameters::Case& c, const std::vector<Verdict>& verdicts) {
-    if (c.drive.kind != parameters::DriveKind::constant)
-        return "shares are of the whole phase; the verdict is made from its steady part (verdict.settling, "
-               "verdict.reversal).\n";
-    const analysis::Evidence& e = verdicts.front().evidence;
-    if (!(e.window_time > e.judged_time)) return "";
-    return fmt::format(
-        "shares are of the whole window; the verdict is made from its last {:.4g} s: what comes before is the start\n"
-        "(verdict.start) and left out.\n",
-        e.judged_time);
-}
-
-std::string report(const parameters::Case& c, const integration::Motion& motion, const std::vector<Verdict>& verdicts) {
-    std::string text = styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n";
-    text +=
-        fmt::format("{}, preload {:g} N, mu_d {:g}, mu_s {:g}, incidence angle {:g} deg\n", drive_text(c),
-                    c.contact.preload, c.contact.kinetic_friction, c.contact.static_friction, c.joint.incidence_angle);
-    text += fmt::format("engine {}; start: {}; energy balance closes to {:.1e}\n\n", engine_text(c),
-                        parameters::value_text(c, *parameters::find_field("run.initial")),
-                        std::abs(motion.energy.relative_residual()));
-    text += proof_text(motion);
-    text += fmt::format("{:<8}{:<10}{:>8}{:>8}{:>8}{:>13}{:>12}{:>12}\n", "phase", "category", "slip", "stick",
-                        "separ.", "regularity", "frequency", "joint level");
-    for (const Verdict& verdict : verdicts)
-        text += verdict_row(verdict);
-    text += "\n";
-    for (const Verdict& verdict : verdicts) {
-        text += fmt::format("{}: ", record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)]);
-        for (std::size_t k = 0; k < verdict.reasons.size(); ++k)
-            text += (k > 0 ? "; " : "") + verdict.reasons[k];
-        text += "\n";
-        for (const classification::Margin& margin : verdict.margins)
-            if (std::isfinite(margin.figure))
-                text += styled(fmt::format("    {:<18} {:>9.4g}  threshold {:<17} {:>7.4g}  distance {:+.4g}\n",
-                                           margin.figure_name, margin.figure, margin.threshold_name, margin.threshold,
-                                           margin.distance),
-                               Style::dim, STDOUT_FILENO);
-    }
-    text += "\n" + left_out(c, verdicts) + "A category names a vibration pattern of the model.\n" +
-            std::string(analysis::level_note) + "\n";
-    return text;
-}
-
 void write_records(const SimulateOptions& options, const parameters::Case& c, const integration::Motion& motion,
                    double interval) {
-    if (!options.history.empty()) write_output(options.history, io::history_csv(c, motion.record.histories));
+    if (!options.history.empty()) console::write_output(options.history, io::history_csv(c, motion.record.histories));
     if (options.trace.ends_with(".nc"))
         io::write_trace_netcdf(options.trace, c, motion.record);
     else if (!options.trace.empty())
-        write_output(options.trace, io::trace_csv(c, motion.record.trace, interval));
-    if (!options.figure.empty()) draw(time_history_scene(c, motion.record, options.zoom), options.figure);
+        console::write_output(options.trace, io::trace_csv(c, motion.record.trace, interval));
+    if (!options.figure.empty())
+        figures::draw(figures::time_history_scene(c, motion.record, options.zoom), options.figure);
 }
 
 void simulate(const SimulateOptions& options) {
@@ -191,12 +102,12 @@ void simulate(const SimulateOptions& options) {
     if (const std::optional<Error> failure = integration::failure(c, motion)) throw Error(*failure);
     const std::vector<Verdict> verdicts = classification::classify_phases(motion.record.phases, c.verdict);
     write_records(options, c, motion, request.trace.interval);
-    print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"
-                       : report(c, motion, verdicts));
-    if (!options.json && has_terminal())
-        say(styled(fmt::format("next: stridor stability {} --over contact.kinetic_friction=0:{:g}", options.input.file,
-                               c.contact.static_friction),
-                   Style::dim, STDERR_FILENO));
+    console::print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"
+                                : console::simulation_text(c, motion, verdicts));
+    if (!options.json && console::has_terminal())
+        console::say(console::styled(fmt::format("next: stridor stability {} --over contact.kinetic_friction=0:{:g}",
+                                                 options.input.file, c.contact.static_friction),
+                                     console::Style::dim, STDERR_FILENO));
 }
 
 }  // namespace

@@ -28,10 +28,4 @@ void add_sound_options(CLI::App& command, SoundOptions& options);
 /// is. With a field the channels in Pa get their sound quality, heard in it.
 io::SoundReport listen_to(const SoundOptions& options, std::optional<sound::SoundField> field = {});
 
-/// "0.28 - 0.78 s  squeal ...": the segments of a channel as a table.
-std::string segment_table(const sound::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict);
-
-/// "1 left": how a channel is called.
-std::string channel_title(const io::SoundReport& report, std::size_t channel);
-
 }  // namespace stridor::app

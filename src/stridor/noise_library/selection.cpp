@@ -12,7 +12,7 @@ namespace stridor::noise_library {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> signs{"=", "<>", "<", "<=", ">", ">=", "~"};
+constexpr std::array<std::string_view, 7> sql_signs{"=", "<>", "<", "<=", ">", ">=", "~"};
 
 std::string in_quotes(std::string_view text) {
     return "\"" + std::string(text) + "\"";
@@ -67,7 +67,7 @@ std::string number_condition(const QueryTerm& target, const Condition& condition
         return target.expression + (condition.comparison == Comparison::equal ? " IS NULL" : " IS NOT NULL");
     }
     selection.values.emplace_back(value);
-    return target.expression + " " + std::string(signs[static_cast<std::size_t>(condition.comparison)]) + " ?";
+    return target.expression + " " + std::string(sql_signs[static_cast<std::size_t>(condition.comparison)]) + " ?";
 }
 
 void expect_choice(const Field& field, const std::string& value) {
@@ -87,7 +87,7 @@ std::string word_condition(const QueryTerm& target, const Condition& condition, 
     selection.values.emplace_back(condition.value);
     if (condition.comparison == Comparison::contains) return "instr(lower(" + target.expression + "), lower(?)) > 0";
     expect_choice(*target.field, condition.value);
-    const std::string sign(signs[static_cast<std::size_t>(condition.comparison)]);
+    const std::string sign(sql_signs[static_cast<std::size_t>(condition.comparison)]);
     return "(" + target.expression + " <> '' AND " + target.expression + " " + sign + " ? COLLATE NOCASE)";
 }
 

@@ -173,4 +173,30 @@ std::string calibration_text(const FullScale& full_scale) {
     return "0dBFS = " + base::shortest(hundredths) + " dBSPL; " + exact;
 }
 
+std::vector<FullScale> full_scales_in(const std::string& calibration) {
+    std::vector<FullScale> scales;
+    constexpr std::string_view mark = "full scale = ";
+    std::size_t begin = 0;
+    try {
+        while (calibration.compare(begin, mark.size(), mark) == 0) {
+            const std::size_t end = std::min(calibration.find(';', begin), calibration.size());
+            scales.push_back(
+                parse_full_scale(base::trimmed(calibration.substr(begin + mark.size(), end - begin - mark.size()))));
+            begin = std::min(end + 2, calibration.size());
+        }
+    } catch (const Error&) {
+        scales.clear();  // words of a person
+    }
+    if (scales.empty())
+        if (const std::optional<FullScale> scale = calibration_in(calibration)) scales.push_back(*scale);
+    return scales;
+}
+
+std::vector<FullScale> parse_full_scales(std::span<const std::string> texts) {
+    std::vector<FullScale> full_scales;
+    for (const std::string& text : texts)
+        full_scales.push_back(parse_full_scale(text));
+    return full_scales;
+}
+
 }  // namespace stridor::recordings

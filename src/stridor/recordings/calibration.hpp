@@ -3,8 +3,10 @@
 #include "stridor/signal/signal.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stridor::recordings {
 
@@ -36,6 +38,13 @@ bool is_known_unit(std::string_view label);
 /// sine whose peaks reach full scale (AES17), so the number 1 is sqrt(2) * 20 uPa * 10^(x/20). The first kind wins: it
 /// is exact. Nothing where neither is found or what is found makes no sense.
 std::optional<FullScale> calibration_in(std::string_view description);
+
+/// What the calibration that an entry of a noise library keeps says the number 1 of its file stands for, of every
+/// channel or of each ("full scale = 2 Pa; full scale = 50 N"), else `calibration_in`; nothing if it is neither.
+std::vector<FullScale> full_scales_in(const std::string& calibration);
+
+/// `parse_full_scale` of each.
+std::vector<FullScale> parse_full_scales(std::span<const std::string> texts);
 
 /// The text that `calibration_in` reads, for a WAV's description; empty for "FS".
 std::string calibration_text(const FullScale& full_scale);

@@ -240,4 +240,20 @@ std::unique_ptr<SignalFile> open_signal(const std::string& path, const OpenOptio
     return open_signal(open_input(path), options);
 }
 
+std::string given_calibration(const SignalFacts& facts) {
+    bool is_given = false;
+    bool is_one = true;
+    std::string all;
+    for (std::size_t k = 0; k < facts.full_scales.size(); ++k) {
+        const Calibration origin = facts.calibrations[k];
+        is_given |=
+            origin == Calibration::option || origin == Calibration::sidecar || origin == Calibration::description;
+        is_one = is_one && facts.full_scales[k] == facts.full_scales.front();
+        all += (k > 0 ? "; full scale = " : "full scale = ") + base::shortest(facts.full_scales[k].value) + " " +
+               facts.full_scales[k].unit;
+    }
+    if (!is_given) return "";
+    return is_one ? all.substr(0, all.find(';')) : all;
+}
+
 }  // namespace stridor::recordings

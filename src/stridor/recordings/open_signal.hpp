@@ -35,6 +35,10 @@ struct SignalFacts {
     std::vector<std::pair<std::string, std::string>> metadata{};  // what else the file and its sidecar say
 };
 
+/// The calibration that somebody gave a recording (by an option, a sidecar, its description), as text that
+/// `full_scales_in` reads: for one channel, or for each where they differ; empty where nobody did.
+std::string given_calibration(const SignalFacts& facts);
+
 /// A recording on a disk: samples in SI units, read in blocks.
 class SignalFile final : public signal::Source {
 public:

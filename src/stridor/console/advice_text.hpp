@@ -1,0 +1,12 @@
+#pragma once
+
+#include "stridor/advice/advice.hpp"
+
+#include <string>
+
+namespace stridor::console {
+
+/// What `stridor advise` prints for people.
+std::string advice_text(const advice::Advice& advice);
+
+}  // namespace stridor::console

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/run.hpp"
+#include "stridor/sweep/study.hpp"
+
+#include <string>
+
+namespace stridor::console {
+
+/// "from 3 starts: agree 60  quiet unless disturbed 4": whether the starts agree, if there are any.
+std::string starts_text(const sweep::SweepResult& result);
+
+/// "the design lies outside of the chart: contact.preload = 50 N, contact.kinetic_friction = 0.6"
+std::string outside_text(const sweep::Study& study);
+
+/// How many cells a chart has, computed and of each category.
+std::string cells_text(const sweep::SweepResult& result);
+
+}  // namespace stridor::console

@@ -1,0 +1,125 @@
+#include "stridor/console/comparison_text.hpp"
+
+#include "stridor/console/terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace stridor::console {
+
+namespace {
+
+using classification::ComparedFigure;
+using classification::ComparedSound;
+
+constexpr std::size_t least_width = 12;  // [1] letters of a column
+constexpr std::size_t most_width = 30;
+
+// letters as a reader counts them
+std::size_t letters(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
+}
+
+// what is too long loses its middle, which says least of a path or a cell
+std::string shortened(const std::string& text, std::size_t width) {
+    if (letters(text) <= width) return text;
+    const auto cut = [](std::string part) {
+        while (!part.empty() && (static_cast<unsigned char>(part.front()) & 0xC0U) == 0x80U)
+            part.erase(0, 1);
+        return part;
+    };
+    std::size_t head = width / 2 - 1;
+    while (head > 0 && (static_cast<unsigned char>(text[head]) & 0xC0U) == 0x80U)
+        --head;
+    return text.substr(0, head) + "..." + cut(text.substr(text.size() - (width - width / 2 - 2)));
+}
+
+struct Row {
+    std::string head;
+    std::vector<std::string> cells;
+};
+
+std::string text_of(const std::vector<Row>& rows) {
+    std::size_t head = 0;
+    std::vector<std::size_t> widths(rows.front().cells.size(), least_width);
+    for (const Row& row : rows) {
+        head = std::max(head, letters(row.head));
+        for (std::size_t k = 0; k < row.cells.size(); ++k)
+            widths[k] = std::clamp(letters(row.cells[k]), widths[k], most_width);
+    }
+    std::string text;
+    for (const Row& row : rows) {
+        text += row.head + std::string(head - letters(row.head), ' ');
+        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+            const std::string cell = shortened(row.cells[k], widths[k]);
+            text += "  " + std::string(widths[k] - std::min(widths[k], letters(cell)), ' ') + cell;
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string distance_text(const ComparedSound& first, const ComparedSound& other) {
+    if (is_silent(first.profile) || is_silent(other.profile)) return "-";
+    return fmt::format("{:.2f}", classification::likeness(first.profile, other.profile).distance);
+}
+
+// which figures tell two sounds apart most
+std::string reasons_text(const ComparedSound& first, const ComparedSound& other) {
+    const classification::Likeness likeness = classification::likeness(first.profile, other.profile);
+    std::string text;
+    for (std::size_t k = 0; k < std::min<std::size_t>(3, likeness.differences.size()); ++k)
+        if (likeness.differences[k].share >= 0.1)
+            text += fmt::format("{}{} ({:.0f} %)", text.empty() ? "" : ", ", likeness.differences[k].name,
+                                100.0 * likeness.differences[k].share);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    return text;
+}
+
+// "squeal (going), none (coming)"; "-" where it is not known
+std::string contact_words(const classification::KnownContact& contact) {
+    if (contact.verdicts.empty()) return "-";
+    std::string text;
+    for (const classification::Verdict& verdict : contact.verdicts) {
+        text += (text.empty() ? "" : ", ") + std::string(classification::name(verdict.category));
+        if (verdict.evidence.phase != record::Phase::all)
+            text += fmt::format(" ({})", record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)]);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string comparison_text(std::span<const ComparedSound> sounds) {
+    std::vector<Row> rows;
+    const auto add = [&](std::string head, const auto& cell) {
+        rows.push_back({std::move(head), {}});
+        for (const ComparedSound& sound : sounds)
+            rows.back().cells.push_back(cell(sound));
+    };
+    add("", [](const ComparedSound& s) { return s.label; });
+    add("from", [](const ComparedSound& s) { return s.origin; });
+    add("rate", [](const ComparedSound& s) { return fmt::format("{:g} Hz", s.rate); });
+    add("duration", [](const ComparedSound& s) { return fmt::format("{:.4g} s", s.length); });
+    add("category by ear", [](const ComparedSound& s) { return std::string(classification::name(s.heard.category)); });
+    add("category by contact states", [](const ComparedSound& s) { return contact_words(s.contact); });
+    for (const ComparedFigure& figure : classification::compared_figures()) {
+        const auto is_known = [&](const ComparedSound& s) { return figure_text(figure, s) != "-"; };
+        if (std::none_of(sounds.begin(), sounds.end(), is_known)) continue;
+        add(std::string(figure.words), [&](const ComparedSound& s) { return figure_text(figure, s); });
+        if (figure.name == "level")
+            add("  reference", [](const ComparedSound& s) { return signal::level_unit(s.analysis.unit).substr(3); });
+    }
+    add("distance from the first", [&](const ComparedSound& s) { return distance_text(sounds.front(), s); });
+    std::string text = text_of(rows);
+    for (std::size_t k = 1; k < sounds.size(); ++k)
+        if (const std::string reasons = reasons_text(sounds.front(), sounds[k]); !reasons.empty())
+            text += fmt::format("{}{} differs from {} by {}\n", k == 1 ? "\n" : "", sounds[k].label,
+                                sounds.front().label, reasons);
+    return text;
+}
+
+}  // namespace stridor::console

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "stridor/hearing/sound_search.hpp"
+#include "stridor/io/sound/json_compare.hpp"
+
+#include <string>
+
+namespace stridor::console {
+
+/// "x=20.74 N,y=0.5949,direction=going": the cell as it can be asked for.
+std::string match_name(const sweep::Study& study, const hearing::SoundMatch& match);
+
+/// The recording, how much of the chart was listened to, and the nearest cells with what differs.
+std::string match_text(const io::MatchReport& report);
+
+}  // namespace stridor::console

@@ -1,0 +1,47 @@
+#include "stridor/console/signal_text.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/console/terminal.hpp"
+
+#include <fmt/format.h>
+
+namespace stridor::console {
+
+namespace {
+
+// why a channel has its unit
+std::string origin(recordings::Calibration calibration, const recordings::FullScale& scale) {
+    const std::string value = fmt::format(" (1 in the file is {:.6g} {}, says ", scale.value, scale.unit);
+    switch (calibration) {
+        case recordings::Calibration::option:
+            return value + "--full-scale)";
+        case recordings::Calibration::sidecar:
+            return value + "the sidecar)";
+        case recordings::Calibration::description:
+            return value + "its description)";
+        case recordings::Calibration::file:
+            return "";
+        case recordings::Calibration::none:
+            return " (not calibrated)";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string signal_text(const io::SignalSummary& summary) {
+    const signal::ChannelLayout& layout = summary.layout;
+    const auto frames = static_cast<double>(*layout.frames);
+    std::string text =
+        fmt::format("{}\n  format    {}\n  rate      {} Hz\n  duration  {:.6g} s ({} frames)\n", summary.facts.name,
+                    summary.facts.format, base::shortest(layout.rate), frames / layout.rate, *layout.frames);
+    for (std::size_t k = 0; k < layout.channels.size(); ++k) {
+        const signal::Channel& channel = layout.channels[k];
+        const std::string name = channel.name.empty() ? "" : " " + channel.name;
+        text += fmt::format("  channel {}{}: peak {:.6g} {}", k + 1, name, summary.peaks[k], channel.unit);
+        text += origin(summary.facts.calibrations[k], summary.facts.full_scales[k]) + "\n";
+    }
+    return text;
+}
+
+}  // namespace stridor::console

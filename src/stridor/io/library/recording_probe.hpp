@@ -1,0 +1,50 @@
+#pragma once
+
+#include "stridor/io/library/recording_facts.hpp"
+#include "stridor/noise_library/library.hpp"
+#include "stridor/noise_library/recording.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// What a recording tells of itself when it comes into a library: its own words, what is heard in it, what was
+/// measured.
+namespace stridor::io {
+
+enum class Judging { by_ear, none };
+
+/// How recordings are listened to.
+struct HearingOptions {
+    Judging judging = Judging::by_ear;
+    std::string channel;                   // the sound: name or number; empty: by unit, the loudest
+    std::vector<std::string> full_scales;  // "2 Pa"
+    Notes note = [](const std::string&) { /* nobody listens */ };  // what is noteworthy
+};
+
+/// How much of a recording is analysed [1].
+using Heard = std::function<void(double share)>;
+
+/// Listens to a recording that lies open, and puts category, verdict and figures into its entry;
+/// figures of the user's stay.
+///
+/// Notes why, where nothing in it can be heard. Throws `Error` (input)
+/// for a damaged file or an unknown channel.
+void judge(const recordings::SignalInput& input, const HearingOptions& options, noise_library::Entry& entry,
+           const Heard& heard = {});
+
+/// Friction coefficients and force drops as figures, where there is a friction force and the preload is known.
+void measure_friction(const recordings::SignalInput& input, noise_library::Entry& entry, const Notes& note);
+
+/// All of this for a file that is added.
+noise_library::Probe probe_of(const HearingOptions& options, const Heard& heard);
+
+/// Is there no verdict, or one that another version of this program made?
+bool has_outdated_verdict(const noise_library::Entry& entry);
+
+/// Listens again to an entry, on the channel of its verdict where none is named, and gives it back as it then is.
+noise_library::Entry judge_again(noise_library::Library& library, std::int64_t id, const HearingOptions& options,
+                                 const Heard& heard);
+
+}  // namespace stridor::io
