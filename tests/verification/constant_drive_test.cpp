@@ -75,7 +75,7 @@ TEST(ConstantDrive, IndependentEngineGivesThePublishedDigits) {
 }
 
 // Where the slip ends, its velocity w falls through zero with w' = (T_stick - mu_d N) / m1. The stick trial captures
-// it at mu_s N step / m1 already, that is mu_s N / |T_stick - mu_d N| steps early, here two to four: that, and one step
+// it at mu_s N h / m1 already, that is mu_s N / |T_stick - mu_d N| steps early, here two to four: that, and one step
 // each for the knowledge of a change, is the error of the stick fraction. The period sees it much less: an early
 // stick slips as early.
 TEST(ConstantDrive, SticksForTheKnownShareAndPeriod) {
@@ -102,7 +102,7 @@ TEST(ConstantDrive, SquealIsPeriodicAt430Hertz) {
 }
 
 // The weakness of the method: a step that looks fine turns pure slip into stick-slip. At F = 200 N the stick trial
-// captures slip velocities below mu_s N step / m1 = 0.016 m/s at step = 1e-5 and 0.0016 m/s at 1e-6. Started at rest on a
+// captures slip velocities below mu_s N h / m1 = 0.016 m/s at h = 1e-5 and 0.0016 m/s at 1e-6. Started at rest on a
 // plate that moves with -0.1 m/s the mass comes closer to the plate's velocity than that, but never reaches it.
 TEST(CaptureByTheStickTrial, TurnsPureSlipIntoStickSlip) {
     Case c = constant_case(PaperCase::squeak, -0.1);

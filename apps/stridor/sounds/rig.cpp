@@ -1,4 +1,4 @@
-#include "rig.hpp"
+#include "sounds/rig.hpp"
 
 #include "commands.hpp"
 

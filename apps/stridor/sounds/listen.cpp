@@ -1,7 +1,7 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
-#include "player.hpp"
+#include "sounds/player.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"

@@ -1,5 +1,5 @@
 #include "commands.hpp"
-#include "heard_recordings.hpp"
+#include "sounds/heard_recordings.hpp"
 #include "interrupt.hpp"
 #include "stridor/console/evaluation_text.hpp"
 #include "stridor/console/progress.hpp"

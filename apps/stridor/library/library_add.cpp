@@ -1,6 +1,6 @@
 #include "input_options.hpp"
 #include "interrupt.hpp"
-#include "library.hpp"
+#include "library/library.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/console/library_text.hpp"
 #include "stridor/console/progress.hpp"

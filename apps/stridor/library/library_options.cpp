@@ -1,4 +1,4 @@
-#include "library.hpp"
+#include "library/library.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/storage/atomic_file.hpp"

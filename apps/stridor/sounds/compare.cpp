@@ -1,8 +1,8 @@
-#include "compare.hpp"
+#include "sounds/compare.hpp"
 
 #include "arguments.hpp"
 #include "commands.hpp"
-#include "compare_input.hpp"
+#include "sounds/compare_input.hpp"
 #include "stridor/console/comparison_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"

@@ -1,6 +1,6 @@
 #include "commands.hpp"
-#include "library.hpp"
-#include "rig.hpp"
+#include "library/library.hpp"
+#include "sounds/rig.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"
 #include "stridor/console/sensitivity_text.hpp"

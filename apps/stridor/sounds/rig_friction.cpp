@@ -1,5 +1,5 @@
 #include "commands.hpp"
-#include "rig.hpp"
+#include "sounds/rig.hpp"
 #include "stridor/analysis/friction_trace.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"

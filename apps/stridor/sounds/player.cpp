@@ -1,4 +1,4 @@
-#include "player.hpp"
+#include "sounds/player.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/process.hpp"

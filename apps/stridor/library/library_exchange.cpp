@@ -1,4 +1,4 @@
-#include "library.hpp"
+#include "library/library.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/console/library_text.hpp"
 #include "stridor/console/progress.hpp"

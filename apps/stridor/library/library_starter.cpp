@@ -1,5 +1,5 @@
 #include "interrupt.hpp"
-#include "library.hpp"
+#include "library/library.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/console/library_text.hpp"

@@ -1,6 +1,6 @@
-#include "compare_input.hpp"
+#include "sounds/compare_input.hpp"
 
-#include "compare_argument.hpp"
+#include "sounds/compare_argument.hpp"
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"

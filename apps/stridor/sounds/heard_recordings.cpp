@@ -1,4 +1,4 @@
-#include "heard_recordings.hpp"
+#include "sounds/heard_recordings.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"

@@ -1,4 +1,4 @@
-#include "chart_run.hpp"
+#include "designs/chart_run.hpp"
 
 #include "interrupt.hpp"
 #include "stridor/console/progress.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "library.hpp"
+#include "library/library.hpp"
 #include "stridor/classification/compared_sound.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/sound/auralisation.hpp"

@@ -1,5 +1,5 @@
 #include "commands.hpp"
-#include "sound_options.hpp"
+#include "sounds/sound_options.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/console/verdict_text.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "compare_input.hpp"
-#include "library.hpp"
+#include "sounds/compare_input.hpp"
+#include "library/library.hpp"
 #include "stridor/recordings/open_signal.hpp"
 
 #include <string>

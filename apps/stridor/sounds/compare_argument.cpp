@@ -1,4 +1,4 @@
-#include "compare_argument.hpp"
+#include "sounds/compare_argument.hpp"
 
 #include "commands.hpp"
 #include "stridor/base/error.hpp"

@@ -1,4 +1,4 @@
-#include "sound_options.hpp"
+#include "sounds/sound_options.hpp"
 
 #include "stridor/base/quantity.hpp"
 #include "stridor/classification/sound_rules.hpp"

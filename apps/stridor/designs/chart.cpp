@@ -1,5 +1,5 @@
 #include "arguments.hpp"
-#include "chart_run.hpp"
+#include "designs/chart_run.hpp"
 #include "commands.hpp"
 #include "stridor/console/chart_text.hpp"
 #include "stridor/console/progress.hpp"
