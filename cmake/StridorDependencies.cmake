@@ -9,22 +9,40 @@ find_package(SQLite3 REQUIRED)            # stores and library: SQLite::SQLite3
 find_package(nlohmann_json 3.11 REQUIRED) # JSON: nlohmann_json::nlohmann_json
 find_package(Boost 1.74 REQUIRED)         # Beast, the explorer's server: Boost::headers
 find_package(CLI11 REQUIRED)              # command line: CLI11::CLI11
-pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)                   # exports: PkgConfig::netcdf
 pkg_check_modules(sndfile REQUIRED IMPORTED_TARGET sndfile)                 # recordings: PkgConfig::sndfile
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus>=3.3)  # cases: PkgConfig::tomlplusplus
-pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo>=1.16)               # figures: PkgConfig::cairo
-pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)     # their text: PkgConfig::pangocairo
-# optional: compressed recordings; the libraries are opened while the program runs, so only headers are needed
+
+# Libraries that few commands need are opened while the program runs (base/opened_library), so that all others start
+# quickly. To build, only their headers are needed, and the name by which the loader finds the version they belong to.
+#
+# Sets RESULT to that name of the library NAME of the package: "libnetcdf.so.19"; empty where it is not found.
+function(stridor_find_opened_library package name result)
+    find_library(file NAMES ${name} HINTS ${${package}_LIBRARY_DIRS} NO_CACHE)
+    file(REAL_PATH "${file}" path)
+    string(REGEX MATCH "lib${name}\\.so\\.[0-9]+" soname "${path}")
+    set(${result} "${soname}" PARENT_SCOPE)
+endfunction()
+
+pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)                   # exports; tests link PkgConfig::netcdf
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo>=1.16)               # figures; tests link PkgConfig::cairo
+pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)     # their text
+stridor_find_opened_library(netcdf netcdf netcdf_NAME)
+stridor_find_opened_library(cairo cairo cairo_NAME)
+stridor_find_opened_library(pangocairo pangocairo-1.0 pangocairo_NAME)
+foreach(library IN ITEMS netcdf cairo pangocairo)
+    if(NOT ${library}_NAME)
+        message(FATAL_ERROR "The shared library of ${library} is not found beside its headers. Install it?")
+    endif()
+endforeach()
+# optional: compressed recordings
 pkg_check_modules(ffmpeg QUIET libavformat>=59.27 libavcodec>=59.37 libavutil>=57.28 libswresample>=4.7)
 if(NOT ffmpeg_FOUND)
     message(STATUS "No ffmpeg libraries: recordings in AAC, AMR and WebM are not read")
 endif()
-# optional: MAT files; opened while the program runs, by the name of the version whose headers these are
+# optional: MAT files
 pkg_check_modules(matio QUIET matio>=1.5)
 if(matio_FOUND)
-    find_library(matio_FILE NAMES matio HINTS ${matio_LIBRARY_DIRS})
-    file(REAL_PATH "${matio_FILE}" matio_path)
-    string(REGEX MATCH "libmatio\\.so\\.[0-9]+" matio_NAME "${matio_path}")
+    stridor_find_opened_library(matio matio matio_NAME)
 endif()
 if(NOT matio_NAME)
     set(matio_FOUND FALSE)

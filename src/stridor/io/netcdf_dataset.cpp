@@ -2,9 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
-
-#include <netcdf.h>
-#include <netcdf_mem.h>
+#include "stridor/io/netcdf_library.hpp"
 
 #include <cstdlib>
 #include <limits>
@@ -21,30 +19,30 @@ constexpr std::size_t first_size = 65536;  // [1] bytes; the library enlarges it
 }  // namespace
 
 NetcdfDataset::NetcdfDataset(std::string name) : name_(std::move(name)) {
-    check(nc_create_mem("stridor.nc", NC_NETCDF4, first_size, &id_));
+    check(netcdf().nc_create_mem("stridor.nc", NC_NETCDF4, first_size, &id_));
 }
 
 NetcdfDataset::NetcdfDataset(std::string name, const std::string& path) : name_(std::move(name)) {
-    check(nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
+    check(netcdf().nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
 }
 
 NetcdfDataset::~NetcdfDataset() {
-    if (id_ >= 0) nc_abort(id_);
+    if (id_ >= 0) netcdf().nc_abort(id_);
 }
 
 void NetcdfDataset::check(int code) const {
     if (code == NC_NOERR) return;
-    throw Error(ErrorKind::io, {"cannot make the netCDF file \"" + name_ + "\"", nc_strerror(code), ""});
+    throw Error(ErrorKind::io, {"cannot make the netCDF file \"" + name_ + "\"", netcdf().nc_strerror(code), ""});
 }
 
 int NetcdfDataset::dimension(const std::string& name, std::size_t size) {
     int number = -1;
-    check(nc_def_dim(id_, name.c_str(), size, &number));
+    check(netcdf().nc_def_dim(id_, name.c_str(), size, &number));
     return number;
 }
 
 void NetcdfDataset::attribute(int variable, const std::string& name, const std::string& text) {
-    check(nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()));
+    check(netcdf().nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()));
 }
 
 void NetcdfDataset::attribute(const std::string& name, const std::string& text) {
@@ -54,7 +52,8 @@ void NetcdfDataset::attribute(const std::string& name, const std::string& text) 
 int NetcdfDataset::define(const std::string& name, int type, std::span<const int> dimensions,
                           const Description& description) {
     int number = -1;
-    check(nc_def_var(id_, name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &number));
+    check(
+        netcdf().nc_def_var(id_, name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &number));
     if (!description.units.empty()) attribute(number, "units", std::string(description.units));
     if (!description.long_name.empty()) attribute(number, "long_name", std::string(description.long_name));
     return number;
@@ -64,8 +63,8 @@ int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensi
                            const Description& description) {
     const int number = define(name, NC_DOUBLE, dimensions, description);
     const double missing = std::numeric_limits<double>::quiet_NaN();
-    if (description.missing == MissingNumbers::as_nan) check(nc_def_var_fill(id_, number, NC_FILL, &missing));
-    check(nc_put_var_double(id_, number, values.data()));
+    if (description.missing == MissingNumbers::as_nan) check(netcdf().nc_def_var_fill(id_, number, NC_FILL, &missing));
+    check(netcdf().nc_put_var_double(id_, number, values.data()));
     return number;
 }
 
@@ -73,21 +72,21 @@ int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensi
                            const Description& description) {
     const int number = define(name, NC_DOUBLE, dimensions, description);
     const double missing = std::numeric_limits<double>::quiet_NaN();
-    check(nc_def_var_fill(id_, number, NC_FILL, &missing));
+    check(netcdf().nc_def_var_fill(id_, number, NC_FILL, &missing));
     if (packing == VariablePacking::none) return number;
     // a row of the last dimension is packed for itself, and the library's cache for the variable holds that row only:
     // it would hold 16 MB
     std::vector<std::size_t> chunk(dimensions.size(), 1);
-    check(nc_inq_dimlen(id_, dimensions.back(), &chunk.back()));
-    check(nc_def_var_chunking(id_, number, NC_CHUNKED, chunk.data()));
-    check(nc_def_var_deflate(id_, number, 1, 1, 1));
-    check(nc_set_var_chunk_cache(id_, number, chunk.back() * sizeof(double), 1, 1.0F));
+    check(netcdf().nc_inq_dimlen(id_, dimensions.back(), &chunk.back()));
+    check(netcdf().nc_def_var_chunking(id_, number, NC_CHUNKED, chunk.data()));
+    check(netcdf().nc_def_var_deflate(id_, number, 1, 1, 1));
+    check(netcdf().nc_set_var_chunk_cache(id_, number, chunk.back() * sizeof(double), 1, 1.0F));
     return number;
 }
 
 void NetcdfDataset::put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
                         std::span<const double> values) {
-    check(nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()));
+    check(netcdf().nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()));
 }
 
 int NetcdfDataset::words(const std::string& name, std::span<const int> dimensions,
@@ -96,7 +95,7 @@ int NetcdfDataset::words(const std::string& name, std::span<const int> dimension
     std::vector<const char*> pointers;
     for (const std::string& value : values)
         pointers.push_back(value.c_str());
-    check(nc_put_var_string(id_, number, pointers.data()));
+    check(netcdf().nc_put_var_string(id_, number, pointers.data()));
     return number;
 }
 
@@ -113,19 +112,19 @@ int NetcdfDataset::flags(const std::string& name, std::span<const int> dimension
         flag_values.push_back(-1);
         meanings += " " + std::string(none);
     }
-    check(nc_put_att_schar(id_, number, "flag_values", NC_BYTE, flag_values.size(), flag_values.data()));
+    check(netcdf().nc_put_att_schar(id_, number, "flag_values", NC_BYTE, flag_values.size(), flag_values.data()));
     attribute(number, "flag_meanings", meanings);
-    check(nc_put_var_schar(id_, number, values.data()));
+    check(netcdf().nc_put_var_schar(id_, number, values.data()));
     return number;
 }
 
 void NetcdfDataset::finish() {
-    check(nc_close(std::exchange(id_, -1)));
+    check(netcdf().nc_close(std::exchange(id_, -1)));
 }
 
 void NetcdfDataset::finish(const std::function<void(std::string_view)>& take) {
     NC_memio memory{};
-    check(nc_close_memio(std::exchange(id_, -1), &memory));
+    check(netcdf().nc_close_memio(std::exchange(id_, -1), &memory));
     const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
     take({static_cast<const char*>(memory.memory), memory.size});
 }

@@ -4,6 +4,7 @@
 #include "stridor/base/separate_process.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/netcdf_dataset.hpp"
+#include "stridor/io/netcdf_library.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/starts.hpp"
@@ -215,6 +216,7 @@ void receive_rows(const base::Receive& receive, std::size_t values, const TakeRo
 void write_apart(const std::string& path, const std::string& temporary, const sweep::SweepResult& result,
                  std::span<const signed char> starts) {
     const std::size_t values = sweep::cell_figures().size() * static_cast<std::size_t>(result.study.x.points);
+    netcdf();  // opened here: in the copy, another thread's use of the loader would never end
     base::SeparateProcess writer("cannot write \"" + path + "\"", [&](const base::Receive& receive) {
         // it is a file of ours, locked by us
         ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);

@@ -2,15 +2,18 @@
 
 // libmatio, opened when the first MAT file is: not every machine has it. Private to this folder.
 
+#include "stridor/base/opened_library.hpp"
+
 #include <matio.h>
 
 namespace stridor::recordings {
 
 /// The functions that Stridor uses, of the version it was built with.
 struct Matio {
-    decltype(&::Mat_Open) Mat_Open = nullptr;
-    decltype(&::Mat_VarReadNextInfo) Mat_VarReadNextInfo = nullptr;
-    decltype(&::Mat_VarReadDataAll) Mat_VarReadDataAll = nullptr;
+    base::OpenedLibrary library{STRIDOR_MATIO_LIBRARY};
+    decltype(&::Mat_Open) Mat_Open = library.function("Mat_Open");
+    decltype(&::Mat_VarReadNextInfo) Mat_VarReadNextInfo = library.function("Mat_VarReadNextInfo");
+    decltype(&::Mat_VarReadDataAll) Mat_VarReadDataAll = library.function("Mat_VarReadDataAll");
 };
 
 /// The library, opened once for the process. Null where this machine lacks it.
