@@ -19,7 +19,7 @@ using base::shortest;
 using parameters::Case;
 
 // quantile 0.975 of Student's t with 15 degrees of freedom, and of the normal distribution
-constexpr double student_15 = 2.131449545559323;
+constexpr double student_15 = 2.131449545559776;
 constexpr double normal_975 = 1.959963984540054;
 
 // up to so many samples with a property the binomial distribution is summed
