@@ -1,5 +1,5 @@
 #include "commands.hpp"
-#include "stridor/console/case_text.hpp"
+#include "stridor/console/results/case_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"

@@ -1,6 +1,6 @@
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/console/check_text.hpp"
+#include "stridor/console/results/check_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/verification/check_groups.hpp"
 

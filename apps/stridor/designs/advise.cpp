@@ -5,7 +5,7 @@
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/console/advice_text.hpp"
+#include "stridor/console/results/advice_text.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/advice/json_advice.hpp"

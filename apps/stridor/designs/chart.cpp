@@ -1,7 +1,7 @@
 #include "arguments.hpp"
 #include "designs/chart_run.hpp"
 #include "commands.hpp"
-#include "stridor/console/chart_text.hpp"
+#include "stridor/console/results/chart_text.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"

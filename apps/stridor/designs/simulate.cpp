@@ -5,7 +5,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/contact_rules.hpp"
-#include "stridor/console/simulation_text.hpp"
+#include "stridor/console/results/simulation_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"
 #include "stridor/integration/failure.hpp"

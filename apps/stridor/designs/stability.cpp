@@ -1,7 +1,7 @@
 #include "commands.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/console/stability_text.hpp"
+#include "stridor/console/results/stability_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"
 #include "stridor/io/chart/scan_range.hpp"

@@ -3,7 +3,7 @@
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"
-#include "stridor/console/library_text.hpp"
+#include "stridor/console/results/library_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/library/csv_library.hpp"
 #include "stridor/io/library/json_library.hpp"

@@ -2,7 +2,7 @@
 #include "interrupt.hpp"
 #include "library/library.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/console/library_text.hpp"
+#include "stridor/console/results/library_text.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/library/json_library.hpp"

@@ -2,7 +2,7 @@
 #include "library/library.hpp"
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/console/library_text.hpp"
+#include "stridor/console/results/library_text.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/hearing/run_sound.hpp"

@@ -3,7 +3,7 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "sounds/compare_input.hpp"
-#include "stridor/console/comparison_text.hpp"
+#include "stridor/console/results/comparison_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"
 #include "stridor/figures/side_by_side.hpp"

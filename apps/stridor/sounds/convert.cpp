@@ -2,7 +2,7 @@
 #include "input_options.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/console/signal_text.hpp"
+#include "stridor/console/results/signal_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/sound/signal_report.hpp"
 #include "stridor/recordings/audio/wav.hpp"

@@ -1,7 +1,7 @@
 #include "commands.hpp"
 #include "sounds/heard_recordings.hpp"
 #include "interrupt.hpp"
-#include "stridor/console/evaluation_text.hpp"
+#include "stridor/console/results/evaluation_text.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/hearing/rendered_sound.hpp"

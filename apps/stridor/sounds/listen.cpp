@@ -7,7 +7,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
-#include "stridor/console/listening_text.hpp"
+#include "stridor/console/results/listening_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"

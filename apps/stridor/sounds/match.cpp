@@ -4,7 +4,7 @@
 #include "sounds/compare_input.hpp"
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/console/match_text.hpp"
+#include "stridor/console/results/match_text.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"

@@ -4,7 +4,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/console/friction_text.hpp"
+#include "stridor/console/results/friction_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"

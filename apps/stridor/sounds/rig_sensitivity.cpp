@@ -3,7 +3,7 @@
 #include "sounds/rig.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"
-#include "stridor/console/sensitivity_text.hpp"
+#include "stridor/console/results/sensitivity_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"
 #include "stridor/figures/sensitivity.hpp"

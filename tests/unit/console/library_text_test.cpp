@@ -1,4 +1,4 @@
-#include "stridor/console/library_text.hpp"
+#include "stridor/console/results/library_text.hpp"
 
 #include "stridor/base/error.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/console/sensitivity_text.hpp"
+#include "stridor/console/results/sensitivity_text.hpp"
 
 #include "stridor/console/terminal.hpp"
 

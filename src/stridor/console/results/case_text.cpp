@@ -1,4 +1,4 @@
-#include "stridor/console/case_text.hpp"
+#include "stridor/console/results/case_text.hpp"
 
 #include "stridor/console/terminal.hpp"
 #include "stridor/model/frequencies.hpp"

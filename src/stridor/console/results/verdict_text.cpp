@@ -1,4 +1,4 @@
-#include "stridor/console/verdict_text.hpp"
+#include "stridor/console/results/verdict_text.hpp"
 
 #include "stridor/console/terminal.hpp"
 #include "stridor/signal/level.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/console/chart_text.hpp"
+#include "stridor/console/results/chart_text.hpp"
 
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"

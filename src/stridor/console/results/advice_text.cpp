@@ -1,4 +1,4 @@
-#include "stridor/console/advice_text.hpp"
+#include "stridor/console/results/advice_text.hpp"
 
 #include "stridor/console/terminal.hpp"
 

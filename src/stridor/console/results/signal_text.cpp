@@ -1,4 +1,4 @@
-#include "stridor/console/signal_text.hpp"
+#include "stridor/console/results/signal_text.hpp"
 
 #include "stridor/base/text.hpp"
 #include "stridor/console/terminal.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/console/simulation_text.hpp"
+#include "stridor/console/results/simulation_text.hpp"
 
 #include "stridor/analysis/levels.hpp"
 #include "stridor/classification/contact_rules.hpp"

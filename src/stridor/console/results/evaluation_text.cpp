@@ -1,4 +1,4 @@
-#include "stridor/console/evaluation_text.hpp"
+#include "stridor/console/results/evaluation_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "stridor/console/friction_text.hpp"
+#include "stridor/console/results/friction_text.hpp"
 
 #include "stridor/console/terminal.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/console/listening_text.hpp"
+#include "stridor/console/results/listening_text.hpp"
 
 #include "stridor/console/terminal.hpp"
 #include "stridor/hearing/run_sound.hpp"

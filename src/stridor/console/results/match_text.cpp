@@ -1,4 +1,4 @@
-#include "stridor/console/match_text.hpp"
+#include "stridor/console/results/match_text.hpp"
 
 #include "stridor/console/terminal.hpp"
 #include "stridor/sweep/cell_choice.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/console/stability_text.hpp"
+#include "stridor/console/results/stability_text.hpp"
 
 #include "stridor/console/terminal.hpp"
 

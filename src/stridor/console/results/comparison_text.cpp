@@ -1,4 +1,4 @@
-#include "stridor/console/comparison_text.hpp"
+#include "stridor/console/results/comparison_text.hpp"
 
 #include "stridor/console/terminal.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/console/check_text.hpp"
+#include "stridor/console/results/check_text.hpp"
 
 #include "stridor/console/terminal.hpp"
 
