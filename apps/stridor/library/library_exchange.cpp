@@ -1,7 +1,7 @@
 #include "library/library.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/console/results/library_text.hpp"
 #include "stridor/console/progress.hpp"
+#include "stridor/console/results/library_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/library/library_archive.hpp"
 

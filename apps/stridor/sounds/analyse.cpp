@@ -1,8 +1,8 @@
 #include "commands.hpp"
 #include "sounds/sound_options.hpp"
 #include "stridor/console/results/analysis_text.hpp"
-#include "stridor/console/terminal.hpp"
 #include "stridor/console/results/verdict_text.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"
 #include "stridor/figures/sound.hpp"
 

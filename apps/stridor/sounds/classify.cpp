@@ -1,7 +1,7 @@
 #include "commands.hpp"
 #include "sounds/sound_options.hpp"
-#include "stridor/console/terminal.hpp"
 #include "stridor/console/results/verdict_text.hpp"
+#include "stridor/console/terminal.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

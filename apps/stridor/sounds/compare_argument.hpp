@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sounds/compare_input.hpp"
 #include "library/library.hpp"
+#include "sounds/compare_input.hpp"
 #include "stridor/recordings/open_signal.hpp"
 
 #include <string>

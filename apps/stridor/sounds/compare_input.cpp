@@ -1,7 +1,7 @@
 #include "sounds/compare_input.hpp"
 
-#include "sounds/compare_argument.hpp"
 #include "interrupt.hpp"
+#include "sounds/compare_argument.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/classification/contact_rules.hpp"

@@ -66,8 +66,8 @@ const Field& quantity_of(const Study& study, const Axis& axis, const std::string
     const bool is_quantity = field != nullptr && std::holds_alternative<parameters::Quantity>(field->kind);
     if (!is_quantity) {
         base::refuse(name + ".parameter = " + in_quotes(axis.parameter) + " is no quantity",
-               field == nullptr ? "a case has no such key" : "it has no numbers an axis could run through",
-               base::did_you_mean(axis.parameter, parameters::quantity_keys()));
+                     field == nullptr ? "a case has no such key" : "it has no numbers an axis could run through",
+                     base::did_you_mean(axis.parameter, parameters::quantity_keys()));
     }
     if (!field->belongs(widest_case(study)))
         base::refuse(name + ".parameter = " + in_quotes(axis.parameter) + " changes nothing",
@@ -141,7 +141,7 @@ void check_quantities(const Study& study) {
     for (const std::string& quantity : study.quantities)
         if (std::find(names.begin(), names.end(), quantity) == names.end())
             base::refuse("chart.quantities names " + in_quotes(quantity), "a cell has no such figure",
-                   base::did_you_mean(quantity, names));
+                         base::did_you_mean(quantity, names));
 }
 
 // the one value of y of a study over x alone

@@ -1,7 +1,7 @@
 #include "stridor/console/results/analysis_text.hpp"
 
-#include "stridor/console/terminal.hpp"
 #include "stridor/console/results/verdict_text.hpp"
+#include "stridor/console/terminal.hpp"
 #include "stridor/signal/bands.hpp"
 #include "stridor/signal/level.hpp"
 
