@@ -2,36 +2,19 @@
 # Shows that check_columns.sh finds a line that is too long wherever people write, and leaves alone what may be longer.
 set -eu
 
-check=$(dirname "$0")/check_columns.sh
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-failures=0
+folder=$(dirname "$0")
+. "$folder/bad_trees.sh"
 full=$(printf '%0120d' 0)
 half=$(printf '%060d' 0)
 
-# file PATH LINE...: a file of the tree
-file() {
-    mkdir -p "$tree/$(dirname "$1")"
-    path=$tree/$1
-    shift
-    printf '%s\n' "$@" >"$path"
+check_tree() {
+    sh "$folder/check_columns.sh" "$tree"
 }
 
 good_tree() {
     rm -rf "$tree"
     mkdir "$tree"
     file src/good.cpp "$full" ''
-}
-
-# expect VERDICT WHAT PATTERN
-expect() {
-    if output=$(sh "$check" "$tree" 2>&1); then verdict=accepts; else verdict=rejects; fi
-    if [ "$verdict" = "$1" ] && printf '%s\n' "$output" | grep -q -e "$3"; then
-        echo "ok: $1 $2"
-    else
-        printf 'FAILED: %s %s; said:\n%s\n' "$1" "$2" "$output"
-        failures=$((failures + 1))
-    fi
 }
 
 good_tree

@@ -2,17 +2,12 @@
 # Shows that check_includes.sh accepts a good tree and names what is wrong with each bad one.
 set -eu
 
-check=$(dirname "$0")/check_includes.sh
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-failures=0
+folder=$(dirname "$0")
+. "$folder/bad_trees.sh"
+root=$tree/stridor
 
-# file PATH LINE...: a source file under the tree
-file() {
-    mkdir -p "$tree/stridor/$(dirname "$1")"
-    path=$tree/stridor/$1
-    shift
-    printf '%s\n' "$@" >"$path"
+check_tree() {
+    sh "$folder/check_includes.sh" "$tree" base model classification chart io
 }
 
 good_tree() {
@@ -23,22 +18,6 @@ good_tree() {
     file classification/verdict.cpp '#include "stridor/model/friction/law.hpp"' '// #include <iostream>'
     file chart/scene.hpp '#include "stridor/model/friction/law.hpp"' '#include <fstream>'
     file io/svg.cpp '#  include "stridor/chart/scene.hpp"  // drawn here'
-}
-
-# expect VERDICT CLAIM PATTERN: the check accepts or rejects the tree, and says PATTERN
-expect() {
-    if output=$(sh "$check" "$tree" base model classification chart io 2>&1); then
-        verdict=accepts
-    else
-        verdict=rejects
-    fi
-    if [ "$verdict" = "$1" ] && printf '%s\n' "$output" | grep -q -e "$3"; then
-        echo "ok: $1 $2"
-    else
-        echo "FAILED: expected that it $1 $2 and says '$3'; it $verdict and says:"
-        printf '%s\n' "$output"
-        failures=$((failures + 1))
-    fi
 }
 
 good_tree

@@ -2,17 +2,12 @@
 # Shows that check_page.sh accepts a good tree and names what is wrong with each bad one.
 set -eu
 
-check=$(dirname "$0")/check_page.sh
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-failures=0
+folder=$(dirname "$0")
+. "$folder/bad_trees.sh"
+root=$tree/src
 
-# file PATH LINE...: a source file of the tree
-file() {
-    mkdir -p "$tree/src/$(dirname "$1")"
-    path=$tree/src/$1
-    shift
-    printf '%s\n' "$@" >"$path"
+check_tree() {
+    sh "$folder/check_page.sh" "$tree/src" state data views
 }
 
 good_tree() {
@@ -24,18 +19,6 @@ good_tree() {
     file views/chart.ts 'import uPlot from "uplot";' 'import type { Api } from "../data/api.ts";'
     file later.ts 'export { Chart } from "./views/chart.ts";'
     file main.ts 'import "./page.css";' 'const later = () => import("./later.ts");'
-}
-
-# expect VERDICT CLAIM PATTERN: the check accepts or rejects the tree, and says PATTERN
-expect() {
-    if output=$(sh "$check" "$tree/src" state data views 2>&1); then verdict=accepts; else verdict=rejects; fi
-    if [ "$verdict" = "$1" ] && printf '%s\n' "$output" | grep -q -e "$3"; then
-        echo "ok: $1 $2"
-    else
-        echo "FAILED: expected that it $1 $2 and says '$3'; it $verdict and says:"
-        printf '%s\n' "$output"
-        failures=$((failures + 1))
-    fi
 }
 
 good_tree

@@ -2,17 +2,11 @@
 # Shows that check_types.sh accepts a good tree and names what is wrong with each bad one.
 set -eu
 
-check=$(dirname "$0")/check_types.sh
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-failures=0
+folder=$(dirname "$0")
+. "$folder/bad_trees.sh"
 
-# file PATH LINE...: a source file under the tree
-file() {
-    mkdir -p "$tree/$(dirname "$1")"
-    path=$tree/$1
-    shift
-    printf '%s\n' "$@" >"$path"
+check_tree() {
+    sh "$folder/check_types.sh" "$tree" "$tree/list.txt"
 }
 
 good_tree() {
@@ -23,22 +17,6 @@ good_tree() {
     file src/b/other.hpp 'class Other final : public Range {' '    struct Part {' 'struct Range;'
     file src/b/other.cpp 'struct Local {'
     file src/c/third.cpp 'struct Local {'
-}
-
-# expect VERDICT CLAIM PATTERN: the check accepts or rejects the tree, and says PATTERN
-expect() {
-    if output=$(sh "$check" "$tree" "$tree/list.txt" 2>&1); then
-        verdict=accepts
-    else
-        verdict=rejects
-    fi
-    if [ "$verdict" = "$1" ] && printf '%s\n' "$output" | grep -q -e "$3"; then
-        echo "ok: $1 $2"
-    else
-        echo "FAILED: expected that it $1 $2 and says '$3'; it $verdict and says:"
-        printf '%s\n' "$output"
-        failures=$((failures + 1))
-    fi
 }
 
 good_tree
