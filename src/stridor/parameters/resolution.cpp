@@ -28,7 +28,6 @@ namespace {
 
 using base::shortest;
 
-constexpr double largest_number = 1e75;
 constexpr double smallest_number = 1e-75;
 constexpr double two_pi = 6.283185307179586476925;
 

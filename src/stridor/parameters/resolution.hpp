@@ -13,6 +13,9 @@ namespace stridor::parameters {
 inline constexpr double most_reversals = 2e5;
 inline constexpr double most_samples = 4e6;
 
+/// Largest magnitude of any number of a case, in its SI unit: products of larger ones leave double precision.
+inline constexpr double largest_number = 1e75;
+
 /// Largest ratio of two numbers that are added up: beyond it less than four digits of the smaller one are left.
 inline constexpr double most_apart = 1e12;
 

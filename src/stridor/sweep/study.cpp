@@ -8,6 +8,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/resolution.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/starts.hpp"
@@ -83,6 +84,10 @@ void check_end(const Study& study, const Field& field, double value, const std::
         throw Error(error.kind(),
                     {name + ": " + error.problem().what, error.problem().why, error.problem().suggestion});
     }
+    // every cell beyond would be invalid, and a logarithmic axis is drawn half a cell longer: up to infinity
+    if (std::abs(value) > parameters::largest_number)
+        base::refuse(name + " = " + shortest(value) + " is beyond 1e75",
+                     "products of such numbers leave double precision", "Check its unit.");
 }
 
 void check_axis(const Study& study, const Axis& axis, const std::string& name) {

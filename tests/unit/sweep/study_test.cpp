@@ -168,6 +168,8 @@ const Wrong wrongs[] = {
      "chart.y.from: contact.kinetic_friction = -0.1 is out of range (it must be at least 0)"},
     {"AnEndThatIsNoNumber", [](Study& s) { s.x.to = std::nan(""); },
      "chart.x.to: contact.preload = nan is out of range (it must be finite)"},
+    {"AnEndBeyondWhatACaseHolds", [](Study& s) { s.x.to = 1e300; },
+     "chart.x.to = 1e+300 is beyond 1e75 (products of such numbers leave double precision). Check its unit."},
     {"ASinglePoint", [](Study& s) { s.x.points = 1; },
      "chart.x.points = 1 makes no axis (both ends belong to it, so it has two at least)"},
     {"AMillionPoints", [](Study& s) { s.x.points = 1000000; },
@@ -186,9 +188,9 @@ const Wrong wrongs[] = {
     {"AThousandOctaves",
      [](Study& s) {
          s.x.from = 1e-300;
-         s.x.to = 1e300;
+         s.x.to = 1e75;
      },
-     "chart.x runs from 1e-300 to 1e+300 (a logarithmic axis spans less than 1000 octaves)"},
+     "chart.x runs from 1e-300 to 1e+75 (a logarithmic axis spans less than 1000 octaves)"},
     {"EqualAxes", [](Study& s) { s.y = s.x; },
      "chart.x and chart.y are both contact.preload (a chart needs two different quantities)"},
     {"NoDirection", [](Study& s) { s.directions.clear(); },
