@@ -215,6 +215,10 @@ TEST(SignalCsv, FindsTheTableBelowProse) {
     expect_force(prose + "time [s],force [N]\n0,0.5\n0.5,-1\n1,2\n");
     expect_force(prose + "Zeit\tforce\ns\tmN\n0\t500\n0,5\t-1000\n1\t2000\n");
     expect_force(prose + "0;0.5\n0.5;-1\n1;2\n");
+    // a column alone: what stands above its name is no name whose unit the name would be
+    const std::string spoken = "Measurement report\nSampling rate: 2 Hz\n";
+    for (const char* name : {"force [N]\n", "force (N)\n", "force\n[N]\n", "force\nN\n", "force\n"})
+        expect_force(spoken + name + "0.5\n-1\n2\n");
     expect_force("Test rig 3\ntime,force\n0,0.5\n0.5,-1\n1,2\n");
     expect_force("operator;Smith\ntime;force\n0;0.5\n0.5;-1\n1;2\n");
     // lists of channels, and keys with two numbers, come close to rows

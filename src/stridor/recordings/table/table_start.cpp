@@ -40,7 +40,9 @@ bool names_a_time(const std::vector<CsvField>& fields) {
 bool looks_like_units(const std::vector<CsvField>& fields) {
     const auto is_unit = [](const CsvField& field) {
         const std::string_view bare = bare_unit(field.text);
-        return bare.size() < field.text.size() || (!bare.empty() && is_known_unit(bare));
+        // "force [N]" is a name with its unit
+        const bool is_bracketed = bare.size() < field.text.size() && title_of(field.text).name.empty();
+        return is_bracketed || (!bare.empty() && is_known_unit(bare));
     };
     return !names_a_time(fields) && std::any_of(fields.begin(), fields.end(), is_unit);
 }
