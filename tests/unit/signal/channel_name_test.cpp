@@ -28,5 +28,22 @@ TEST(ChannelName, ThatNoneHasIsAnsweredWithThoseThereAre) {
             << name;
 }
 
+TEST(ChannelNamed, TellsALongNameInPart) {
+    const ChannelLayout layout{1000.0, {{"left", "Pa"}}, 0};
+    try {
+        channel_named(layout, std::string(300, '9'));
+        FAIL() << "there is no such channel";
+    } catch (const Error& error) {
+        EXPECT_LT(error.problem().what.size(), 100U);
+        EXPECT_NE(error.problem().what.find("999..."), std::string::npos);
+    }
+    try {
+        channel_named(layout, std::string(59, 'x') + "\u00E9\u00E9\u00E9");
+        FAIL() << "there is no such channel";
+    } catch (const Error& error) {
+        EXPECT_NE(error.problem().what.find("x..."), std::string::npos) << "no half of a character";
+    }
+}
+
 }  // namespace
 }  // namespace stridor::signal
