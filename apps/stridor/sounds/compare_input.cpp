@@ -11,6 +11,7 @@
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/signal/resample.hpp"
+#include "stridor/sound/analysis.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -119,16 +120,6 @@ void set_spectrogram(ComparedSound& sound, signal::Source& source) {
     if (channel.front().samples.size() >= size) sound.analysis.spectrogram = signal::spectrogram(channel.front(), size);
 }
 
-std::size_t loudest_channel(const std::vector<sound::SoundAnalysis>& channels) {
-    const auto square = [](const sound::SoundAnalysis& analysis) {
-        const double reference = signal::reference_of(analysis.unit);
-        return analysis.mean_square / (reference * reference);
-    };
-    const auto loudest = std::max_element(channels.begin(), channels.end(),
-                                          [&](const auto& a, const auto& b) { return square(a) < square(b); });
-    return static_cast<std::size_t>(loudest - channels.begin());
-}
-
 void judge(ComparedSound& sound, sound::SoundAnalysis analysis) {
     const parameters::SoundThresholds thresholds;
     sound.analysis = std::move(analysis);
@@ -139,7 +130,7 @@ void judge(ComparedSound& sound, sound::SoundAnalysis analysis) {
 ComparedSound read_recording(const Recorded& recorded, double rate, double detail) {
     ComparedSound sound;
     std::vector<sound::SoundAnalysis> channels = sound::analyse(*opened(recorded, rate));
-    const std::size_t loudest = loudest_channel(channels);
+    const std::size_t loudest = sound::loudest(channels);
     if (channels.size() > 1) sound.what = fmt::format("channel {}, the loudest of {}", loudest + 1, channels.size());
     judge(sound, std::move(channels[loudest]));
     if (sound.what.empty()) sound.what = sound.analysis.name;
