@@ -56,7 +56,7 @@ BENCHMARK_CAPTURE(sound_minute, squeal, squeal, in_threads)->UseRealTime()->Unit
 BENCHMARK_CAPTURE(sound_minute, noise_one_thread, noise, one_after_the_other)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sound_minute, noise, noise, in_threads)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-// loudness, sharpness and third octaves of a minute of one channel
+// loudness, sharpness, roughness and third octaves of a minute of one channel
 void sound_quality_minute(benchmark::State& state) {
     const std::vector<double> samples = noise();
     for ([[maybe_unused]] const auto repetition : state) {

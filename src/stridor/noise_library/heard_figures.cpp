@@ -31,6 +31,7 @@ void add_quality(std::vector<Figure>& figures, const sound::SoundQuality& qualit
     add_figure(figures, "loudness_5", "sone", quality.loudness_5);
     add_figure(figures, "loudness_greatest", "sone", quality.greatest_loudness);
     add_figure(figures, "sharpness", "acum", quality.sharpness);
+    add_figure(figures, "roughness", "asper", quality.roughness);
 }
 
 bool has_figure(const Entry& entry, const std::string& name) {

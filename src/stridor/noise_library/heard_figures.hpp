@@ -12,8 +12,8 @@
 /// everywhere.
 namespace stridor::noise_library {
 
-/// Level, frequency, features and impulses of the loudest segment of the recording's category; loudness and sharpness
-/// of a sound pressure as a whole. Silence has a level at most.
+/// Level, frequency, features and impulses of the loudest segment of the recording's category; loudness, sharpness
+/// and roughness of a sound pressure as a whole. Silence has a level at most.
 std::vector<Figure> figures_of(const sound::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict);
 
 /// Friction coefficients and force drops.

@@ -275,11 +275,6 @@ void step_of(double input, double& output, double& charge, const Decay& d) {
     charge = stays ? input : (charge_before - input) * d.charging + input;
 }
 
-// the step of counts_: from 1e-3 sone on in steps of 0.1 %, up to 1e4
-constexpr double least_counted = 1e-3;  // [sone]
-constexpr double most_counted = 1e4;    // [sone] also for what is beyond all numbers
-constexpr double counts_per_octave = 0.6931471805599453 / 0.001;
-
 }  // namespace
 
 void LoudnessOverTime::push(const signal::ThirdOctaves& ratios) {
@@ -324,28 +319,9 @@ void LoudnessOverTime::weigh(double next) {
     for (int n = 0; n < steps; ++n, input += rise) {
         fast_ += fast_share * (input - fast_);
         slow_ += slow_share * (input - slow_);
-        if (n == 0) count(0.47 * fast_ + 0.53 * slow_);
+        if (n == 0) heard_.count(0.47 * fast_ + 0.53 * slow_);
     }
     if (next == 0.0 && slow_ < nothing) fast_ = slow_ = 0.0;
-}
-
-void LoudnessOverTime::count(double loudness) {
-    greatest_ = std::max(greatest_, loudness);
-    ++values_;
-    const double bounded = loudness < most_counted ? std::max(loudness, least_counted) : most_counted;
-    const double place = counts_per_octave * base::logarithm_2(bounded / least_counted);
-    ++counts_[std::min(counts_.size() - 1, static_cast<std::size_t>(place))];
-}
-
-double LoudnessOverTime::exceeded(double share) const {
-    const double wanted = share * static_cast<double>(values_);
-    std::uint64_t above = 0;
-    for (std::size_t k = counts_.size(); k-- > 1;) {
-        above += counts_[k];
-        if (static_cast<double>(above) > wanted)
-            return least_counted * base::power_of_2((static_cast<double>(k) + 0.5) / counts_per_octave);
-    }
-    return 0.0;
 }
 
 }  // namespace stridor::sound

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "stridor/signal/third_octave_filters.hpp"
+#include "stridor/sound/exceedance.hpp"
 
 #include <array>
-#include <cstdint>
 #include <string_view>
-#include <vector>
 
 /// Loudness by Zwicker's method, ISO 532-1:2017. docs/methods/sound-quality.md.
 namespace stridor::sound {
@@ -49,15 +48,14 @@ public:
     void finish();
 
     /// Largest loudness [sone].
-    double greatest() const { return greatest_; }
+    double greatest() const { return heard_.greatest(); }
 
     /// The loudness [sone] that is exceeded in this share of the time [1], within 0.1 %.
-    double exceeded(double share) const;
+    double exceeded(double share) const { return heard_.exceeded(share); }
 
 private:
     void decay(const CoreLoudness& next);
     void weigh(double next);
-    void count(double loudness);
 
     SoundField field_;
     bool has_core_ = false;
@@ -65,12 +63,10 @@ private:
     CoreLoudness decayed_{};  // [sone/Bark] what the ear still holds
     CoreLoudness charge_{};   // [sone/Bark] the slower memory behind it
     bool has_sum_ = false;
-    double sum_ = 0.0;   // [sone] of half a millisecond ago
-    double fast_ = 0.0;  // [sone] low pass of 3.5 ms
-    double slow_ = 0.0;  // [sone] low pass of 70 ms
-    double greatest_ = 0.0;
-    std::uint64_t values_ = 0;
-    std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(16384);  // by loudness, in steps of 0.1 %
+    double sum_ = 0.0;    // [sone] of half a millisecond ago
+    double fast_ = 0.0;   // [sone] low pass of 3.5 ms
+    double slow_ = 0.0;   // [sone] low pass of 70 ms
+    Exceedance heard_{};  // [sone]
 };
 
 }  // namespace stridor::sound

@@ -1,6 +1,7 @@
 #include "stridor/sound/quality.hpp"
 
 #include "stridor/signal/resample.hpp"
+#include "stridor/sound/roughness.hpp"
 
 #include <optional>
 #include <vector>
@@ -29,6 +30,7 @@ struct SoundQualityMeter::State {
     void take(std::span<const double> pressures) {
         filters.push(pressures,
                      [this](const signal::ThirdOctaves& powers) { over_time.push(ratios_of(powers, least_power)); });
+        roughness.push(pressures);
     }
 
     double rate;
@@ -36,6 +38,7 @@ struct SoundQualityMeter::State {
     std::optional<signal::Resampler> resampler{};
     signal::ThirdOctaveFilters filters{};
     LoudnessOverTime over_time;
+    RoughnessMeter roughness{};
 };
 
 SoundQualityMeter::SoundQualityMeter(double rate, SoundField field) : state_(std::make_unique<State>(rate, field)) {}
@@ -65,6 +68,8 @@ SoundQuality SoundQualityMeter::finish() {
     quality.greatest_loudness = s.over_time.greatest();
     quality.loudness_5 = s.over_time.exceeded(0.05);
     quality.loudness_10 = s.over_time.exceeded(0.10);
+    quality.roughness = s.roughness.mean();
+    quality.roughness_5 = s.roughness.exceeded(0.05);
     return quality;
 }
 

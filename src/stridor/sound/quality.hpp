@@ -16,6 +16,8 @@ struct SoundQuality {
     double loudness_5 = 0.0;               // [sone] N5, exceeded in 5 % of the time
     double loudness_10 = 0.0;              // [sone] N10
     double sharpness = 0.0;                // [acum] of the mean spectrum (DIN 45692)
+    double roughness = 0.0;                // [asper] mean over time (Daniel and Weber); NaN below 200 ms
+    double roughness_5 = 0.0;              // [asper] R5, exceeded in 5 % of the time; NaN below 200 ms
     signal::ThirdOctaves third_octaves{};  // [Pa²] mean squares, by the filters; 0 beyond half the rate
 };
 

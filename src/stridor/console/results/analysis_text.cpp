@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
+
 namespace stridor::console {
 
 namespace {
@@ -73,17 +75,22 @@ std::string filtered_bands_text(const SoundAnalysis& analysis) {
     return text;
 }
 
+std::string roughness_text(const sound::SoundQuality& q) {
+    if (std::isnan(q.roughness)) return "no roughness: the recording is shorter than 0.2 s\n";
+    return fmt::format("roughness (Daniel and Weber): {:.2f} asper, R5 {:.2f} asper\n", q.roughness, q.roughness_5);
+}
+
 std::string quality_text(const SoundAnalysis& analysis) {
     if (!analysis.quality)
         return analysis.unit == signal::full_scale
-                   ? "no loudness, no sharpness: the recording is not calibrated (--full-scale \"2 Pa\")\n"
+                   ? "no loudness, sharpness, roughness: the recording is not calibrated (--full-scale \"2 Pa\")\n"
                    : "";
     const sound::SoundQuality& q = *analysis.quality;
     return fmt::format(
         "loudness in a {} field (ISO 532-1): N5 {:.3g} sone, N10 {:.3g} sone, greatest {:.3g} sone; "
-        "of the mean spectrum {:.3g} sone ({:.1f} phon)\nsharpness (DIN 45692): {:.3g} acum\n",
+        "of the mean spectrum {:.3g} sone ({:.1f} phon)\nsharpness (DIN 45692): {:.3g} acum\n{}",
         sound::sound_field_names[static_cast<std::size_t>(q.field)], q.loudness_5, q.loudness_10, q.greatest_loudness,
-        q.loudness, sound::loudness_level(q.loudness), q.sharpness);
+        q.loudness, sound::loudness_level(q.loudness), q.sharpness, roughness_text(q));
 }
 
 std::string named_bands_text(const SoundAnalysis& analysis) {

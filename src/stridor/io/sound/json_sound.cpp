@@ -135,6 +135,8 @@ Json quality_object(const SoundAnalysis& analysis, double reference) {
             {"loudness_10", q.loudness_10},
             {"greatest_loudness", q.greatest_loudness},
             {"sharpness", q.sharpness},
+            {"roughness", q.roughness},
+            {"roughness_5", q.roughness_5},
             {"third_octaves", std::move(thirds)}};
 }
 
