@@ -51,6 +51,7 @@ export const endings = [
   "cancelled",
   "chattering",
   "unbalanced",
+  "no_forces",
 ] as const;
 export type Ending = (typeof endings)[number];
 

@@ -38,6 +38,11 @@ std::optional<Error> failure(const parameters::Case& c, const Motion& motion) {
                                                             motion.energy.relative_residual()),
                                                 "the motion hangs on differences that double precision does not hold",
                                                 "Check the units of the case, or use a smaller run.step with beta_2."});
+        case Reason::no_forces:
+            return Error(ErrorKind::numerical,
+                         {"no forces obey all laws of contact at " + at,
+                          "friction presses a contact that slips together without end: a Painleve configuration",
+                          "Use less friction, or a structure that gives way more along its normals."});
         case Reason::cancelled:
             return Error(ErrorKind::interrupted,
                          {"stopped at " + at, "a run that is stopped keeps nothing", "Run the same command again."});

@@ -3,25 +3,54 @@
 #include "stridor/base/error.hpp"
 #include "stridor/model/equilibrium.hpp"
 
+#include <Eigen/Cholesky>
+
 namespace stridor::integration {
 
-InitialState initial_state(const model::Structure& structure, const Start& start, double surface_velocity) {
+namespace {
+
+// closed contacts move with these tangential velocities, and the structure with the least kinetic energy:
+// v = M^-1 R (R'M^-1 R)^-1 (0; w)
+Eigen::VectorXd least_velocity(const model::Structure& structure, const Eigen::VectorXd& tangential) {
+    const auto p = static_cast<Eigen::Index>(structure.contacts.size());
+    Eigen::MatrixXd rows(model::dofs_of(structure), 2 * p);
+    for (Eigen::Index k = 0; k < p; ++k) {
+        rows.col(k) = structure.contacts[static_cast<std::size_t>(k)].normal;
+        rows.col(p + k) = structure.contacts[static_cast<std::size_t>(k)].tangent;
+    }
+    Eigen::VectorXd velocities = Eigen::VectorXd::Zero(2 * p);
+    velocities.tail(p) = tangential;
+    const Eigen::MatrixXd pushed = structure.mass.ldlt().solve(rows);
+    const Eigen::MatrixXd compliance = rows.transpose() * pushed;
+    return pushed * compliance.ldlt().solve(velocities);
+}
+
+}  // namespace
+
+InitialState initial_state(const model::Structure& given, const Start& start, double surface_velocity) {
+    const model::Structure structure = model::in_canonical_order(given);
     using parameters::Initial;
-    const model::ContactPoint& contact = model::only_contact(structure, "a start of one contact");
     if (start.kind == Initial::sliding && surface_velocity == 0.0)
         throw Error(ErrorKind::input, {"initial = \"sliding\" has no direction", "the drive stands still at the start",
                                        "Start with initial = \"rest\"."});
-    const std::vector<double> ratios =
-        start.kind == Initial::sliding ? model::sliding_ratios(structure, surface_velocity) : std::vector<double>{0.0};
+    const auto p = static_cast<Eigen::Index>(structure.contacts.size());
+    const std::vector<double> ratios = start.kind == Initial::sliding
+                                           ? model::sliding_ratios(structure, surface_velocity)
+                                           : std::vector<double>(structure.contacts.size(), 0.0);
     const model::Equilibrium balance = model::equilibrium(structure, ratios);
-    if (!(balance.normal_forces(0) > 0.0))
+    if (!(balance.normal_forces.minCoeff() > 0.0))
         throw Error(ErrorKind::numerical, {"steady sliding has no equilibrium in this direction",
                                            "its normal force would be negative: the contact digs in (sprag-slip)",
                                            "Start with initial = \"rest\"."});
-    const double speed = start.kind == Initial::rest    ? 0.0
-                         : start.kind == Initial::stuck ? surface_velocity
-                                                        : start.perturbation;
-    return {balance.displacement, contact.tangent / contact.tangent.squaredNorm() * speed};
+    Eigen::VectorXd tangential = Eigen::VectorXd::Zero(p);
+    for (Eigen::Index k = 0; k < p; ++k) {
+        if (start.kind == Initial::stuck)
+            tangential(k) = structure.contacts[static_cast<std::size_t>(k)].drive_share * surface_velocity;
+        if (start.kind == Initial::sliding) tangential(k) = start.perturbation;
+    }
+    if (p > 1) return {balance.displacement, least_velocity(structure, tangential)};
+    const model::ContactPoint& contact = structure.contacts.front();
+    return {balance.displacement, contact.tangent / contact.tangent.squaredNorm() * tangential(0)};
 }
 
 }  // namespace stridor::integration

@@ -16,12 +16,12 @@ struct InitialState {
     Eigen::VectorXd velocity;      // [m/s], shape [dof]
 };
 
-/// Displacement and velocity at t = 0 for a start (`parameters::Initial`) of a structure with one contact, over a
-/// surface that moves with velocity V [m/s].
+/// Displacement and velocity at t = 0 for a start (`parameters::Initial`), over a surface that moves with velocity V
+/// [m/s].
 ///
-/// rest and stuck begin at the preloaded rest position, sliding at the equilibrium of steady sliding. Throws `Error`:
-/// input where sliding has no direction, and what `only_contact` refuses; numerical where steady sliding has no
-/// equilibrium with N > 0.
+/// rest and stuck begin at the preloaded rest position, sliding at the equilibrium of steady sliding. Several stuck
+/// contacts move with their surfaces and the structure with the least kinetic energy. Throws `Error`: input where
+/// sliding has no direction; numerical where some contact has no N > 0.
 InitialState initial_state(const model::Structure& structure, const Start& start, double surface_velocity);
 
 }  // namespace stridor::integration

@@ -14,10 +14,11 @@ enum class Reason {
     cancelled,   // stopped on request
     chattering,  // events pile up without time going on
     unbalanced,  // its energy balance does not close: what it moved by was rounding
+    no_forces,   // no contact states and forces obey all laws of contact at once: a Painleve configuration
 };
 
-inline constexpr std::array<std::string_view, 7> reason_names{"completed", "settled",    "diverged",  "step_limit",
-                                                              "cancelled", "chattering", "unbalanced"};
+inline constexpr std::array<std::string_view, 8> reason_names{"completed", "settled",    "diverged",   "step_limit",
+                                                              "cancelled", "chattering", "unbalanced", "no_forces"};
 
 struct Outcome {
     Reason reason = Reason::completed;

@@ -3,6 +3,9 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 namespace stridor::model {
 
 Structure structure_of_size(int dofs, int contacts) {
@@ -16,6 +19,31 @@ Structure structure_of_size(int dofs, int contacts) {
 
 int dofs_of(const Structure& structure) {
     return static_cast<int>(structure.load.size());
+}
+
+std::vector<std::size_t> canonical_order(const Structure& structure) {
+    std::vector<std::size_t> order(structure.contacts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto is_before = [](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+        return std::lexicographical_compare(a.data(), a.data() + a.size(), b.data(), b.data() + b.size());
+    };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t first, std::size_t second) {
+        const ContactPoint& a = structure.contacts[first];
+        const ContactPoint& b = structure.contacts[second];
+        if (a.normal != b.normal) return is_before(a.normal, b.normal);
+        if (a.tangent != b.tangent) return is_before(a.tangent, b.tangent);
+        if (a.initial_gap != b.initial_gap) return a.initial_gap < b.initial_gap;
+        return a.drive_share < b.drive_share;
+    });
+    return order;
+}
+
+Structure in_canonical_order(const Structure& structure) {
+    Structure ordered = structure;
+    ordered.contacts.clear();
+    for (const std::size_t k : canonical_order(structure))
+        ordered.contacts.push_back(structure.contacts[k]);
+    return ordered;
 }
 
 const ContactPoint& only_contact(const Structure& structure, std::string_view solver) {

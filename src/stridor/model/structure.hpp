@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,13 @@ Structure structure_of_size(int dofs, int contacts = 1);
 
 /// Number of degrees of freedom.
 int dofs_of(const Structure& structure);
+
+/// The numbers of the contacts in the order of their rows, gaps and shares of the drive. It does not depend on how they
+/// are numbered, for sums whose bits must not.
+std::vector<std::size_t> canonical_order(const Structure& structure);
+
+/// The structure with its contacts in that order.
+Structure in_canonical_order(const Structure& structure);
 
 /// The contact of a structure that has one, closed at rest, on a surface that moves with all of V(t). `solver` says who
 /// can solve no other: throws `Error` (input) with its name.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/exact/contact_coordinates.hpp"
 #include "stridor/integration/exact/kernel.hpp"
 #include "stridor/model/friction/law.hpp"
@@ -7,11 +8,6 @@
 #include <memory>
 
 namespace stridor::integration {
-
-/// The contact state of slip that way.
-constexpr ContactMode slip_mode(model::Slip way) {
-    return way == model::Slip::forward ? ContactMode::slip_forward : ContactMode::slip_backward;
-}
 
 /// Prepares the contact states of a structure; `drive_frequency` [Hz] is 0 unless the drive is sinusoidal.
 template <int dofs>

@@ -18,11 +18,6 @@ void add_losses(EnergyBalance& balance, const Totals& sum) {
 
 }  // namespace
 
-model::ContactState contact_of(ContactMode mode) {
-    if (is_slip(mode)) return model::ContactState::slip;
-    return mode == ContactMode::stick ? model::ContactState::stick : model::ContactState::separation;
-}
-
 Logbook::Logbook(record::Recorder& recorder, const Flows& flows, std::vector<double> knots)
     : recorder_(recorder),
       flows_(flows),

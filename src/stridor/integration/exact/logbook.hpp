@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/energy_balance.hpp"
 #include "stridor/integration/exact/account.hpp"
 #include "stridor/integration/exact/contact_transition.hpp"
@@ -12,9 +13,6 @@
 #include <vector>
 
 namespace stridor::integration {
-
-/// The contact state of a mode.
-model::ContactState contact_of(ContactMode mode);
 
 /// What the exact engine writes down: changes of state, integrals by span, samples that are due, where the energy went.
 ///

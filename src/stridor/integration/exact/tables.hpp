@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/integration/contact_mode.hpp"
+
 /// What the exact engine prepares once per structure, as plain arrays that every instruction set reads alike.
 ///
 /// Within a contact state the motion is linear: with the state s in eight numbers, s' = A s and s(t) = exp(A t) s(0).
@@ -37,13 +39,6 @@ struct Quadrature {
     Lanes node;    // [1]
     Lanes weight;  // [1]
 };
-/// The contact states with the two directions of slip told apart.
-enum class ContactMode { open, stick, slip_forward, slip_backward };  // forward: w > 0
-inline constexpr int modes = 4;
-
-constexpr bool is_slip(ContactMode mode) {
-    return mode == ContactMode::slip_forward || mode == ContactMode::slip_backward;
-}
 
 /// A function that stays positive as long as the contact state lasts.
 struct EventFunction {

@@ -1,0 +1,151 @@
+#include "stridor/integration/contact_impulses.hpp"
+
+#include "stridor/integration/contact_mode_of.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stridor::integration {
+
+namespace {
+
+constexpr double impulse_rounding = 1e-12;  // [1] of the largest velocity or impulse
+constexpr double least_pivot = 1e-13;       // [1] of the largest pivot: contacts with less depend on each other
+
+Eigen::Index index(std::size_t k) {
+    return static_cast<Eigen::Index>(k);
+}
+
+// one trial: impulses for these modes
+class Trial {
+public:
+    Trial(const ModalStructure& structure, const Meeting& meeting)
+        : structure_(structure),
+          meeting_(meeting),
+          broken_(meeting.mode.size(), false) {
+        result_.mode = meeting.mode;
+    }
+
+    bool solve();
+    bool mend();
+    ContactImpulses result() const { return result_; }
+
+private:
+    struct Violation {
+        double size = 0.0;  // [1]
+        std::size_t contact = 0;
+        ContactMode mode = ContactMode::open;
+    };
+
+    double ratio(std::size_t k) const { return structure_.contacts[k].ratio[index_of(way_of(result_.mode[k]))]; }
+    void look(std::size_t contact, double excess, double scale, ContactMode mode) {
+        const double size = excess / scale;
+        if (size > impulse_rounding && size > worst_.size) worst_ = {size, contact, mode};
+    }
+
+    const ModalStructure& structure_;
+    const Meeting& meeting_;
+    std::vector<bool> broken_;  // limits that fell
+    ContactImpulses result_;
+    Violation worst_;
+};
+
+bool Trial::solve() {
+    const std::size_t p = result_.mode.size();
+    std::vector<std::size_t> active, stuck;
+    for (std::size_t k = 0; k < p; ++k) {
+        if (!meeting_.touches[k] || result_.mode[k] == ContactMode::open) continue;
+        active.push_back(k);
+        if (result_.mode[k] == ContactMode::stick) stuck.push_back(k);
+    }
+    const std::size_t rows = active.size() + stuck.size();
+    // unknown impulses as combinations of all P_n and P_t
+    Eigen::MatrixXd push = Eigen::MatrixXd::Zero(index(2 * p), index(rows));
+    Eigen::MatrixXd pick = Eigen::MatrixXd::Zero(index(rows), index(2 * p));
+    Eigen::VectorXd before(index(2 * p));
+    for (std::size_t k = 0; k < p; ++k) {
+        before(index(2 * k)) = meeting_.gap_velocity[k];
+        before(index(2 * k + 1)) = meeting_.slip_velocity[k];
+    }
+    for (std::size_t r = 0; r < active.size(); ++r) {
+        const std::size_t k = active[r];
+        push(index(2 * k), index(r)) = pick(index(r), index(2 * k)) = 1.0;
+        if (is_slip(result_.mode[k])) push(index(2 * k + 1), index(r)) = ratio(k);
+    }
+    for (std::size_t r = 0; r < stuck.size(); ++r) {
+        const std::size_t row = active.size() + r;
+        push(index(2 * stuck[r] + 1), index(row)) = pick(index(row), index(2 * stuck[r] + 1)) = 1.0;
+    }
+    Eigen::VectorXd impulse = Eigen::VectorXd::Zero(index(2 * p));
+    if (rows > 0) {
+        const Eigen::MatrixXd system = pick * structure_.compliance * push;
+        Eigen::FullPivLU<Eigen::MatrixXd> factor(system);
+        factor.setThreshold(least_pivot);
+        if (!factor.isInvertible()) return false;
+        const Eigen::VectorXd solution = factor.solve(Eigen::VectorXd(-(pick * before)));
+        impulse = push * solution;
+    }
+    const Eigen::VectorXd after = before + structure_.compliance * impulse;
+    result_.normal.resize(p);
+    result_.tangential.resize(p);
+    result_.gap_velocity.resize(p);
+    result_.slip_velocity.resize(p);
+    for (std::size_t k = 0; k < p; ++k) {
+        const bool is_active = meeting_.touches[k] && result_.mode[k] != ContactMode::open;
+        result_.normal[k] = impulse(index(2 * k));
+        result_.tangential[k] = impulse(index(2 * k + 1));
+        result_.gap_velocity[k] = is_active ? 0.0 : after(index(2 * k));
+        result_.slip_velocity[k] = is_active && result_.mode[k] == ContactMode::stick ? 0.0 : after(index(2 * k + 1));
+    }
+    return true;
+}
+
+// changes the worst violated contact; returns false if none is
+bool Trial::mend() {
+    double speed = 0.0, push = 0.0;
+    for (std::size_t k = 0; k < result_.mode.size(); ++k) {
+        if (!meeting_.touches[k]) continue;
+        speed = std::max({speed, std::abs(meeting_.gap_velocity[k]), std::abs(meeting_.slip_velocity[k]),
+                          std::abs(result_.gap_velocity[k]), std::abs(result_.slip_velocity[k])});
+        push = std::max({push, std::abs(result_.normal[k]), std::abs(result_.tangential[k])});
+    }
+    worst_ = {};
+    for (std::size_t k = 0; k < result_.mode.size(); ++k) {
+        if (!meeting_.touches[k]) continue;
+        const ContactMode mode = result_.mode[k];
+        if (mode == ContactMode::open) {
+            look(k, -result_.gap_velocity[k], speed, ContactMode::stick);
+            continue;
+        }
+        look(k, -result_.normal[k], push, ContactMode::open);
+        if (mode == ContactMode::stick) {
+            const model::Slip way = model::slip_against(result_.tangential[k]);
+            const ModalContact& law = structure_.contacts[k];
+            const double limit = broken_[k] ? std::abs(law.ratio[index_of(way)]) : law.limit[index_of(way)];
+            look(k, std::abs(result_.tangential[k]) - limit * result_.normal[k], push, slip_mode(way));
+        } else {
+            const double sign = mode == ContactMode::slip_forward ? 1.0 : -1.0;
+            look(k, -sign * result_.slip_velocity[k], speed, ContactMode::stick);
+        }
+    }
+    if (worst_.size == 0.0) return false;
+    if (result_.mode[worst_.contact] == ContactMode::stick && is_slip(worst_.mode)) broken_[worst_.contact] = true;
+    result_.mode[worst_.contact] = worst_.mode;
+    return true;
+}
+
+}  // namespace
+
+std::optional<ContactImpulses> contact_impulses(const ModalStructure& structure, const Meeting& meeting) {
+    Trial trial(structure, meeting);
+    const std::size_t most_changes = 40 + 20 * meeting.mode.size();
+    for (std::size_t change = 0; change < most_changes; ++change) {
+        if (!trial.solve()) return std::nullopt;
+        if (!trial.mend()) return trial.result();
+    }
+    return std::nullopt;
+}
+
+}  // namespace stridor::integration

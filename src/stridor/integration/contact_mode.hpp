@@ -1,0 +1,13 @@
+#pragma once
+
+namespace stridor::integration {
+
+/// The contact states with the two directions of slip told apart.
+enum class ContactMode { open, stick, slip_forward, slip_backward };  // forward: w > 0
+inline constexpr int modes = 4;
+
+constexpr bool is_slip(ContactMode mode) {
+    return mode == ContactMode::slip_forward || mode == ContactMode::slip_backward;
+}
+
+}  // namespace stridor::integration

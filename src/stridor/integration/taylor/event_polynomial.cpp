@@ -1,0 +1,141 @@
+// On an interval a polynomial lies between the smallest and the largest of its Bernstein coefficients, and has no more
+// zeros than they have changes of sign. An interval with none is passed, with one it holds one zero, which Newton's
+// steps find between bounds; with more it is halved (de Casteljau).
+
+#include "stridor/integration/taylor/event_polynomial.hpp"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace stridor::integration {
+
+namespace {
+
+constexpr int most_coefficients = 32;
+constexpr double narrowest_part = 0x1p-44;  // [1] below it an interval holds dips no deeper than rounding
+constexpr int most_halvings = 8192;         // before a function that is all rounding is given up
+
+using BernsteinForm = std::array<double, most_coefficients>;
+
+struct IntervalPart {
+    double from, to;
+    BernsteinForm b;
+};
+
+// b_j = Σ_{i <= j} C(j, i) / C(n, i) c_i, as differences are summed
+BernsteinForm bernstein_form(std::span<const double> c) {
+    const int n = static_cast<int>(c.size()) - 1;
+    BernsteinForm b{};
+    double binomial = 1.0;  // C(n, i)
+    for (int i = 0; i <= n; ++i) {
+        b[static_cast<std::size_t>(i)] = c[static_cast<std::size_t>(i)] / binomial;
+        binomial *= static_cast<double>(n - i) / static_cast<double>(i + 1);
+    }
+    for (int pass = 1; pass <= n; ++pass)
+        for (int j = n; j >= pass; --j)
+            b[static_cast<std::size_t>(j)] += b[static_cast<std::size_t>(j - 1)];
+    return b;
+}
+
+void halve_part(const IntervalPart& whole, int n, IntervalPart& left, IntervalPart& right) {
+    BernsteinForm b = whole.b;
+    const double middle = 0.5 * (whole.from + whole.to);
+    left.from = whole.from;
+    left.to = right.from = middle;
+    right.to = whole.to;
+    for (int j = 0; j <= n; ++j) {
+        left.b[static_cast<std::size_t>(j)] = b[0];
+        right.b[static_cast<std::size_t>(n - j)] = b[static_cast<std::size_t>(n - j)];
+        for (int k = 0; k < n - j; ++k)
+            b[static_cast<std::size_t>(k)] =
+                0.5 * (b[static_cast<std::size_t>(k)] + b[static_cast<std::size_t>(k + 1)]);
+    }
+}
+
+int sign_changes(const BernsteinForm& b, int n) {
+    int changes = 0;
+    for (int j = 1; j <= n; ++j)
+        if ((b[static_cast<std::size_t>(j)] > 0.0) != (b[static_cast<std::size_t>(j - 1)] > 0.0)) ++changes;
+    return changes;
+}
+
+// the zero between a positive and a negative end
+double polished(std::span<const double> c, double from, double to) {
+    double x = 0.5 * (from + to);
+    for (int step = 0; step < 80; ++step) {
+        double value = 0.0, slope = 0.0;
+        for (std::size_t k = c.size(); k-- > 0;) {
+            slope = slope * x + value;
+            value = value * x + c[k];
+        }
+        if (value > 0.0)
+            from = x;
+        else
+            to = x;
+        double next = x - value / slope;
+        if (!(next > from && next < to)) next = 0.5 * (from + to);
+        if (next == x || std::abs(next - x) <= 1e-17 || from == to) return next;
+        x = next;
+    }
+    return x;
+}
+
+}  // namespace
+
+double value_of(std::span<const double> c, double x) {
+    double value = 0.0;
+    for (std::size_t k = c.size(); k-- > 0;)
+        value = value * x + c[k];
+    return value;
+}
+
+double first_zero(std::span<const double> whole, int dropped, double reach) {
+    const std::span<const double> c = whole.subspan(static_cast<std::size_t>(dropped));
+    double least = c[0], sum = 0.0;
+    for (const double each : c) {
+        sum += each;
+        if (each < 0.0) least += &each == c.data() ? 0.0 : each;
+    }
+    if (!std::isfinite(sum)) return no_polynomial;
+    if (c[0] < 0.0) return 0.0;
+    if (least > 0.0) return no_zero;
+    const int n = static_cast<int>(c.size()) - 1;
+    std::vector<IntervalPart> stack;
+    stack.push_back({0.0, 1.0, bernstein_form(c)});
+    for (int looked_at = 0; !stack.empty() && looked_at < most_halvings; ++looked_at) {
+        const IntervalPart here = stack.back();
+        stack.pop_back();
+        if (here.from >= reach) break;
+        const int changes = sign_changes(here.b, n);
+        if (changes == 0 && here.b[0] > 0.0) continue;
+        const double first = here.b[0];
+        const double last = here.b[static_cast<std::size_t>(n)];
+        if (changes <= 1 && first > 0.0 && last <= 0.0) {
+            const double zero = polished(c, here.from, here.to);
+            return zero <= reach ? zero : no_zero;
+        }
+        if (changes <= 1 && !(first > 0.0)) {
+            if (here.from > 0.0) return here.from;  // the zero lies where two parts meet
+            if (last > 0.0 || changes == 0) {       // it begins at zero: its next coefficient says which way
+                for (const double each : c)
+                    if (each != 0.0) {
+                        if (each < 0.0) return 0.0;
+                        break;
+                    }
+                continue;
+            }
+        }
+        if (here.to - here.from < narrowest_part) {
+            if (last <= 0.0) return here.to <= reach ? here.to : no_zero;
+            continue;
+        }
+        IntervalPart left, right;
+        halve_part(here, n, left, right);
+        stack.push_back(right);
+        stack.push_back(left);
+    }
+    return no_zero;
+}
+
+}  // namespace stridor::integration

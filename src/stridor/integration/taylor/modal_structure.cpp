@@ -1,0 +1,89 @@
+#include "stridor/integration/taylor/modal_structure.hpp"
+
+#include "stridor/base/error.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace stridor::integration {
+
+namespace {
+
+constexpr double symmetry_rounding = 1e-10;  // [1] of the largest entry
+constexpr double diagonal_rounding = 1e-13;  // [1] likewise: what a transform leaves beside the diagonal
+
+std::vector<double> numbers_of(const Eigen::VectorXd& vector) {
+    return {vector.data(), vector.data() + vector.size()};
+}
+
+void require_symmetric(const Eigen::MatrixXd& matrix, const char* name) {
+    const double most = matrix.cwiseAbs().maxCoeff();
+    if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > symmetry_rounding * most || !matrix.allFinite())
+        throw Error(ErrorKind::input, {std::string("the ") + name + " matrix is not symmetric",
+                                       "both halves of it must be given, or one half said to be all", ""});
+}
+
+ModalContact modal_contact(const model::ContactPoint& contact, const Eigen::MatrixXd& shapes) {
+    ModalContact result;
+    result.normal = numbers_of(shapes.transpose() * contact.normal);
+    result.tangent = numbers_of(shapes.transpose() * contact.tangent);
+    result.initial_gap = contact.initial_gap;
+    result.drive_share = contact.drive_share;
+    for (const model::Slip way : model::slips) {
+        result.limit[index_of(way)] = stick_limit(contact.friction, way);
+        result.ratio[index_of(way)] = slip_ratio(contact.friction, way);
+    }
+    return result;
+}
+
+Eigen::MatrixXd compliance_of(const std::vector<ModalContact>& contacts, std::size_t modes) {
+    Eigen::MatrixXd rows(2 * contacts.size(), modes);
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+        for (std::size_t j = 0; j < modes; ++j) {
+            rows(static_cast<Eigen::Index>(2 * k), static_cast<Eigen::Index>(j)) = contacts[k].normal[j];
+            rows(static_cast<Eigen::Index>(2 * k + 1), static_cast<Eigen::Index>(j)) = contacts[k].tangent[j];
+        }
+    return rows * rows.transpose();
+}
+
+}  // namespace
+
+ModalStructure modal_structure(const model::Structure& structure) {
+    require_symmetric(structure.mass, "mass");
+    require_symmetric(structure.stiffness, "stiffness");
+    require_symmetric(structure.damping, "damping");
+    const Eigen::LLT<Eigen::MatrixXd> factor(structure.mass);
+    if (factor.info() != Eigen::Success)
+        throw Error(ErrorKind::input,
+                    {"the mass matrix is not positive definite", "some motion of the structure would have no inertia",
+                     "Give every degree of freedom a mass, or remove those without."});
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(structure.stiffness, structure.mass);
+    ModalStructure modal;
+    modal.shapes = solver.eigenvectors();
+    modal.square_frequency = numbers_of(solver.eigenvalues());
+    modal.load = numbers_of(modal.shapes.transpose() * structure.load);
+    const Eigen::MatrixXd damping = modal.shapes.transpose() * structure.damping * modal.shapes;
+    const Eigen::MatrixXd beside = damping - Eigen::MatrixXd(damping.diagonal().asDiagonal());
+    const double most = damping.cwiseAbs().maxCoeff();
+    modal.damping = beside.cwiseAbs().maxCoeff() <= diagonal_rounding * most
+                        ? numbers_of(damping.diagonal())
+                        : std::vector<double>(damping.data(), damping.data() + damping.size());
+    for (const std::size_t k : model::canonical_order(structure)) {
+        modal.contacts.push_back(modal_contact(structure.contacts[k], modal.shapes));
+        modal.number.push_back(k);
+    }
+    modal.compliance = compliance_of(modal.contacts, modal.modes());
+    const double square = std::max(std::abs(modal.square_frequency.front()), modal.square_frequency.back());
+    modal.fastest = 1.1 * std::sqrt(square) + damping.cwiseAbs().rowwise().sum().maxCoeff();
+    return modal;
+}
+
+Eigen::VectorXd modal(const ModalStructure& modal, const model::Structure& structure, const Eigen::VectorXd& u) {
+    return modal.shapes.transpose() * (structure.mass * u);
+}
+
+}  // namespace stridor::integration

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "stridor/model/structure.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace stridor::integration {
+
+/// A contact as the modes of its structure see it.
+struct ModalContact {
+    std::vector<double> normal;     // [1/√kg] n, shape [mode]
+    std::vector<double> tangent;    // [1/√kg] t, shape [mode]
+    double initial_gap = 0.0;       // [m] g0
+    double drive_share = 1.0;       // [1] of V(t)
+    std::array<double, 2> limit{};  // [1] of the stick, shape [slip]
+    std::array<double, 2> ratio{};  // [1] T/N of the slip, shape [slip]
+};
+
+/// A structure in the coordinates of its free eigenmodes, u = Φ q with Φ'M Φ = 1 and Φ'K Φ = diag(ω²):
+///
+///     q'' = f - ω² q - C q' + Σ (n N + t T)
+///
+/// Its contacts stand in an order of their own, by their rows, so that results do not depend on how a user numbers
+/// them.
+struct ModalStructure {
+    Eigen::MatrixXd shapes;                // [1/√kg] Φ, shape [dof][mode]
+    std::vector<double> square_frequency;  // [rad²/s²] ω², shape [mode], rising
+    std::vector<double> damping;           // [1/s] C, shape [mode] if it is diagonal, else [mode][mode]
+    std::vector<double> load;              // [N/√kg] f, shape [mode]
+    std::vector<ModalContact> contacts;
+    std::vector<std::size_t> number;  // of each contact in the structure's list
+    Eigen::MatrixXd compliance;       // [1/kg] W, rows and columns n0, t0, n1, t1, ...
+    double fastest = 0.0;             // [1/s] bound of the rates of its free motion
+
+    std::size_t modes() const { return square_frequency.size(); }
+    bool is_damped_by_mode() const { return damping.size() == modes(); }
+};
+
+/// Throws `Error` (input) where the mass matrix is not positive definite or a matrix is not symmetric.
+ModalStructure modal_structure(const model::Structure& structure);
+
+/// Coordinates of displacements or velocities: Φ'M u.
+Eigen::VectorXd modal(const ModalStructure& modal, const model::Structure& structure, const Eigen::VectorXd& u);
+
+}  // namespace stridor::integration

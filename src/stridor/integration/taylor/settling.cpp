@@ -1,0 +1,332 @@
+#include "stridor/integration/taylor/settling.hpp"
+
+#include "stridor/integration/contact_impulses.hpp"
+#include "stridor/integration/contact_mode_of.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stridor::integration {
+
+namespace {
+
+constexpr int settling_order = 6;            // of the series that decide at an event
+constexpr int most_dropped = 4;              // a function that is zero up to there stays zero
+constexpr double function_rounding = 1e-11;  // [1] of the largest coefficient: what is zero
+constexpr double term_rounding = 1e-14;      // [1] of the sum of the terms' sizes, likewise
+constexpr double gap_rounding = 1e-12;       // [1] likewise, of gaps
+constexpr double soon = 1e-6;                // [1] of a block: what ends sooner has ended
+constexpr int most_rounds = 64;              // of impacts and forces in one event
+constexpr double forward_sign = 1.0;
+
+double sign_of(ContactMode mode) {
+    return mode == ContactMode::slip_forward ? forward_sign : -forward_sign;
+}
+
+double product(const std::vector<double>& a, std::span<const double> b) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < a.size(); ++j)
+        sum += a[j] * b[j];
+    return sum;
+}
+
+double terms_of(const std::vector<double>& a, std::span<const double> b) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < a.size(); ++j)
+        sum += std::abs(a[j] * b[j]);
+    return sum;
+}
+
+double gap_of(const ModalContact& c, const TaylorState& state) {
+    return product(c.normal, state.q) + c.initial_gap;
+}
+double gap_zero(const ModalContact& c, const TaylorState& state) {
+    return gap_rounding * (terms_of(c.normal, state.q) + std::abs(c.initial_gap));
+}
+double slip_of_contact(const ModalContact& c, const TaylorState& state, const SurfaceSeries& surface) {
+    return product(c.tangent, state.v) - c.drive_share * surface[0];
+}
+double slip_zero(const ModalContact& c, const TaylorState& state, const SurfaceSeries& surface) {
+    return function_rounding * (terms_of(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
+}
+
+// the first coefficient above `zero`; none if all are below
+struct Leading {
+    int order = most_dropped + 1;
+    double value = 0.0;
+};
+
+Leading leading(const BlockSeries& c, double zero) {
+    for (int k = 0; k <= most_dropped; ++k)
+        if (std::abs(c[static_cast<std::size_t>(k)]) > zero) return {k, c[static_cast<std::size_t>(k)]};
+    return {};
+}
+
+double largest(const BlockSeries& c) {
+    double most = 0.0;
+    for (int k = 0; k <= settling_order; ++k)
+        most = std::max(most, std::abs(c[static_cast<std::size_t>(k)]));
+    return most;
+}
+
+}  // namespace
+
+struct Settling::Violation {
+    int order = most_dropped + 1;
+    double size = 0.0;  // [1]
+    std::size_t contact = 0;
+    std::size_t function = 0;
+};
+
+BlockSeries event_series(const ModalStructure& structure, const TaylorBlock& block, std::size_t contact,
+                         ContactMode mode, std::size_t function, bool has_broken) {
+    if (mode == ContactMode::open) return block.gap(contact);
+    const BlockSeries& N = block.normal_force(contact);
+    if (function == 0) return N;
+    BlockSeries series;
+    if (is_slip(mode)) {
+        series = block.slip_velocity(contact);
+        for (double& each : series)
+            each *= sign_of(mode);
+        return series;
+    }
+    const model::Slip way = function == 1 ? model::Slip::backward : model::Slip::forward;
+    const ModalContact& law = structure.contacts[contact];
+    const double limit = has_broken ? std::abs(law.ratio[index_of(way)]) : law.limit[index_of(way)];
+    const double sign = function == 1 ? -1.0 : 1.0;
+    const BlockSeries& T = block.friction_force(contact);
+    for (std::size_t m = 0; m < series.size(); ++m)
+        series[m] = limit * N[m] + sign * T[m];
+    return series;
+}
+
+Settling::Settling(const ModalStructure& structure, double step)
+    : structure_(structure),
+      block_(structure, step),
+      broken_(structure.contacts.size()),
+      begins_(structure.contacts.size()),
+      orders_(structure.contacts.size()) {}
+
+void Settling::project(TaylorState& state, const SurfaceSeries& surface) const {
+    std::vector<const std::vector<double>*> gaps, slips;
+    std::vector<double> gap_errors, rate_errors, slip_errors;
+    for (std::size_t k = 0; k < state.set.size(); ++k) {
+        if (state.set[k] == ContactMode::open) continue;
+        const ModalContact& c = structure_.contacts[k];
+        gaps.push_back(&c.normal);
+        gap_errors.push_back(gap_of(c, state));
+        rate_errors.push_back(product(c.normal, state.v));
+        if (state.set[k] != ContactMode::stick && !begins_[k]) continue;
+        slips.push_back(&c.tangent);
+        slip_errors.push_back(slip_of_contact(c, state, surface));
+    }
+    const auto remove = [&](const std::vector<const std::vector<double>*>& rows, const std::vector<double>& errors,
+                            std::vector<double>& x) {
+        if (rows.empty()) return;
+        const auto n = static_cast<Eigen::Index>(rows.size());
+        Eigen::MatrixXd gram(n, n);
+        for (Eigen::Index a = 0; a < n; ++a)
+            for (Eigen::Index b = 0; b <= a; ++b)
+                gram(a, b) = gram(b, a) =
+                    product(*rows[static_cast<std::size_t>(a)], *rows[static_cast<std::size_t>(b)]);
+        const Eigen::VectorXd share = gram.ldlt().solve(Eigen::Map<const Eigen::VectorXd>(errors.data(), n));
+        for (Eigen::Index a = 0; a < n; ++a)
+            for (std::size_t j = 0; j < x.size(); ++j)
+                x[j] -= share(a) * (*rows[static_cast<std::size_t>(a)])[j];
+    };
+    remove(gaps, gap_errors, state.q);
+    gaps.insert(gaps.end(), slips.begin(), slips.end());
+    rate_errors.insert(rate_errors.end(), slip_errors.begin(), slip_errors.end());
+    remove(gaps, rate_errors, state.v);
+}
+
+// closed contacts have the state that their slip velocity says
+void Settling::correct_modes(TaylorState& state, const SurfaceSeries& surface) const {
+    for (std::size_t k = 0; k < state.set.size(); ++k) {
+        if (state.set[k] == ContactMode::open) continue;
+        const ModalContact& c = structure_.contacts[k];
+        const double w = slip_of_contact(c, state, surface);
+        if (std::abs(w) > slip_zero(c, state, surface))
+            state.set[k] = slip_mode(model::slip_of(w));
+        else if (!begins_[k])
+            state.set[k] = ContactMode::stick;
+    }
+}
+
+// impulses of all that touches; returns false where there are none that obey the laws
+bool Settling::meet(TaylorState& state, const SurfaceSeries& surface, std::size_t fired) {
+    const std::size_t p = state.set.size();
+    Meeting meeting{std::vector<double>(p), std::vector<double>(p), state.set, std::vector<bool>(p)};
+    for (std::size_t k = 0; k < p; ++k) {
+        const ModalContact& c = structure_.contacts[k];
+        meeting.gap_velocity[k] = product(c.normal, state.v);
+        meeting.slip_velocity[k] = slip_of_contact(c, state, surface);
+        const bool is_near = gap_of(c, state) <= gap_zero(c, state);
+        meeting.touches[k] = state.set[k] != ContactMode::open || is_near || k == fired;
+        if (k == fired || (state.set[k] == ContactMode::open && is_near && meeting.gap_velocity[k] < 0.0))
+            meeting.mode[k] = ContactMode::stick;
+    }
+    const std::optional<ContactImpulses> impulses = contact_impulses(structure_, meeting);
+    if (!impulses) return false;
+    for (std::size_t k = 0; k < p; ++k) {
+        if (!meeting.touches[k]) continue;
+        const ModalContact& c = structure_.contacts[k];
+        const double P_n = impulses->normal[k];
+        const double P_t = impulses->tangential[k];
+        for (std::size_t j = 0; j < state.v.size(); ++j)
+            state.v[j] += P_n * c.normal[j] + P_t * c.tangent[j];
+        losses_.impact_loss -= 0.5 * P_n * (meeting.gap_velocity[k] + impulses->gap_velocity[k]);
+        losses_.friction_loss -= 0.5 * P_t * (meeting.slip_velocity[k] + impulses->slip_velocity[k]);
+        losses_.drive_work += P_t * c.drive_share * surface[0];
+        state.set[k] = impulses->mode[k];
+        begins_[k] = false;
+    }
+    return true;
+}
+
+// compares a contact's functions with the worst so far; notes their orders
+void Settling::look(const TaylorState& state, std::size_t contact, Violation& worst) {
+    const ContactMode mode = state.set[contact];
+    for (std::size_t f = 0; f < event_functions(mode); ++f) {
+        const BlockSeries c = event_series(structure_, block_, contact, mode, f, broken_[contact]);
+        const double most = largest(c);
+        double zero = function_rounding * most;
+        if (mode == ContactMode::open)
+            zero = gap_rounding * block_.gap_scale(contact);
+        else if (is_slip(mode) && f == 1)
+            zero += term_rounding * block_.velocity_scale(contact);
+        else
+            zero += term_rounding * block_.force_scale(contact);
+        const Leading first = leading(c, zero);
+        orders_[contact][f] = first.order;
+        if (!(first.value < 0.0)) continue;
+        const double size = most > 0.0 ? -first.value / most : 0.0;
+        if (first.order < worst.order || (first.order == worst.order && size > worst.size))
+            worst = {first.order, size, contact, f};
+    }
+}
+
+// forces and accelerations that obey all laws, beginning with the present set
+Settling::Forces Settling::find_forces(TaylorState& state, const SurfaceSeries& surface) {
+    broken_ = begins_;
+    const std::size_t most_changes = 40 + 20 * state.set.size();
+    for (std::size_t change = 0; change < most_changes; ++change) {
+        if (!block_.choose(state.set)) return Forces::singular;
+        block_.expand(state.q, state.v, surface, settling_order);
+        Violation worst;
+        for (std::size_t k = 0; k < state.set.size(); ++k)
+            look(state, k, worst);
+        if (worst.order > most_dropped) {
+            state.dropped = orders_;
+            return Forces::found;
+        }
+        ContactMode& mode = state.set[worst.contact];
+        if (mode == ContactMode::open) {
+            if (worst.order <= 1) return Forces::closing;
+            const ModalContact& c = structure_.contacts[worst.contact];
+            const double w = slip_of_contact(c, state, surface);
+            mode = std::abs(w) > slip_zero(c, state, surface) ? slip_mode(model::slip_of(w)) : ContactMode::stick;
+        } else if (worst.function == 0) {
+            mode = ContactMode::open;
+        } else if (is_slip(mode)) {
+            mode = ContactMode::stick;
+        } else {
+            mode = slip_mode(worst.function == 1 ? model::Slip::backward : model::Slip::forward);
+            broken_[worst.contact] = begins_[worst.contact] = true;
+        }
+    }
+    return Forces::inconsistent;
+}
+
+// ends what would end within `soon`; returns whether anything did
+bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
+    bool has_ended = false;
+    for (std::size_t k = 0; k < state.set.size(); ++k) {
+        const ContactMode mode = state.set[k];
+        if (mode == ContactMode::open && state.dropped[k][0] <= 1) {
+            const BlockSeries g = block_.gap(k);
+            // c0 + c1 x + c2 x²: the flight's parabola
+            const double c0 = std::max(0.0, g[0]);
+            if (!(g[2] < 0.0)) continue;
+            const double back = (-g[1] - std::sqrt(g[1] * g[1] - 4.0 * g[2] * c0)) / (2.0 * g[2]);
+            if (!(back < soon)) continue;
+            state.set[k] = ContactMode::stick;
+            ++completed_;
+            has_ended = true;
+        } else if (is_slip(mode) && state.dropped[k][1] == 0) {
+            const BlockSeries w = block_.slip_velocity(k);
+            const double rest = -w[0] / w[1];
+            if (!(rest > 0.0 && rest < soon)) continue;
+            state.set[k] = ContactMode::stick;
+            has_ended = true;
+        }
+    }
+    if (!has_ended) return false;
+    // contacts that were closed by force slip unless they had no slip velocity
+    for (std::size_t k = 0; k < state.set.size(); ++k) {
+        const ModalContact& c = structure_.contacts[k];
+        if (state.set[k] != ContactMode::stick || state.dropped[k].empty()) continue;
+        const double w = slip_of_contact(c, state, surface);
+        const double near = soon * (terms_of(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
+        if (std::abs(w) > near) state.set[k] = slip_mode(model::slip_of(w));
+    }
+    double before = 0.0, after = 0.0;
+    for (const double each : state.v)
+        before += 0.5 * each * each;
+    project(state, surface);
+    for (const double each : state.v)
+        after += 0.5 * each * each;
+    losses_.impact_loss += before - after;
+    return true;
+}
+
+Settled Settling::go_on(TaylorState& state, const SurfaceSeries& surface) {
+    const std::size_t none = state.set.size();
+    for (int round = 0; round < most_rounds; ++round) {
+        correct_modes(state, surface);
+        switch (find_forces(state, surface)) {
+            case Forces::singular:
+                return Settled::singular;
+            case Forces::inconsistent:
+                return Settled::inconsistent;
+            case Forces::closing:
+                if (!meet(state, surface, none)) return Settled::inconsistent;
+                project(state, surface);
+                continue;
+            case Forces::found:
+                if (complete(state, surface)) continue;
+                project(state, surface);
+                std::fill(begins_.begin(), begins_.end(), false);
+                return Settled::done;
+        }
+    }
+    return Settled::inconsistent;
+}
+
+Settled Settling::settle(TaylorState& state, const SurfaceSeries& surface) {
+    correct_modes(state, surface);
+    project(state, surface);
+    return go_on(state, surface);
+}
+
+Settled Settling::fire(TaylorState& state, const SurfaceSeries& surface, std::size_t contact, std::size_t function) {
+    ContactMode& mode = state.set[contact];
+    if (mode == ContactMode::open) {
+        if (!meet(state, surface, contact)) return Settled::inconsistent;
+        project(state, surface);
+        return go_on(state, surface);
+    }
+    const bool is_stuck = mode == ContactMode::stick;
+    if (is_slip(mode) && function == 1) mode = ContactMode::stick;
+    if (is_stuck && function > 0) {
+        mode = slip_mode(function == 1 ? model::Slip::backward : model::Slip::forward);
+        begins_[contact] = true;
+    }
+    project(state, surface);
+    if (function == 0) mode = ContactMode::open;
+    return go_on(state, surface);
+}
+
+}  // namespace stridor::integration

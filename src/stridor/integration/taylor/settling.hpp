@@ -1,0 +1,89 @@
+#pragma once
+
+#include "stridor/integration/energy_balance.hpp"
+#include "stridor/integration/taylor/taylor_block.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace stridor::integration {
+
+inline constexpr std::size_t most_functions = 3;
+
+/// Functions of a contact that stay positive as long as its state lasts: open, g; slip, N and sigma w; stick, N and the
+/// friction that is left each way, mu N - T backward and mu N + T forward.
+constexpr std::size_t event_functions(ContactMode mode) {
+    return mode == ContactMode::open ? 1 : mode == ContactMode::stick ? 3 : 2;
+}
+
+/// Where a motion is, at an instant and after all that happens there.
+struct TaylorState {
+    std::vector<double> q;  // shape [mode]
+    std::vector<double> v;  // [1/s] of q, shape [mode]
+    ContactSet set;         // shape [contact]
+    // of each event function the number of first coefficients that are zero: the event it began with
+    std::vector<std::array<int, most_functions>> dropped;  // shape [contact]
+};
+
+/// How an event ended.
+enum class Settled {
+    done,
+    singular,      // the forces of a set are not determined: a Painleve configuration
+    inconsistent,  // no set of states obeys all laws
+};
+
+/// What happens at an event, the same rules for any number of contacts:
+///
+/// 1. Gaps that close: impulses of all touching contacts at once (`contact_impulses`).
+/// 2. Forces and accelerations: each event function must begin positive, that is its first coefficient which is not
+///    zero. The worst violated contact, of the lowest order, changes; a limit of friction once broken is that of the
+///    slip until the event has ended. From 1 again if a gap closes.
+/// 3. Flights and slips that would end within a millionth of a block are ended at once: pile-ups of impacts have a
+///    limit, and this is it.
+class Settling {
+public:
+    Settling(const ModalStructure& structure, double step);
+
+    /// The contact's function has become zero.
+    Settled fire(TaylorState& state, const SurfaceSeries& surface, std::size_t contact, std::size_t function);
+
+    /// Finds what the contacts do from their gaps and velocities: at a start, and where the drive has a corner.
+    Settled settle(TaylorState& state, const SurfaceSeries& surface);
+
+    /// Takes rounding out of closed gaps, their rates, and the slip of stuck contacts, at right angles under the mass.
+    void project(TaylorState& state, const SurfaceSeries& surface) const;
+
+    /// What impacts have taken and brought so far [J].
+    const EnergyBalance& losses() const { return losses_; }
+
+    /// Contacts that pile-ups have closed so far.
+    long completed() const { return completed_; }
+
+private:
+    enum class Forces { found, closing, singular, inconsistent };
+    struct Violation;
+
+    bool meet(TaylorState& state, const SurfaceSeries& surface, std::size_t fired);
+    Forces find_forces(TaylorState& state, const SurfaceSeries& surface);
+    bool complete(TaylorState& state, const SurfaceSeries& surface);
+    void correct_modes(TaylorState& state, const SurfaceSeries& surface) const;
+    void look(const TaylorState& state, std::size_t contact, Violation& worst);
+    Settled go_on(TaylorState& state, const SurfaceSeries& surface);
+
+    const ModalStructure& structure_;
+    TaylorBlock block_;
+    std::vector<bool> broken_;  // limits that fell during this event
+    std::vector<bool> begins_;  // slips that this event has begun: w = 0
+    std::vector<std::array<int, most_functions>> orders_;
+    EnergyBalance losses_;
+    long completed_ = 0;
+};
+
+/// Coefficients of an event function over a block that was expanded for the set. `has_broken`: the limit of friction is
+/// that of the slip.
+BlockSeries event_series(const ModalStructure& structure, const TaylorBlock& block, std::size_t contact,
+                         ContactMode mode, std::size_t function, bool has_broken = false);
+
+}  // namespace stridor::integration

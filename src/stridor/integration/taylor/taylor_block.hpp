@@ -1,0 +1,96 @@
+#pragma once
+
+#include "stridor/integration/contact_mode.hpp"
+#include "stridor/integration/taylor/modal_structure.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace stridor::integration {
+
+/// Order of the series of a block: with h = 2/Omega the next term is 2^25/25! = 2e-18 of the first.
+inline constexpr int block_order = 24;
+using BlockSeries = std::array<double, block_order + 1>;
+
+/// What each contact does, in the order of a `ModalStructure`.
+using ContactSet = std::vector<ContactMode>;
+
+/// The surface's velocity V(t) [m/s] over a block, in powers of theta = t/h.
+using SurfaceSeries = std::array<double, block_order + 2>;
+
+/// The motion of one set of contact states over one block of time [0, h], as power series in theta = t/h:
+///
+///     q_{m+1} = h/(m+1) v_m,  v_{m+1} = h/(m+1) (a_m + B lam_m),  lam_m = (R'B)^-1 (r_m - R' a_m)
+///
+/// with R = {n_i of the closed; t_i of the stuck}, B = {n_i + ratio_i t_i of the slipping, n_i of the stuck; t_i of
+/// the stuck}, a the acceleration without contact forces, r = {0; V_i'}, lam = {N_i; T_i}.
+class TaylorBlock {
+public:
+    TaylorBlock(const ModalStructure& structure, double step);
+
+    double step() const { return step_; }  // [s] h
+
+    /// Chooses what the contacts do. Returns false where R'B is singular: no forces belong to the set.
+    bool choose(const ContactSet& set);
+
+    /// Expands up to `order` from a state (shape [mode]); the surface's velocity belongs to the same instant.
+    void expand(std::span<const double> q, std::span<const double> v, const SurfaceSeries& surface,
+                int order = block_order);
+
+    /// Coefficients of the closed contact's forces on the structure [N]; zero if it is open.
+    const BlockSeries& normal_force(std::size_t contact) const { return normal_[contact]; }
+    const BlockSeries& friction_force(std::size_t contact) const { return friction_[contact]; }
+
+    /// Those of the gap [m] and of the slip velocity [m/s], by sums over the modes.
+    BlockSeries gap(std::size_t contact) const;
+    BlockSeries slip_velocity(std::size_t contact) const;
+
+    /// What rounding works on, in each of the four: the sum of the terms' sizes.
+    double force_scale(std::size_t contact) const;
+    double gap_scale(std::size_t contact) const;
+    double velocity_scale(std::size_t contact) const;
+
+    /// State at a place in [0, 1]; shape [mode].
+    void displacement_at(double theta, std::span<double> q) const;
+    void velocity_at(double theta, std::span<double> v) const;
+    void acceleration_at(double theta, std::span<double> a) const;
+
+    /// Last place up to which the series is exact to rounding: 1 but for sets near a Painleve configuration.
+    double reach() const;
+
+private:
+    // what depends on the set alone
+    struct Rows {
+        bool is_singular = false;
+        std::vector<std::size_t> normal;   // contact of each normal row
+        std::vector<std::size_t> tangent;  // contact of each tangential row, behind them
+        std::vector<double> constraint;    // R', shape [row][mode]
+        std::vector<double> push;          // B', shape [row][mode]
+        std::vector<double> inverse;       // (R'B)^-1, shape [row][row]
+    };
+
+    Rows prepare(const ContactSet& set) const;
+    std::span<const double> coefficient(const std::vector<double>& series, int m) const {
+        return {series.data() + static_cast<std::size_t>(m) * modes_, modes_};
+    }
+    void free_acceleration(int m);
+    void at(const std::vector<double>& series, double theta, std::span<double> result) const;
+
+    const ModalStructure& structure_;
+    double step_;
+    std::size_t modes_;
+    int order_ = 0;
+    SurfaceSeries surface_{};
+    std::map<std::vector<ContactMode>, Rows> prepared_{};
+    const Rows* rows_ = nullptr;
+    std::vector<double> q_, v_;          // shape [order + 2][mode]
+    std::vector<double> acceleration_;   // of one coefficient, shape [mode]
+    std::vector<double> right_, force_;  // of one coefficient, shape [row]
+    std::vector<BlockSeries> normal_, friction_;
+};
+
+}  // namespace stridor::integration

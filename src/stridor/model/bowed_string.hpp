@@ -1,0 +1,34 @@
+#pragma once
+
+#include "stridor/model/structure.hpp"
+
+namespace stridor::model {
+
+/// A string that a bow rubs at one point.
+struct BowedString {
+    double frequency = 200.0;     // [Hz] of its first mode
+    double impedance = 0.35;      // [kg/s] Z, of waves on it
+    double length = 0.5;          // [m] L
+    double damping_ratio = 5e-4;  // [1] zeta, of each mode
+    double bow_position = 0.13;   // [1] b, from the near end, as a share of the length
+    double bow_force = 0.8;       // [N] F
+    Coulomb friction{0.8, 0.3};
+};
+
+/// The string by its first modes, as coordinates with unit modal mass [m √kg], then the bow across it: a last degree of
+/// freedom that carries the constant bow force and does not move.
+///
+///     ω_k = 2π f k,  φ_k(x) = √(2/(ρ L)) sin(kπ x/L),  ρ = Z/(2 L f)
+///
+/// Source: Cremer, The Physics of the Violin (1984), chapter 3.
+Structure bowed_string(const BowedString& string, int modes);
+
+/// Velocities of the coordinates [m √kg/s] of Helmholtz's motion when the string passes through its rest position, for
+/// a bow that moves with V [m/s]: V/b √(2 ρ L) (-1)^(k+1) / (kπ). The corner runs round the string once a period; the
+/// string sticks to the bow but for the share b of it.
+Eigen::VectorXd helmholtz_motion(const BowedString& string, int modes, double bow_velocity);
+
+/// Largest bow force [N] of Helmholtz's motion, 2 Z V / (b (mu_s - mu_d)). Schelleng (1973), J. Acoust. Soc. Am. 53.
+double greatest_bow_force(const BowedString& string, double bow_velocity);
+
+}  // namespace stridor::model

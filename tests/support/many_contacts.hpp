@@ -1,0 +1,65 @@
+#pragma once
+
+#include "stridor/integration/initial_state.hpp"
+#include "stridor/integration/taylor/taylor.hpp"
+#include "stridor/model/joints_on_plate.hpp"
+#include "stridor/record/schedule.hpp"
+
+#include <array>
+#include <vector>
+
+/// Structures with several contacts and their runs over a surface of constant velocity, for tests of the engines.
+namespace stridor::support {
+
+/// Shares of the window in each state, shape [contact][state] as `model::index_of`.
+inline std::vector<std::array<double, 3>> shares(const integration::Motion& motion) {
+    std::vector<std::array<double, 3>> result;
+    for (const record::ContactTally& contact : motion.record.phases.front().contacts) {
+        const double sum = contact.time[0] + contact.time[1] + contact.time[2];
+        result.push_back({contact.time[0] / sum, contact.time[1] / sum, contact.time[2] / sum});
+    }
+    return result;
+}
+
+/// How long a run is, and the last part of it that counts.
+struct Watched {
+    double duration = 2.0;  // [s]
+    double window = 1.0;    // [s]
+};
+
+inline parameters::Case watched_case(double velocity, const Watched& watched) {
+    parameters::Case c;
+    c.drive.kind = parameters::DriveKind::constant;
+    c.drive.velocity = velocity;
+    c.run.duration = watched.duration;
+    c.run.window = watched.window;
+    return c;
+}
+
+/// A run by the Taylor engine that keeps its histories.
+inline integration::Motion run_taylor(const model::Structure& structure, double velocity,
+                                      const integration::InitialState& start, const Watched& watched = {}) {
+    const parameters::Case c = watched_case(velocity, watched);
+    record::Request request;
+    request.history = record::KeepHistory::yes;
+    record::Recorder recorder(record::schedule(c), request, model::dofs_of(structure),
+                              static_cast<int>(structure.contacts.size()));
+    return integration::integrate_taylor(structure, c.drive, start, {parameters::EarlyEnding::never},
+                                         std::move(recorder));
+}
+
+inline integration::Motion run_taylor(const model::Structure& structure, double velocity, parameters::Initial initial,
+                                      const Watched& watched = {}) {
+    return run_taylor(structure, velocity, integration::initial_state(structure, {initial, 0.0}, velocity), watched);
+}
+
+/// Table 1's joint with other numbers.
+inline model::PlateJoint plate_joint(double preload, double kinetic_friction, double angle = 70.0) {
+    model::PlateJoint joint;
+    joint.joint.incidence_angle = angle;
+    joint.contact.preload = preload;
+    joint.contact.kinetic_friction = kinetic_friction;
+    return joint;
+}
+
+}  // namespace stridor::support
