@@ -34,14 +34,6 @@ struct ChartOptions {
     bool preview = false;
 };
 
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw Error(ErrorKind::io,
-                    {"cannot make the folder " + folder.string(), error.message(), "Choose another --out."});
-}
-
 void refuse_if_nothing_is_valid(const sweep::SweepResult& result) {
     for (const sweep::CellVerdict& cell : result.cells)
         if (cell.status == sweep::Status::done) return;
@@ -57,7 +49,7 @@ void chart(const ChartOptions& options) {
     const std::string name =
         std::filesystem::path(options.input.file).stem().string() + (options.preview ? "-preview" : "");
     const std::filesystem::path out = options.out.empty() ? name : options.out;
-    make_folder(out);
+    storage::make_folder(out, "Choose another --out.");
     const sweep::SweepResult result = compute(study, out / "chart.sqlite", options.threads);
     // the resolved chart, overrides included, stands beside its results: what a reproduce command runs
     storage::write_file((out / "chart.toml").string(), io::study_toml(study));

@@ -13,6 +13,7 @@
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/paper_charts.hpp"
 
 #include <CLI/CLI.hpp>
@@ -62,11 +63,7 @@ void announce(const std::filesystem::path& stem, const char* what) {
 // figures in the order of what they cost, so that something is there to look at soon
 void draw_paper(const PaperOptions& options) {
     const std::filesystem::path out(options.out);
-    std::error_code error;
-    std::filesystem::create_directories(out, error);
-    if (error)
-        throw Error(ErrorKind::io,
-                    {"cannot make the folder " + out.string(), error.message(), "Choose another --out."});
+    storage::make_folder(out, "Choose another --out.");
     {
         const Interrupt interrupt;
         const Case squeal = parameters::paper_case(PaperCase::squeal);

@@ -2,7 +2,7 @@
 
 #include "arguments.hpp"
 #include "commands.hpp"
-#include "sounds/compare_input.hpp"
+#include "sounds/compare_options.hpp"
 #include "stridor/console/results/comparison_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"
@@ -49,7 +49,7 @@ void add_compare(CLI::App& program) {
         "compare", "Lay recordings and simulations side by side: categories, figures, and how far apart they are.");
     add_compare_options(*command, options->input);
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.compare/1)");
-    command->footer(std::string(sound_forms) +
+    command->footer(std::string(io::sound_forms) +
                     "\nExamples:\n  stridor compare vehicle.wav rig.uff squeal.toml\n"
                     "  stridor compare library:3 \"pair.toml:x=20 N,y=0.6\" --of plate --json");
     command->callback([options] { compare(*options); });
@@ -67,7 +67,7 @@ void add_figure_compare(CLI::App& figure) {
         ->type_name("TIME")
         ->capture_default_str();
     add_output_file(*command, options->output, "FILE.png, FILE.svg or FILE.pdf")->capture_default_str();
-    command->footer(std::string(sound_forms) +
+    command->footer(std::string(io::sound_forms) +
                     "\nExample:\n  stridor figure compare vehicle.wav rig.uff squeal.toml --label vehicle --label rig "
                     "--label model -o figure-4.png");
     command->callback(

@@ -8,6 +8,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/console/results/listening_text.hpp"
+#include "stridor/console/sound_progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
@@ -194,28 +195,6 @@ double full_scale_for(const ListenOptions& options, const hearing::RenderedSound
 
 // --- where it goes
 
-// says how far a long rendering is: a line that is redrawn in a terminal, a line per 10 % anywhere else
-class RenderDisplay {
-public:
-    explicit RenderDisplay(double duration) : duration_(duration) {}
-
-    void show(double time) {
-        const int percent = static_cast<int>(100.0 * time / duration_);
-        const int step = console::has_terminal() ? 1 : 10;
-        if (duration_ < 20.0 || percent / step == shown_ / step) return;
-        shown_ = percent;
-        const std::string line = fmt::format("rendered {:.0f} of {:g} s", time, duration_);
-        if (console::has_terminal())
-            fmt::print(stderr, "\r{}{}", line, percent >= 100 ? "\n" : "");
-        else
-            console::say(line);
-    }
-
-private:
-    double duration_;
-    int shown_ = 0;  // [%]
-};
-
 void require_destination(const ListenOptions& options) {
     if (options.out.empty()) {
         if (find_player().empty())
@@ -243,7 +222,7 @@ void listen(ListenOptions options) {
     std::unique_ptr<hearing::RenderedSound> sound;
     {
         const Interrupt interrupt;
-        RenderDisplay display(choice.c.run.duration);
+        console::RenderDisplay display(choice.c.run.duration);
         sound = hearing::render(choice.c, settings, interrupt.token(), [&](double time) { display.show(time); });
     }
     io::SoundInfo& info = choice.info;

@@ -2,13 +2,14 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "sounds/compare.hpp"
-#include "sounds/compare_input.hpp"
+#include "sounds/compare_options.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/console/progress.hpp"
 #include "stridor/console/results/match_text.hpp"
+#include "stridor/console/sound_progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"
 #include "stridor/figures/side_by_side.hpp"
+#include "stridor/hearing/matching.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/chart/toml_study.hpp"
@@ -17,13 +18,10 @@
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/storage/command_cache.hpp"
 #include "stridor/sweep/cell_choice.hpp"
-#include "stridor/sweep/store.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -31,12 +29,9 @@ namespace stridor::app {
 
 namespace {
 
-using classification::Category;
 using classification::ComparedSound;
 using hearing::SoundMatch;
 
-constexpr double least_rate = 8000.0;      // [Hz] of a rendered cell
-constexpr double most_rate = 192000.0;     // [Hz]
 constexpr std::size_t drawn = 3;           // [1] matches beside the recording in the figure
 constexpr double match_peak = 0.89125094;  // [1] of full scale: -1 dB
 
@@ -54,60 +49,6 @@ struct MatchOptions {
     bool json = false;
 };
 
-// says how far the search is: a line that is redrawn in a terminal, a line per 10 % anywhere else
-class SearchDisplay {
-public:
-    void show(const hearing::SearchProgress& progress) {
-        if (progress.done <= progress.before && progress.done < progress.known) return;  // known from an earlier run
-        if (!console::has_terminal() && progress.known < least_said) return;
-        display_.show(static_cast<double>(progress.done) / static_cast<double>(progress.known),
-                      fmt::format("{} of {} cells", progress.done, progress.known));
-    }
-
-private:
-    static constexpr std::size_t least_said = 50;  // [1] cells: less takes no time worth a line
-    console::ShareDisplay display_{"listened to", console::TimeLeft::shown};
-};
-
-// --- what is searched
-
-// cells that a store knows to be failed, or quiet where the recording is not
-std::vector<bool> ruled_out(const MatchOptions& options, const sweep::Study& study, Category heard) {
-    std::vector<bool> cells;
-    if (options.store.empty()) return cells;
-    if (!std::filesystem::exists(options.store))
-        throw Error(ErrorKind::io, {"there is no store " + options.store, "", "`stridor chart` makes it."});
-    cells.assign(sweep::cell_count(study), false);
-    sweep::Store store(options.store, study);
-    const bool is_noise = heard == Category::squeal || heard == Category::squeak || heard == Category::creak;
-    store.visit(0, cells.size(), [&](sweep::IndexedCell& cell) {
-        const bool is_quiet = cell.cell.status == sweep::Status::done && cell.cell.category == Category::none;
-        cells[cell.index] = cell.cell.status != sweep::Status::done || (is_noise && is_quiet);
-    });
-    return cells;
-}
-
-void require_sound(const ComparedSound& recording) {
-    if (recording.analysis.stretches.empty())
-        base::refuse(fmt::format("{} is too short to be matched, {:.3g} s", recording.name, recording.length),
-                     "nothing shorter than 20 ms can be described", "");
-    if (is_silent(recording.profile))
-        base::refuse("nothing can be heard in " + recording.name, "silence sounds like every quiet cell", "");
-}
-
-double cell_rate(const ComparedSound& recording) {
-    return std::clamp(std::round(recording.rate), least_rate, most_rate);
-}
-
-void require_level(const MatchOptions& options, const ComparedSound& recording) {
-    const std::string unit = sound::unit_of(pickup_of(options.motion).quantity);
-    if (!options.with_level || recording.analysis.unit == unit) return;
-    base::refuse("the level of " + recording.name + " cannot be compared",
-                 "it is in " + recording.analysis.unit + ", the model's motion in " + unit +
-                     ": a sound pressure would need a model of radiation",
-                 "Leave --with-level out, or choose --quantity.");
-}
-
 hearing::SoundSearchResult searched(const MatchOptions& options, const io::MatchReport& report,
                                     const hearing::CellListening& listening) {
     hearing::SoundSearch settings;
@@ -115,9 +56,10 @@ hearing::SoundSearchResult searched(const MatchOptions& options, const io::Match
     settings.keep = options.best;
     settings.level = report.level;
     settings.threads = options.threads;
-    settings.ruled_out = ruled_out(options, report.study, report.recording.heard.category);
+    if (!options.store.empty())
+        settings.ruled_out = hearing::ruled_out(report.study, options.store, report.recording.heard.category);
     const Interrupt interrupt;
-    SearchDisplay display;
+    console::SearchDisplay display;
     settings.stop = interrupt.token();
     settings.progress = [&](const hearing::SearchProgress& progress) { display.show(progress); };
     storage::CommandCache kept("match", hearing::listening_text(report.study, listening), console::say);
@@ -137,18 +79,11 @@ hearing::SoundSearchResult searched(const MatchOptions& options, const io::Match
 
 // --- what is left in the folder
 
-SimulatedSound simulated(const io::MatchReport& report, const SoundMatch& match) {
-    const sweep::CellPlace place = sweep::place_of(report.study, match.cell.index);
-    SimulatedSound sound{
-        console::match_name(report.study, match), sweep::case_at(report.study, place), {}, report.rate};
-    sound.stretches = hearing::heard_stretches(sound.c, report.study.directions[place.direction]);
-    return sound;
-}
-
-void write_cell(const SimulatedSound& cell, const MatchOptions& options, const std::string& file) {
+void write_cell(const hearing::SimulatedSound& cell, double rate, const MotionOptions& motion,
+                const std::string& file) {
     sound::AuralisationSettings settings;
-    settings.pickup = pickup_of(options.motion);
-    settings.rate = cell.rate;
+    settings.pickup = pickup_of(motion);
+    settings.rate = rate;
     settings.stretches = cell.stretches;
     const Interrupt interrupt;
     const std::unique_ptr<hearing::RenderedSound> sound =
@@ -158,25 +93,22 @@ void write_cell(const SimulatedSound& cell, const MatchOptions& options, const s
     recordings::write_wav(file, *sound,
                           {recordings::WavSamples::pcm_24,
                            {{full_scale, unit}},
-                           "simulated by stridor: " + motion_words(options.motion)});
+                           "simulated by stridor: " + hearing::motion_words(settings.pickup)});
 }
 
 void write_folder(const MatchOptions& options, const io::MatchReport& report) {
     const std::filesystem::path folder(options.out);
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw Error(ErrorKind::io, {"cannot make the folder " + options.out, error.message(), "Choose another --out."});
+    storage::make_folder(folder, "Choose another --out.");
     storage::write_file((folder / "match.json").string(), io::match_json(report) + "\n");
     std::vector<ComparedSound> sounds{report.recording};
     for (std::size_t k = 0; k < report.result.best.size(); ++k) {
-        const SimulatedSound cell = simulated(report, report.result.best[k]);
-        write_cell(cell, options, (folder / fmt::format("match-{}.wav", k + 1)).string());
+        const SoundMatch& match = report.result.best[k];
+        const hearing::SimulatedSound cell = hearing::simulated_of(report.study, match);
+        write_cell(cell, report.rate, options.motion, (folder / fmt::format("match-{}.wav", k + 1)).string());
         if (k >= drawn) continue;
-        sounds.push_back(simulate_sound(cell, options.motion, 0.05));
-        sounds.back().name = cell.name;
-        sounds.back().label = fmt::format("match {}", k + 1);
-        sounds.back().origin = "simulation at " + cell.name;
+        const std::string name = console::match_name(report.study, match);
+        sounds.push_back(load_sound({name, fmt::format("match {}", k + 1), "simulation at " + name, cell},
+                                    {pickup_of(options.motion), report.rate}));
     }
     figures::draw_both(figures::side_by_side(sounds), folder / "match");
 }
@@ -185,15 +117,17 @@ void match(const MatchOptions& options) {
     io::MatchReport report;
     report.chart = options.chart.file;
     report.study = io::read_study(load_source(options.chart.file, options.chart.overrides));
-    report.recording = load_recording(options.recording, options.library);
-    require_sound(report.recording);
-    require_level(options, report.recording);
-    report.motion = motion_words(options.motion);
-    report.rate = cell_rate(report.recording);
+    const sound::Pickup pickup = pickup_of(options.motion);
+    const hearing::NamedSound named = io::named_recording(options.recording, lookup_in(options.library));
+    report.recording = load_sound(named, {{}, std::get<hearing::RecordedSound>(named.source).rate});
+    hearing::require_matchable(report.recording);
+    if (options.with_level) hearing::require_comparable_level(report.recording, pickup.quantity);
+    report.motion = hearing::motion_words(pickup);
+    report.rate = hearing::matching_rate(report.recording);
     report.level = options.with_level ? classification::LevelUse::counted : classification::LevelUse::ignored;
     report.extent = options.every ? hearing::SearchExtent::every : hearing::SearchExtent::search;
     hearing::CellListening listening;
-    listening.sound.pickup = pickup_of(options.motion);
+    listening.sound.pickup = pickup;
     listening.sound.rate = report.rate;
     hearing::check_audible(report.study.base, listening.sound);
     report.result = searched(options, report, listening);

@@ -2,6 +2,7 @@
 
 #include "stridor/base/quantity.hpp"
 #include "stridor/classification/sound_rules.hpp"
+#include "stridor/console/sound_progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/recordings/open_signal.hpp"
 
@@ -20,21 +21,11 @@ void side_by_side(std::size_t count, const std::function<void(std::size_t)>& wor
     tbb::parallel_for(std::size_t{0}, count, work, tbb::simple_partitioner());
 }
 
-// a line that is redrawn in a terminal, a line per 10 % of long recordings anywhere else, nothing for short ones
+// nothing for short ones
 sound::AnalysisProgress progress_of(const signal::ChannelLayout& layout) {
-    constexpr double long_recording = 300.0;  // [s]
-    const double whole = layout.frames ? static_cast<double>(*layout.frames) : 0.0;
-    if (whole < long_recording * layout.rate) return {};
-    return [whole, said = 0](std::uint64_t frames) mutable {
-        const int percent = static_cast<int>(100.0 * static_cast<double>(frames) / whole);
-        if (percent < said + (console::has_terminal() ? 1 : 10)) return;
-        said = percent;
-        const std::string line = fmt::format("analysed {} %", percent);
-        if (console::has_terminal())
-            static_cast<void>(std::fprintf(stderr, "\r%s%s", line.c_str(), percent >= 100 ? "\n" : ""));
-        else
-            console::say(line);
-    };
+    console::AnalysisDisplay display(layout.frames, layout.rate);
+    if (!display.is_shown()) return {};
+    return [display](std::uint64_t frames) mutable { display.show(frames); };
 }
 
 }  // namespace

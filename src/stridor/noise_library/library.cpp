@@ -4,6 +4,7 @@
 #include "stridor/noise_library/entry_rows.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/noise_library/selection.hpp"
+#include "stridor/storage/atomic_file.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -290,6 +291,15 @@ std::vector<std::string> Library::words(std::string_view field) {
     while (rows.step())
         words.push_back(rows.text(0));
     return words;
+}
+
+Library open_library(const fs::path& named, Access access) {
+    const fs::path file = named.empty() ? default_library() : named;
+    if (named.empty() && access == Access::fill)
+        storage::make_folder(file.parent_path(), "Name another place with --library FILE.");
+    LibraryOptions options;
+    options.access = access;
+    return Library(file, options);
 }
 
 }  // namespace stridor::noise_library

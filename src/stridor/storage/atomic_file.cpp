@@ -151,4 +151,10 @@ void write_file(const std::string& path, std::string_view bytes) {
     file.commit();
 }
 
+void make_folder(const std::filesystem::path& folder, const std::string& suggestion) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw Error(ErrorKind::io, {"cannot make the folder " + folder.string(), error.message(), suggestion});
+}
+
 }  // namespace stridor::storage

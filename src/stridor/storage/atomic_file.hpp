@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -23,6 +24,9 @@ std::string read_file(const std::string& path);
 /// file and the reason; that of a process that was killed is removed by the next one that writes into the folder. A
 /// program that wants the error of a file size limit rather than its signal ignores SIGXFSZ.
 void write_file(const std::string& path, std::string_view bytes);
+
+/// Makes a folder, and those above it, where it is not there. Throws `Error` (io) with the reason and this suggestion.
+void make_folder(const std::filesystem::path& folder, const std::string& suggestion);
 
 /// A file that is written piece by piece, for what is too long to stand in memory, and that appears under its name only
 /// as a whole: the same promises as `write_file`, kept at `commit()`. Gone without a trace if it is never committed.

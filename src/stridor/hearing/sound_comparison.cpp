@@ -1,60 +1,33 @@
-#include "sounds/compare_input.hpp"
+#include "stridor/hearing/sound_comparison.hpp"
 
-#include "interrupt.hpp"
-#include "sounds/compare_argument.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/quantity.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/classification/sound_rules.hpp"
-#include "stridor/console/terminal.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/signal/resample.hpp"
 #include "stridor/sound/analysis.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
-#include <variant>
+#include <utility>
 
-namespace stridor::app {
+namespace stridor::hearing {
 
 namespace {
 
 using classification::ComparedSound;
 
-constexpr std::size_t least_sounds = 2;
-constexpr std::size_t most_sounds = 8;
 constexpr double motion_rate = 48000.0;        // [Hz] of simulations among themselves
 constexpr double least_motion_rate = 8000.0;   // [Hz] beside recordings of any rate
 constexpr double most_motion_rate = 192000.0;  // [Hz]
-constexpr double least_detail = 1e-3;          // [s]
-constexpr double most_detail = 2.0;            // [s]
 
-// --- one rate for all
-
-// the lowest of all recordings: a band that one of them lacks would tell them apart by their recorders
-double common_rate(const std::vector<Asked>& all) {
-    double lowest = most_motion_rate;
-    bool is_recorded = false;
-    for (const Asked& asked : all)
-        if (const auto* recorded = std::get_if<Recorded>(&asked.source)) {
-            lowest = std::min(lowest, recorded->rate);
-            is_recorded = true;
-        }
-    return is_recorded ? lowest : motion_rate;
-}
-
-bool is_resampled(const Asked& asked, double rate) {
-    const auto* recorded = std::get_if<Recorded>(&asked.source);
-    return recorded != nullptr && recorded->rate != rate;
-}
-
-std::unique_ptr<signal::Source> opened(const Recorded& recorded, double rate,
+std::unique_ptr<signal::Source> opened(const RecordedSound& recorded, double rate,
                                        std::optional<std::size_t> channel = std::nullopt) {
     recordings::OpenOptions open = recorded.open;
     if (channel && open.channel_name.empty()) open.channel = channel;
@@ -120,24 +93,24 @@ void set_spectrogram(ComparedSound& sound, signal::Source& source) {
     if (channel.front().samples.size() >= size) sound.analysis.spectrogram = signal::spectrogram(channel.front(), size);
 }
 
-void judge(ComparedSound& sound, sound::SoundAnalysis analysis) {
+void judge_alike(ComparedSound& sound, sound::SoundAnalysis analysis) {
     const parameters::SoundThresholds thresholds;
     sound.analysis = std::move(analysis);
     sound.heard = classification::classify_recording(sound.analysis.stretches, thresholds);
     sound.profile = classification::profile_of(sound.analysis.stretches, sound.heard, thresholds);
 }
 
-ComparedSound read_recording(const Recorded& recorded, double rate, double detail) {
+ComparedSound read_sound(const RecordedSound& recorded, const ComparisonSettings& settings) {
     ComparedSound sound;
-    std::vector<sound::SoundAnalysis> channels = sound::analyse(*opened(recorded, rate));
+    std::vector<sound::SoundAnalysis> channels = sound::analyse(*opened(recorded, settings.rate));
     const std::size_t loudest = sound::loudest(channels);
     if (channels.size() > 1) sound.what = fmt::format("channel {}, the loudest of {}", loudest + 1, channels.size());
-    judge(sound, std::move(channels[loudest]));
+    judge_alike(sound, std::move(channels[loudest]));
     if (sound.what.empty()) sound.what = sound.analysis.name;
     sound.rate = recorded.rate;
     sound.length = sound.analysis.duration;
-    set_spectrogram(sound, *opened(recorded, rate, loudest + 1));
-    set_detail(sound, *opened(recorded, rate, loudest + 1), detail);
+    set_spectrogram(sound, *opened(recorded, settings.rate, loudest + 1));
+    set_detail(sound, *opened(recorded, settings.rate, loudest + 1), settings.detail);
     return sound;
 }
 
@@ -162,117 +135,27 @@ record::ContactHistory heard_history(const record::ContactHistory& run, std::vec
     return heard;
 }
 
-ComparedSound loaded(const Asked& asked, double rate, const MotionOptions& motion, double detail) {
-    ComparedSound sound;
-    if (const auto* recorded = std::get_if<Recorded>(&asked.source)) {
-        sound = read_recording(*recorded, rate, detail);
-    } else {
-        SimulatedSound simulated = std::get<SimulatedSound>(asked.source);
-        simulated.rate = std::max(rate, least_motion_rate);
-        sound = simulate_sound(simulated, motion, detail);
-    }
-    sound.name = asked.name;
-    sound.label = asked.label;
-    sound.origin = asked.origin;
-    return sound;
-}
-
-void require_number(std::size_t number) {
-    if (number >= least_sounds && number <= most_sounds) return;
-    base::refuse(fmt::format("{} sound{} cannot be laid side by side", number, number == 1 ? "" : "s"),
-                 fmt::format("it takes {} to {}", least_sounds, most_sounds), "");
-}
-
-double detail_of(const std::string& text) {
-    const double detail = base::parse_quantity(text, "s");
-    if (!(detail >= least_detail && detail <= most_detail))
-        base::refuse("--detail " + text + " is too short or too long", "it goes from 1 ms to 2 s", "");
-    return detail;
-}
-
-}  // namespace
-
-void add_motion_options(CLI::App& command, MotionOptions& options) {
-    command.add_option("--of", options.of, "whose motion stands for the sound of a simulation")
-        ->check(CLI::IsMember({"joint", "plate"}))
-        ->capture_default_str();
-    command.add_option("--quantity", options.quantity, "what of it")
-        ->check(CLI::IsMember({"velocity", "acceleration"}))
-        ->capture_default_str();
-}
-
-sound::Pickup pickup_of(const MotionOptions& options) {
-    const signal::MotionQuantity quantity =
-        options.quantity == "velocity" ? signal::MotionQuantity::velocity : signal::MotionQuantity::acceleration;
-    return {options.of == "joint" ? 0U : 2U, quantity};
-}
-
-std::string motion_words(const MotionOptions& options) {
-    return options.of + " " + options.quantity + " along " + (options.of == "joint" ? "x" : "y");
-}
-
-void add_compare_options(CLI::App& command, CompareOptions& options) {
-    command.add_option("sounds", options.sounds, "2 to 8 sounds: recordings, cases, cells of charts, library:ID")
-        ->required();
-    command.add_option("--label", options.labels, "what a sound is called; once for each, in their order")
-        ->type_name("TEXT")
-        ->allow_extra_args(false);
-    add_library_option(command, options.library);
-    add_motion_options(command, options.motion);
-}
-
-std::vector<ComparedSound> load_sounds(const CompareOptions& options) {
-    require_number(options.sounds.size());
-    if (!options.labels.empty() && options.labels.size() != options.sounds.size())
-        base::refuse(fmt::format("{} labels for {} sounds", options.labels.size(), options.sounds.size()),
-                     "each sound needs its own", "");
-    if (std::count(options.sounds.begin(), options.sounds.end(), "-") > 1)
-        base::refuse("standard input is asked for twice", "it can be read once", "");
-    const double detail = detail_of(options.detail);
-    std::vector<Asked> all;
-    for (const std::string& text : options.sounds)
-        all.push_back(asked_sound(text, options.library));
-    const double rate = common_rate(all);
-    std::vector<ComparedSound> sounds;
-    for (const Asked& asked : all)
-        sounds.push_back(loaded(asked, rate, options.motion, detail));
-    for (std::size_t k = 0; k < options.labels.size(); ++k)
-        sounds[k].label = options.labels[k];
-    if (std::any_of(all.begin(), all.end(), [&](const Asked& asked) { return is_resampled(asked, rate); }))
-        console::say(fmt::format("stridor: note: all sounds are compared at the lowest rate, {:g} Hz", rate));
-    return sounds;
-}
-
-ComparedSound load_recording(const std::string& text, const LibraryOption& library) {
-    if (text.ends_with(".toml") || text.find(".toml:") != std::string::npos)
-        base::refuse("\"" + text + "\" is no recording", "it is a case or a chart",
-                     "`stridor compare` lays simulations side by side; `stridor listen -o` makes a recording of one.");
-    const Asked asked = asked_sound(text, library);
-    return loaded(asked, std::get<Recorded>(asked.source).rate, {}, 0.05);
-}
-
-ComparedSound simulate_sound(const SimulatedSound& simulated, const MotionOptions& motion, double detail) {
+ComparedSound simulate_sound(const SimulatedSound& simulated, const ComparisonSettings& comparison,
+                             const std::stop_token& stop) {
     sound::AuralisationSettings settings;
-    settings.pickup = pickup_of(motion);
-    settings.rate = std::min(simulated.rate, most_motion_rate);
+    settings.pickup = comparison.pickup;
+    settings.rate = std::clamp(comparison.rate, least_motion_rate, most_motion_rate);
     settings.stretches = simulated.stretches;
     if (settings.stretches.empty()) settings.stretches = {{0.0, simulated.c.run.duration}};
-    const Interrupt interrupt;
-    const hearing::Rendering rendering =
-        hearing::render(simulated.c, settings, record::KeepHistory::yes, interrupt.token(), {});
+    const Rendering rendering = render(simulated.c, settings, record::KeepHistory::yes, stop, {});
     ComparedSound sound;
-    judge(sound, std::move(sound::analyse(*rendering.sound).front()));
-    if (sound.analysis.peak < hearing::least_motion) {
+    judge_alike(sound, std::move(sound::analyse(*rendering.sound).front()));
+    if (sound.analysis.peak < least_motion) {
         sound.profile = {};
         sound.heard = {classification::Category::none, {}, {}, {"nothing moves but by rounding"}};
     }
-    sound.what = motion_words(motion);
+    sound.what = motion_words(comparison.pickup);
     sound.rate = settings.rate;
     sound.length = sound.analysis.duration;
     rendering.sound->rewind();
     set_spectrogram(sound, *rendering.sound);
     rendering.sound->rewind();
-    set_detail(sound, *rendering.sound, detail);
+    set_detail(sound, *rendering.sound, comparison.detail);
     sound.contact.verdicts = classification::classify_phases(rendering.record.phases, simulated.c.verdict);
     for (const record::ContactHistory& history : rendering.record.histories)
         sound.contact.histories.push_back(heard_history(history, settings.stretches, sound.detail.from,
@@ -280,4 +163,44 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const MotionOption
     return sound;
 }
 
-}  // namespace stridor::app
+}  // namespace
+
+void require_comparable(std::size_t sounds) {
+    if (sounds >= least_compared && sounds <= most_compared) return;
+    base::refuse(fmt::format("{} sound{} cannot be laid side by side", sounds, sounds == 1 ? "" : "s"),
+                 fmt::format("it takes {} to {}", least_compared, most_compared), "");
+}
+
+double common_rate(std::span<const NamedSound> sounds) {
+    double lowest = most_motion_rate;
+    bool is_recorded = false;
+    for (const NamedSound& sound : sounds)
+        if (const auto* recorded = std::get_if<RecordedSound>(&sound.source)) {
+            lowest = std::min(lowest, recorded->rate);
+            is_recorded = true;
+        }
+    return is_recorded ? lowest : motion_rate;
+}
+
+bool is_resampled(const NamedSound& sound, double rate) {
+    const auto* recorded = std::get_if<RecordedSound>(&sound.source);
+    return recorded != nullptr && recorded->rate != rate;
+}
+
+std::string motion_words(const sound::Pickup& pickup) {
+    const bool is_velocity = pickup.quantity == signal::MotionQuantity::velocity;
+    return std::string(pickup.dof < 2 ? "joint " : "plate ") + (is_velocity ? "velocity" : "acceleration") + " along " +
+           (pickup.dof == 0 ? "x" : "y");
+}
+
+ComparedSound compared(const NamedSound& named, const ComparisonSettings& settings, const std::stop_token& stop) {
+    const auto* recorded = std::get_if<RecordedSound>(&named.source);
+    ComparedSound sound = recorded != nullptr ? read_sound(*recorded, settings)
+                                              : simulate_sound(std::get<SimulatedSound>(named.source), settings, stop);
+    sound.name = named.name;
+    sound.label = named.label;
+    sound.origin = named.origin;
+    return sound;
+}
+
+}  // namespace stridor::hearing

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "stridor/console/progress.hpp"
+#include "stridor/hearing/sound_search.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// How far long work on sounds is, on stderr: a line that is redrawn in a terminal, a line per 10 % anywhere else, and
+/// nothing for what takes no time worth a line.
+namespace stridor::console {
+
+/// How far a sound is rendered.
+class RenderDisplay {
+public:
+    /// `duration` [s] of the run.
+    explicit RenderDisplay(double duration) : duration_(duration) {}
+
+    /// `time` [s] of the run is rendered.
+    void show(double time);
+
+private:
+    double duration_;
+    int shown_ = 0;  // [%]
+};
+
+/// How far a recording is analysed.
+class AnalysisDisplay {
+public:
+    /// `frames` of a recording of this rate [Hz], where they are known.
+    AnalysisDisplay(std::optional<std::uint64_t> frames, double rate);
+
+    bool is_shown() const { return is_shown_; }
+    void show(std::uint64_t frames);
+
+private:
+    double whole_;  // [1] frames
+    bool is_shown_;
+    int said_ = 0;  // [%]
+};
+
+/// How far a search by sound is.
+class SearchDisplay {
+public:
+    void show(const hearing::SearchProgress& progress);
+
+private:
+    ShareDisplay display_{"listened to", TimeLeft::shown};
+};
+
+/// How far a row of recordings is by their bytes: "2 of 8: squeak.wav".
+class HeardFilesDisplay {
+public:
+    explicit HeardFilesDisplay(const std::vector<std::string>& files);
+
+    void begin(const std::string& file);
+    /// `share` [1] of the file that was begun is heard.
+    void show(double share);
+    void end() { done_ += size_; }
+
+private:
+    ShareDisplay display_{"listened to", TimeLeft::shown};
+    std::size_t count_;
+    std::size_t number_ = 0;
+    std::string file_;
+    std::uintmax_t total_ = 0;  // [bytes]
+    std::uintmax_t done_ = 0;   // [bytes]
+    std::uintmax_t size_ = 0;   // [bytes] of the one that is heard
+};
+
+/// How far a row of recordings is by their number: the whole ones, and the share of the one that is heard.
+class RowDisplay {
+public:
+    RowDisplay(std::string what, std::size_t total) : display_(std::move(what)), total_(total) {}
+
+    void begin(const std::filesystem::path& file);
+    void show(double share);
+    void end();
+    void clear() { display_.clear(); }
+    std::size_t done() const { return done_; }
+
+private:
+    ShareDisplay display_;
+    std::size_t total_;
+    std::size_t done_ = 0;
+    std::string file_;
+    bool is_shown_ = false;
+};
+
+}  // namespace stridor::console
