@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/io/case/ready_files.hpp"
 #include "stridor/parameters/field.hpp"
 
 #include <CLI/CLI.hpp>
@@ -130,9 +131,9 @@ std::string bash_script(const CLI::App& program) {
            "        return\n"
            "    fi\n"
            "    if [[ ${COMP_WORDS[1]} == init && COMP_CWORD -eq 2 ]]; then\n"
-           "        COMPREPLY=($(compgen -W \"squeal squeak creak quiet noise-chart rate-map weatherstrip "
-           "weatherstrip-shaken "
-           "glass-run clip wiper brake-pad schema\" -- \"$word\"))\n"
+           "        COMPREPLY=($(compgen -W \"" +
+           joined(io::ready_file_names()) +
+           "\" -- \"$word\"))\n"
            "        return\n"
            "    fi\n"
            "    case ${COMP_WORDS[1]} in\n" +

@@ -1,32 +1,26 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
-#include "sounds/heard_recordings.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/results/evaluation_text.hpp"
+#include "stridor/console/sound_progress.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/toml_study.hpp"
+#include "stridor/io/sound/expectations.hpp"
 #include "stridor/io/sound/hearing_report.hpp"
-#include "stridor/parameters/paper_cases.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/storage/command_cache.hpp"
-#include "stridor/sweep/paper_charts.hpp"
-#include "stridor/sweep/soft_parts.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
 namespace stridor::app {
 
 namespace {
-
-using parameters::Direction;
 
 struct EvaluateOptions {
     std::vector<std::string> files;
@@ -40,85 +34,36 @@ struct EvaluateOptions {
     bool json = false;
 };
 
-[[noreturn]] void interrupted(const std::string& where) {
-    throw Error(ErrorKind::interrupted,
-                {"stopped in " + where, "the sounds heard so far are kept", "Run the same command again to go on."});
-}
-
-bool is_threshold(const std::string& assignment) {
-    const std::string name = assignment.substr(0, assignment.find('='));
-    const auto thresholds = parameters::sound_thresholds();
-    return std::any_of(thresholds.begin(), thresholds.end(), [&](const auto& known) { return known.name == name; });
-}
-
 hearing::HearingOptions hearing_options(const EvaluateOptions& options) {
     hearing::HearingOptions hearing;
     hearing.perturb_every = options.perturb_every;
     hearing.threads = options.threads;
     if (options.of == "plate") hearing.settings.sound.pickup.dof = 2;
     for (const std::string& assignment : options.assignments)
-        if (is_threshold(assignment)) parameters::set_sound_threshold(hearing.settings.thresholds, assignment);
+        if (parameters::is_sound_threshold(assignment))
+            parameters::set_sound_threshold(hearing.settings.thresholds, assignment);
     return hearing;
 }
 
 // --- what is heard
 
-// the whole motion as `stridor listen` makes it audible
-classification::RecordingVerdict verdict_on_whole(const parameters::Case& c, const hearing::HearingOptions& options) {
-    sound::AuralisationSettings settings;
-    settings.pickup = options.settings.sound.pickup;
-    settings.rate = options.settings.sound.rate;
-    settings.stretches = {{0.0, c.run.duration}};
-    const std::unique_ptr<hearing::RenderedSound> sound = hearing::render(c, settings, options.stop, [](double) {});
-    return verdict_on(*sound, options.settings.thresholds);
-}
-
-std::vector<io::HeardCase> hear_table_1(const hearing::HearingOptions& options) {
-    constexpr std::array directions{Direction::going, Direction::coming};
-    std::vector<io::HeardCase> cases;
-    integration::Workspace workspace;
-    for (std::size_t k = 0; k < parameters::paper_case_names.size(); ++k) {
-        const parameters::Case c = parameters::paper_case(static_cast<parameters::PaperCase>(k));
-        io::HeardCase& heard = cases.emplace_back();
-        heard.name = parameters::paper_case_names[k];
-        heard.phases = hearing::hear(c, directions, options.settings, options.stop, workspace);
-        if (heard.phases.empty()) interrupted("Table 1");
-        const classification::RecordingVerdict whole = verdict_on_whole(c, options);
-        heard.whole = whole.category;
-        heard.reason = whole.reasons.front();
-    }
-    return cases;
-}
-
-io::HeardChart built_in(std::string name, io::PlaneSet set, const sweep::Study& study,
-                        const std::vector<std::string>& overrides) {
-    sweep::Study changed = io::read_study({io::study_toml(study), name, overrides});
-    return {std::move(name), set, std::move(changed), {}};
-}
-
-std::vector<io::HeardChart> built_in_charts(const std::string& planes, const std::vector<std::string>& overrides) {
-    constexpr double paper_angle = 70.0;  // [deg]
-    std::vector<io::HeardChart> charts;
-    if (planes != "soft") {
-        charts.push_back(built_in("noise-chart", io::PlaneSet::paper, sweep::figure_8(), overrides));
-        charts.push_back(built_in("rate-map", io::PlaneSet::paper, sweep::figure_6(paper_angle), overrides));
-    }
-    if (planes != "paper")
-        for (std::size_t k = 0; k < sweep::soft_part_names.size(); ++k)
-            charts.push_back(built_in(std::string(sweep::soft_part_names[k].name), io::PlaneSet::soft,
-                                      sweep::soft_part(static_cast<sweep::SoftPart>(k)), overrides));
-    return charts;
+io::HeardChart with_overrides(sweep::ReadyChart chart, const std::vector<std::string>& overrides) {
+    sweep::Study changed = io::read_study({io::study_toml(chart.study), chart.name, overrides});
+    return {std::move(chart.name), chart.set, std::move(changed), {}};
 }
 
 std::vector<io::HeardChart> charts_of(const EvaluateOptions& options) {
     std::vector<std::string> overrides;
     std::copy_if(options.assignments.begin(), options.assignments.end(), std::back_inserter(overrides),
-                 [](const std::string& assignment) { return !is_threshold(assignment); });
+                 [](const std::string& assignment) { return !parameters::is_sound_threshold(assignment); });
     std::vector<io::HeardChart> charts;
     for (const std::string& file : options.files)
-        charts.push_back({file, io::PlaneSet::file, io::read_study(load_source(file, overrides)), {}});
+        charts.push_back({file, sweep::PlaneSet::file, io::read_study(load_source(file, overrides)), {}});
     if (!charts.empty() || !options.recordings.empty()) return charts;
-    return built_in_charts(options.planes, overrides);
+    for (sweep::ReadyChart& chart : sweep::ready_charts())
+        if (options.planes == "all" || options.planes == sweep::plane_set_names[static_cast<std::size_t>(chart.set)])
+            charts.push_back(with_overrides(std::move(chart), overrides));
+    return charts;
 }
 
 // each chart is kept until all of them are heard
@@ -133,10 +78,28 @@ void hear_charts(std::vector<io::HeardChart>& charts, hearing::HearingOptions op
         options.progress = [&](const sweep::Progress& progress) { display.show(progress); };
         chart.sounds = hearing::hear(chart.study, options);
         display.finish();
-        if (chart.sounds.empty()) interrupted(chart.study.base.title);
+        if (chart.sounds.empty()) hearing::throw_stopped(chart.study.base.title);
     }
     for (const std::unique_ptr<storage::CommandCache>& kept : all_kept)
         kept->finish();
+}
+
+// they, too, are kept until all of them are heard
+std::vector<hearing::HeardRecording> hear_recordings(const std::vector<hearing::Expectation>& expectations,
+                                                     const hearing::HearingOptions& options) {
+    std::vector<std::string> files;
+    for (const hearing::Expectation& each : expectations)
+        files.push_back(each.file);
+    const parameters::SoundThresholds& thresholds = options.settings.thresholds;
+    storage::CommandCache kept("evaluate", hearing::heard_text(expectations, thresholds), console::say);
+    console::HeardFilesDisplay display(files);
+    hearing::RecordingHearing hearing{thresholds, options.stop, kept.results()};
+    hearing.begin = [&](const std::string& file) { display.begin(file); };
+    hearing.progress = [&](double share) { display.show(share); };
+    hearing.end = [&] { display.end(); };
+    std::vector<hearing::HeardRecording> heard = hearing::hear(expectations, hearing);
+    kept.finish();
+    return heard;
 }
 
 void evaluate(const EvaluateOptions& options) {
@@ -146,15 +109,14 @@ void evaluate(const EvaluateOptions& options) {
     io::HearingReport report;
     report.options = hearing_options(options);
     report.charts = charts_of(options);
-    std::vector<io::Expectation> expectations;
+    std::vector<hearing::Expectation> expectations;
     if (!options.recordings.empty()) expectations = io::read_expectations(options.recordings);
     {
         const Interrupt interrupt;
         report.options.stop = interrupt.token();
-        if (!report.charts.empty()) report.cases = hear_table_1(report.options);
+        if (!report.charts.empty()) report.cases = hearing::hear_table_1(report.options);
         hear_charts(report.charts, report.options);
-        if (!expectations.empty())
-            report.recordings = heard_recordings(expectations, report.options.settings.thresholds, report.options.stop);
+        if (!expectations.empty()) report.recordings = hear_recordings(expectations, report.options);
     }
     if (!options.csv.empty()) storage::write_file(options.csv, io::hearing_csv(report));
     console::print(options.json ? io::hearing_json(report) + "\n" : console::evaluation_text(report));

@@ -78,6 +78,10 @@ std::span<const SoundThreshold> sound_thresholds() {
     return threshold_table;
 }
 
+bool is_sound_threshold(std::string_view assignment) {
+    return base::find_named(threshold_table, assignment.substr(0, assignment.find('='))) != nullptr;
+}
+
 void set_sound_threshold(SoundThresholds& thresholds, std::string_view assignment) {
     const base::Place place{"--set", 0, 0, std::string(assignment)};
     const auto sign = assignment.find('=');

@@ -41,6 +41,9 @@ struct SoundThreshold {
 /// All thresholds by sound, in the order the rules look at them.
 std::span<const SoundThreshold> sound_thresholds();
 
+/// Does an assignment name a threshold by sound?
+bool is_sound_threshold(std::string_view assignment);
+
 /// Sets "squeal_regularity=0.7". Throws `Error` (input) with place "--set" for text without '=', an unknown key (with
 /// the nearest known one), and a value that is no number of its unit or out of range.
 void set_sound_threshold(SoundThresholds& thresholds, std::string_view assignment);

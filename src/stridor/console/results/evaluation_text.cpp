@@ -50,10 +50,10 @@ std::string confusion_text(const Confusion& table) {
     return text;
 }
 
-std::string cases_text(const std::vector<io::HeardCase>& cases) {
+std::string cases_text(const std::vector<hearing::HeardCase>& cases) {
     std::string text =
         fmt::format("Table 1\n\n  {:<8}{:<8}{:<16}{:<11}{}\n", "case", "part", "contact states", "by ear", "why");
-    for (const io::HeardCase& heard : cases) {
+    for (const hearing::HeardCase& heard : cases) {
         const auto row = [&](std::string_view name, std::string_view part, std::string_view truth, Category category,
                              std::string_view why) {
             text += fmt::format("  {:<8}{:<8}{:<16}{:<11}{}\n", name, part, truth, classification::name(category), why);
@@ -95,13 +95,13 @@ std::string chart_text(const io::HeardChart& chart) {
     return text;
 }
 
-std::string set_title(io::PlaneSet set) {
+std::string set_title(sweep::PlaneSet set) {
     switch (set) {
-        case io::PlaneSet::file:
+        case sweep::PlaneSet::file:
             return "charts of files";
-        case io::PlaneSet::paper:
+        case sweep::PlaneSet::paper:
             return "the paper's planes";
-        case io::PlaneSet::soft:
+        case sweep::PlaneSet::soft:
             return "soft parts";
     }
     return "";
@@ -109,10 +109,10 @@ std::string set_title(io::PlaneSet set) {
 
 // the table of each set, where there are several
 std::string sets_text(const io::HearingReport& report) {
-    const std::vector<io::PlaneSet> sets = io::sets_of(report);
+    const std::vector<sweep::PlaneSet> sets = io::sets_of(report);
     if (sets.size() < 2) return "";
     std::string text;
-    for (const io::PlaneSet set : sets) {
+    for (const sweep::PlaneSet set : sets) {
         const Confusion table = io::confusion(report, set);
         text += fmt::format("\n{}: {} sounds\n\n{}\nagreement {}\n", set_title(set), classification::total(table),
                             confusion_text(table), agreement_text(table));
@@ -175,12 +175,12 @@ std::string number_word(std::size_t number) {
     return number < words.size() ? words[number] : std::to_string(number);
 }
 
-std::string recordings_text(const std::vector<io::HeardRecording>& recordings) {
+std::string recordings_text(const std::vector<hearing::HeardRecording>& recordings) {
     std::string text = fmt::format("  {:<24}{:<22}{:<11}{:<7}{}\n", "recording", "expected", "by ear", "", "why");
     std::size_t right = 0;
-    for (const io::HeardRecording& recording : recordings) {
+    for (const hearing::HeardRecording& recording : recordings) {
         const std::string name = std::filesystem::path(recording.expectation.file).filename().string();
-        const bool agrees = io::is_right(recording);
+        const bool agrees = hearing::is_right(recording);
         right += agrees ? 1 : 0;
         text += fmt::format("  {:<24}{:<22}{:<11}{:<7}{}\n", name, recording.expectation.words,
                             classification::name(recording.heard), agrees ? "right" : "wrong", recording.reason);

@@ -16,6 +16,7 @@ namespace stridor::io {
 namespace {
 
 using classification::Category;
+using hearing::Expectation;
 using Row = std::vector<std::string>;
 using RowPlace = base::Place;
 

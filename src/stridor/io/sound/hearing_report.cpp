@@ -73,10 +73,10 @@ Json chart_object(const HeardChart& chart) {
     std::size_t failed = 0;
     for (const HeardSound& sound : chart.sounds)
         failed += sound.cell.status == sweep::Status::done ? 0 : 1;
-    const bool is_file = chart.set == PlaneSet::file;
+    const bool is_file = chart.set == sweep::PlaneSet::file;
     return {{"file", is_file ? Json(chart.name) : Json()},
             {"plane", is_file ? Json() : Json(chart.name)},
-            {"set", name_of(plane_set_names, chart.set)},
+            {"set", name_of(sweep::plane_set_names, chart.set)},
             {"case", json_parts::case_object(chart.study.base)},
             {"x", json_parts::axis_object(chart.study.x)},
             {"y", json_parts::axis_object(chart.study.y)},
@@ -88,8 +88,8 @@ Json chart_object(const HeardChart& chart) {
 
 Json sets_object(const HearingReport& report) {
     Json sets = Json::object();
-    for (const PlaneSet set : sets_of(report))
-        sets[std::string(name_of(plane_set_names, set))] = table_object(confusion(report, set));
+    for (const sweep::PlaneSet set : sets_of(report))
+        sets[std::string(name_of(sweep::plane_set_names, set))] = table_object(confusion(report, set));
     return sets;
 }
 
@@ -101,7 +101,7 @@ Json perturbations_array(const HearingReport& report) {
     return array;
 }
 
-Json recording_object(const HeardRecording& recording) {
+Json recording_object(const hearing::HeardRecording& recording) {
     Json accepted = Json::array();
     for (const Category category : recording.expectation.categories)
         accepted.push_back(word(category));
@@ -153,17 +153,17 @@ Confusion confusion(const HearingReport& report, Half half) {
     return table;
 }
 
-Confusion confusion(const HearingReport& report, PlaneSet set) {
+Confusion confusion(const HearingReport& report, sweep::PlaneSet set) {
     Confusion table;
     for (const HeardChart& chart : report.charts)
         if (chart.set == set) table = classification::sum(table, hearing::confusion(chart.sounds));
     return table;
 }
 
-std::vector<PlaneSet> sets_of(const HearingReport& report) {
-    std::vector<PlaneSet> sets;
-    for (std::size_t k = 0; k < plane_set_names.size(); ++k) {
-        const auto set = static_cast<PlaneSet>(k);
+std::vector<sweep::PlaneSet> sets_of(const HearingReport& report) {
+    std::vector<sweep::PlaneSet> sets;
+    for (std::size_t k = 0; k < sweep::plane_set_names.size(); ++k) {
+        const auto set = static_cast<sweep::PlaneSet>(k);
         const auto is_of_it = [&](const HeardChart& chart) { return chart.set == set; };
         if (std::any_of(report.charts.begin(), report.charts.end(), is_of_it)) sets.push_back(set);
     }
@@ -177,15 +177,10 @@ Confusion perturbed_confusion(const HearingReport& report, std::optional<std::si
     return table;
 }
 
-bool is_right(const HeardRecording& recording) {
-    const std::vector<Category>& accepted = recording.expectation.categories;
-    return std::find(accepted.begin(), accepted.end(), recording.heard) != accepted.end();
-}
-
 std::string hearing_json(const HearingReport& report) {
     Json document{{"schema", "stridor.evaluate/1"}, {"version", base::version()}, {"commit", base::commit()}};
     Json cases = Json::array();
-    for (const HeardCase& heard : report.cases)
+    for (const hearing::HeardCase& heard : report.cases)
         cases.push_back({{"case", heard.name},
                          {"going", sound_object(heard.phases[0])},
                          {"coming", sound_object(heard.phases[1])},
@@ -205,7 +200,7 @@ std::string hearing_json(const HearingReport& report) {
         }
     }
     Json recordings = Json::array();
-    for (const HeardRecording& recording : report.recordings)
+    for (const hearing::HeardRecording& recording : report.recordings)
         recordings.push_back(recording_object(recording));
     document["recordings"] = std::move(recordings);
     document["thresholds"] = json_parts::thresholds_object(report.options.settings.thresholds);

@@ -1,52 +1,31 @@
 #pragma once
 
 #include "stridor/classification/confusion.hpp"
+#include "stridor/hearing/heard_cases.hpp"
+#include "stridor/hearing/heard_recordings.hpp"
 #include "stridor/hearing/hearing_run.hpp"
-#include "stridor/io/sound/expectations.hpp"
-#include "stridor/sweep/study.hpp"
+#include "stridor/sweep/ready_charts.hpp"
 
-#include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace stridor::io {
 
-/// One of Table 1's cases by ear.
-struct HeardCase {
-    std::string name;                                                      // "squeal"
-    std::vector<hearing::HeardSound> phases;                               // going, coming
-    classification::Category whole = classification::Category::undecided;  // the whole second, all phases as they come
-    std::string reason;                                                    // why the whole sounds so
-};
-
-/// What a chart belongs to: a user's file, the paper's planes, or the planes of soft parts.
-enum class PlaneSet { file, paper, soft };
-
-inline constexpr std::array<std::string_view, 3> plane_set_names{"file", "paper", "soft"};
-
 /// A chart by ear.
 struct HeardChart {
     std::string name;  // of its file, or as `stridor init` calls a built-in one
-    PlaneSet set = PlaneSet::file;
+    sweep::PlaneSet set = sweep::PlaneSet::file;
     sweep::Study study;
     std::vector<hearing::HeardSound> sounds{};  // shape [cell]
-};
-
-/// A recording by ear.
-struct HeardRecording {
-    Expectation expectation;
-    classification::Category heard = classification::Category::undecided;
-    std::string reason;
 };
 
 /// How well the ear and what it is held against agree.
 struct HearingReport {
     hearing::HearingOptions options{};
-    std::vector<HeardCase> cases{};
+    std::vector<hearing::HeardCase> cases{};
     std::vector<HeardChart> charts{};
-    std::vector<HeardRecording> recordings{};
+    std::vector<hearing::HeardRecording> recordings{};
 };
 
 /// The sounds of all charts, one chart after the other, counted by their indices within each.
@@ -54,12 +33,10 @@ classification::Confusion confusion(const HearingReport& report, hearing::Half h
 classification::Confusion perturbed_confusion(const HearingReport& report, std::optional<std::size_t> perturbation);
 
 /// The same of the charts of one set.
-classification::Confusion confusion(const HearingReport& report, PlaneSet set);
+classification::Confusion confusion(const HearingReport& report, sweep::PlaneSet set);
 
-/// The sets that the report has charts of, in the order of `PlaneSet`.
-std::vector<PlaneSet> sets_of(const HearingReport& report);
-
-bool is_right(const HeardRecording& recording);
+/// The sets that the report has charts of, in the order of `sweep::PlaneSet`.
+std::vector<sweep::PlaneSet> sets_of(const HearingReport& report);
 
 /// "stridor.evaluate/1": Table 1, the tables of each chart, of each set and of all together, of both halves and after
 /// each perturbation, and the recordings; thresholds.

@@ -1,0 +1,112 @@
+#include "stridor/hearing/heard_recordings.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/classification/sound_rules.hpp"
+#include "stridor/recordings/open_signal.hpp"
+#include "stridor/recordings/sidecar.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+namespace stridor::hearing {
+
+namespace {
+
+namespace fs = std::filesystem;
+using classification::Category;
+using classification::category_names;
+
+// 0 for what is not there
+std::uintmax_t size_of(const std::string& file) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    return error ? 0 : size;
+}
+
+// in which state a file is: two that agree in this are taken for the same, their bytes are not read
+std::string state_of(const std::string& file) {
+    std::error_code error;
+    const fs::file_time_type written = fs::last_write_time(file, error);
+    if (error) return "none";
+    return fmt::format("{} bytes, {}", size_of(file), written.time_since_epoch().count());
+}
+
+// "creak 68.7 % of the energy is creak"
+std::string packed(const HeardRecording& heard) {
+    return std::string(classification::name(heard.heard)) + " " + heard.reason;
+}
+
+std::optional<HeardRecording> unpacked(const Expectation& expectation, const std::string& text) {
+    const std::size_t blank = text.find(' ');
+    const auto category = std::find(category_names.begin(), category_names.end(), text.substr(0, blank));
+    if (blank == std::string::npos || category == category_names.end()) return std::nullopt;
+    return HeardRecording{expectation, static_cast<classification::Category>(category - category_names.begin()),
+                          text.substr(blank + 1)};
+}
+
+HeardRecording hear_recording(const Expectation& expectation, const RecordingHearing& hearing) {
+    const std::unique_ptr<recordings::SignalFile> file = recordings::open_signal(expectation.file);
+    const double frames = static_cast<double>(file->layout().frames.value_or(0));
+    const classification::RecordingVerdict verdict = verdict_on(*file, hearing.thresholds, [&](std::uint64_t done) {
+        if (hearing.stop.stop_requested())
+            throw Error(ErrorKind::interrupted,
+                        {"stopped in " + expectation.file, "the recordings heard so far are kept",
+                         "Run the same command again to go on."});
+        if (frames > 0.0) hearing.progress(std::min(1.0, static_cast<double>(done) / frames));
+    });
+    return {expectation, verdict.category, verdict.reasons.front()};
+}
+
+}  // namespace
+
+bool is_right(const HeardRecording& recording) {
+    const std::vector<Category>& accepted = recording.expectation.categories;
+    return std::find(accepted.begin(), accepted.end(), recording.heard) != accepted.end();
+}
+
+classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds,
+                                            const sound::AnalysisProgress& progress) {
+    const std::vector<sound::SoundAnalysis> channels = sound::analyse(source, progress);
+    return classification::classify_recording(channels[sound::loudest(channels)].stretches, thresholds);
+}
+
+std::string heard_text(std::span<const Expectation> expectations, const parameters::SoundThresholds& thresholds) {
+    std::string text = "recordings\n";
+    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
+        text += fmt::format("{} = {}\n", threshold.name, base::shortest(thresholds.*threshold.member));
+    for (const Expectation& each : expectations) {
+        std::error_code error;
+        text += fmt::format("{}: {}; sidecar: {}\n", fs::absolute(each.file, error).string(), state_of(each.file),
+                            state_of(recordings::sidecar_path(each.file)));
+    }
+    return text;
+}
+
+std::vector<HeardRecording> hear(std::span<const Expectation> expectations, const RecordingHearing& hearing) {
+    std::vector<HeardRecording> heard;
+    for (std::size_t k = 0; k < expectations.size(); ++k) {
+        const Expectation& expectation = expectations[k];
+        hearing.begin(expectation.file);
+        std::optional<HeardRecording> known;
+        if (hearing.kept != nullptr)
+            if (const std::optional<std::string> text = hearing.kept->find(k)) known = unpacked(expectation, *text);
+        if (!known) {
+            known = hear_recording(expectation, hearing);
+            if (hearing.kept != nullptr) hearing.kept->keep(k, packed(*known));
+            hearing.progress(1.0);
+        }
+        heard.push_back(std::move(*known));
+        hearing.end();
+    }
+    return heard;
+}
+
+}  // namespace stridor::hearing

@@ -1,0 +1,47 @@
+#include "stridor/io/case/ready_files.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/io/case/case_schema.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/parameters/paper_cases.hpp"
+#include "stridor/storage/atomic_file.hpp"
+#include "stridor/sweep/ready_charts.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace stridor::io {
+
+std::vector<std::string> ready_file_names() {
+    std::vector<std::string> names(parameters::paper_case_names.begin(), parameters::paper_case_names.end());
+    for (sweep::ReadyChart& chart : sweep::ready_charts())
+        names.push_back(std::move(chart.name));
+    names.emplace_back("schema");
+    return names;
+}
+
+std::string ready_file(const std::string& name) {
+    if (name == "schema") return json_schema();
+    for (const sweep::ReadyChart& chart : sweep::ready_charts())
+        if (name == chart.name) return study_toml(chart.study);
+    const auto& cases = parameters::paper_case_names;
+    const auto found = std::find(cases.begin(), cases.end(), name);
+    STRIDOR_EXPECT(found != cases.end());
+    return case_toml(parameters::paper_case(static_cast<parameters::PaperCase>(found - cases.begin())));
+}
+
+void spare_written(const std::string& file) {
+    std::error_code ignored;
+    if (file.empty() || file == storage::standard_input || !std::filesystem::is_regular_file(file, ignored)) return;
+    const std::string there = storage::read_file(file);
+    const std::vector<std::string> all = ready_file_names();
+    const bool is_ours =
+        std::any_of(all.begin(), all.end(), [&](const std::string& name) { return ready_file(name) == there; });
+    if (!there.empty() && !is_ours)
+        throw Error(ErrorKind::input, {"\"" + file + "\" is there already", "it holds other than `stridor init` writes",
+                                       "Name another file, or take --force to lose it."});
+}
+
+}  // namespace stridor::io

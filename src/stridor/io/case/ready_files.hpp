@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stridor::io {
+
+/// The names of the files that the program brings along: the cases of Table 1, the ready charts, and "schema", the JSON
+/// Schema of case files.
+std::vector<std::string> ready_file_names();
+
+/// The text of such a file, with comments; the name is one of them.
+std::string ready_file(const std::string& name);
+
+/// Throws `Error` (input) for a file that holds what somebody wrote: neither nothing nor a ready file.
+void spare_written(const std::string& file);
+
+}  // namespace stridor::io
