@@ -2,21 +2,20 @@
 
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/field_table.hpp"
 #include "stridor/console/results/library_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/library/csv_library.hpp"
 #include "stridor/io/library/json_library.hpp"
-#include "stridor/noise_library/field.hpp"
+#include "stridor/noise_library/listing.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <charconv>
 #include <memory>
-#include <sstream>
+#include <string>
+#include <vector>
 
 namespace stridor::app {
 
@@ -25,40 +24,16 @@ namespace {
 using noise_library::Access;
 using noise_library::Entry;
 using noise_library::EntryExtent;
-using noise_library::Field;
 using noise_library::Library;
-
-constexpr const char* usual_columns =
-    "id,system,denomination,category,recorded,preload,velocity,temperature,duration,file";
 
 struct ListOptions {
     LibraryOption library;
     SelectionOptions selection;
-    std::string columns = usual_columns;
+    std::string columns = noise_library::usual_columns;
     std::string limit;  // empty: what a screen is good for, everything elsewhere
     bool json = false;
     bool csv = false;
 };
-
-std::vector<std::string> parted_at_commas(const std::string& text) {
-    std::vector<std::string> parts;
-    std::istringstream stream(text);
-    for (std::string part; std::getline(stream, part, ',');)
-        parts.push_back(part);
-    return parts;
-}
-
-// no more than the table shows
-EntryExtent extent_of(const ListOptions& options) {
-    if (options.csv) return EntryExtent::figures;
-    EntryExtent extent = EntryExtent::summary;
-    for (const std::string& name : parted_at_commas(options.columns)) {
-        const Field* field = noise_library::find_field(name);
-        if (field != nullptr && is_document(*field)) return EntryExtent::whole;
-        if (field == nullptr && name != "id") extent = EntryExtent::figures;
-    }
-    return extent;
-}
 
 constexpr std::size_t screenful = 100;  // rows that a person reads on a terminal
 
@@ -74,30 +49,17 @@ std::size_t limit_of(const ListOptions& options) {
     return limit;
 }
 
-// in pieces: what is listed may be larger than memory should be
-void print_json(Library& library, const noise_library::Query& query) {
-    constexpr std::size_t piece = std::size_t{1} << 16U;
-    io::LibraryJson document;
-    std::string text = document.opening(library.file());
-    library.visit(query, [&](const Entry& entry) {
-        text += document.entry(entry);
-        if (text.size() < piece) return;
-        console::print(text);
-        text.clear();
-    });
-    console::print(text + document.closing() + "\n");
-}
-
 void list(const ListOptions& options) {
-    Library library = open_library(options.library, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read);
     noise_library::Query query = query_of(options.selection);
-    query.extent = extent_of(options);
+    const std::vector<std::string> columns = noise_library::parse_columns(options.columns);
+    query.extent = options.csv ? EntryExtent::figures : noise_library::extent_for(columns);
     query.limit = limit_of(options);
-    if (options.json) return print_json(library, query);
+    if (options.json) return io::library_json(library, query, console::print);
     const std::vector<Entry> entries = library.find(query);
     if (options.csv) return console::print_data(io::library_csv(entries));
     if (entries.empty()) return console::say("no entry meets the conditions");
-    console::print(console::entry_table(entries, parted_at_commas(options.columns), library.figures()));
+    console::print(console::entry_table(entries, columns, library.figures()));
     if (query.limit == 0 || entries.size() < query.limit) return;
     if (const std::int64_t left = library.count(query) - static_cast<std::int64_t>(entries.size()); left > 0)
         console::say(
@@ -115,18 +77,12 @@ struct ShowOptions {
 std::string shown(const ShowOptions& options, const Library& library, const Entry& entry) {
     if (options.audio) return library.sound_file(entry).string() + "\n";
     if (options.field.empty()) return console::entry_page(library, entry);
-    const Field* field = noise_library::find_field(options.field);
-    if (field == nullptr)
-        throw Error(ErrorKind::input,
-                    {"\"" + options.field + "\" is no field", "",
-                     base::did_you_mean(options.field, noise_library::field_names([](const Field&) { return true; }),
-                                        "`stridor library fields` lists them.")});
-    const std::string value = noise_library::value_text(entry, *field);
+    const std::string value = noise_library::value_text(entry, noise_library::field_named(options.field));
     return value + (value.ends_with('\n') ? "" : "\n");
 }
 
 void show(const ShowOptions& options) {
-    Library library = open_library(options.library, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read);
     const std::vector<Entry> entries = library.get(options.ids);
     if (options.json) return console::print(io::library_json(library.file(), entries) + "\n");
     std::string text;
@@ -146,7 +102,7 @@ void edit(const EditOptions& options) {
     if (said.fields.empty() && said.figures.empty() && said.case_file.empty())
         throw Error(ErrorKind::input, {"there is nothing to change", "no field was named",
                                        "Write, for example, --preload \"40 N\"; --preload unknown clears it."});
-    Library library = open_library(options.library, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read);
     std::string text;
     for (const Entry& entry : library.edit(options.ids, [&](Entry& each) { apply(said, each); }))
         text += (text.empty() ? "" : "\n") + console::entry_page(library, entry);
@@ -159,7 +115,7 @@ struct RemoveOptions {
 };
 
 void remove(const RemoveOptions& options) {
-    Library library = open_library(options.library, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read);
     const std::vector<Entry> entries = library.get(options.ids);
     library.remove(options.ids);
     for (const Entry& entry : entries)
@@ -171,44 +127,12 @@ struct WordsOptions {
     std::string field;
 };
 
-std::vector<std::string> words_of(Library& library, const std::string& field) {
-    if (field != "id") return library.words(field);
-    std::vector<std::string> ids;
-    for (const Entry& entry : library.find({}))
-        ids.push_back(std::to_string(entry.id));
-    return ids;
-}
-
-// what is usual, then what this library adds to it; without a library what is usual
 void words(const WordsOptions& options) {
-    std::vector<std::string> found;
-    if (const Field* field = noise_library::find_field(options.field)) {
-        if (const auto* text = std::get_if<noise_library::Text>(&field->kind))
-            found.assign(text->suggestions.begin(), text->suggestions.end());
-        if (const auto* choice = std::get_if<noise_library::Choice>(&field->kind))
-            found.assign(choice->names.begin(), choice->names.end());
-    }
-    try {
-        Library library = open_library(options.library, Access::read);
-        for (const std::string& word : words_of(library, options.field))
-            if (std::find(found.begin(), found.end(), word) == found.end()) found.push_back(word);
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::io) throw;
-    }
+    const std::vector<std::string> found = noise_library::words_to_choose(options.library.file, options.field);
     std::string text;
     for (const std::string& word : found)
         text += word + "\n";
     console::print(text);
-}
-
-void fields(const LibraryOption& option) {
-    std::vector<noise_library::FigureKind> figures;
-    try {
-        figures = open_library(option, Access::read).figures();
-    } catch (const Error& error) {
-        if (error.kind() != ErrorKind::io) throw;  // without a library there are no figures
-    }
-    console::print(console::fields_text(figures));
 }
 
 void add_list(CLI::App& library) {
@@ -283,7 +207,7 @@ void add_fields(CLI::App& library) {
     auto option = std::make_shared<LibraryOption>();
     CLI::App* command = library.add_subcommand("fields", "List what an entry can say, with units and figures.");
     add_library_option(*command, *option);
-    command->callback([option] { fields(*option); });
+    command->callback([option] { console::print(console::fields_text(noise_library::figures_in(option->file))); });
 }
 
 }  // namespace

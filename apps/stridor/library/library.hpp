@@ -4,9 +4,7 @@
 #include "stridor/noise_library/library.hpp"
 #include "stridor/noise_library/recording.hpp"
 
-#include <exception>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,9 +21,6 @@ struct LibraryOption {
 };
 
 void add_library_option(CLI::App& command, LibraryOption& option);
-
-/// Opens the library, or makes it where it is to be filled.
-noise_library::Library open_library(const LibraryOption& option, noise_library::Access access);
 
 /// Which entries.
 struct SelectionOptions {
@@ -51,20 +46,6 @@ void add_entry_options(CLI::App& command, EntryOptions& options);
 
 /// Writes what was said into an entry; throws `Error` (input) that names the option.
 void apply(const EntryOptions& options, noise_library::Entry& entry);
-
-/// Runs work over many recordings, then has it say what became of all, also where an error ended it, which is thrown
-/// after that.
-template <typename Work>
-void run_and_tell(Work& work) {
-    std::exception_ptr end;
-    try {
-        work.run();
-    } catch (const Error&) {
-        end = std::current_exception();
-    }
-    work.tell();
-    if (end) std::rethrow_exception(end);
-}
 
 /// The subcommands that put entries in and out.
 void add_library_add(CLI::App& library);

@@ -2,8 +2,8 @@
 #include "interrupt.hpp"
 #include "library/library.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/console/progress.hpp"
 #include "stridor/console/results/library_text.hpp"
+#include "stridor/console/sound_progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/library/json_library.hpp"
 #include "stridor/io/library/recording_probe.hpp"
@@ -27,38 +27,6 @@ namespace {
 using noise_library::Access;
 using noise_library::Entry;
 using noise_library::Library;
-
-/// How far a row of recordings is: the whole ones, and the share of the one that is heard.
-class AddingDisplay {
-public:
-    AddingDisplay(std::string what, std::size_t total) : display_(std::move(what)), total_(total) {}
-
-    void begin(const std::filesystem::path& file) {
-        std::error_code error;
-        const std::uintmax_t size = std::filesystem::file_size(file, error);
-        is_shown_ = console::takes_long(total_, error ? 0 : size);
-        file_ = file.filename().string();
-    }
-    void show(double share) {
-        if (!is_shown_) return;
-        const double whole = (static_cast<double>(done_) + share) / static_cast<double>(total_);
-        display_.show(whole, total_ > 1 ? fmt::format("{} of {}: {}", done_ + 1, total_, file_) : "");
-    }
-    void end() {
-        show(1.0);
-        ++done_;
-        clear();
-    }
-    void clear() { display_.clear(); }
-    std::size_t done() const { return done_; }
-
-private:
-    console::ShareDisplay display_;
-    std::size_t total_;
-    std::size_t done_ = 0;
-    std::string file_;
-    bool is_shown_ = false;
-};
 
 using io::HearingOptions;
 
@@ -88,9 +56,9 @@ struct AddOptions {
 /// Adds recordings, shows how far it is, and tells what became of them.
 void add(const AddOptions& options) {
     const Interrupt interrupt;
-    Library library = open_library(options.library, Access::fill);
+    Library library = noise_library::open_library(options.library.file, Access::fill);
     const recordings::RecordingFiles files = recordings::recording_files(options.files, library.audio_folder());
-    AddingDisplay row("added", files.files.size());
+    console::RowDisplay row("added", files.files.size());
     std::vector<Entry> entries;  // for JSON alone
     const bool is_alone =
         options.files.size() == 1 && files.files == std::vector<std::filesystem::path>{options.files[0]};
@@ -133,24 +101,18 @@ struct JudgeOptions {
 
 // those named, else those that meet the conditions and have no verdict of this program
 std::vector<std::int64_t> ids_to_judge(Library& library, const JudgeOptions& options) {
-    if (!options.ids.empty()) {
-        static_cast<void>(library.get(options.ids));  // all of them are there
-        return options.ids;
-    }
-    noise_library::Query query = query_of(options.selection);
-    query.extent = noise_library::EntryExtent::whole;
-    std::vector<std::int64_t> ids;
-    library.visit(query, [&](const Entry& entry) {
-        if (options.all || io::has_outdated_verdict(entry)) ids.push_back(entry.id);
-    });
-    return ids;
+    if (options.ids.empty())
+        return io::ids_to_judge(library, query_of(options.selection),
+                                options.all ? io::Rejudged::all : io::Rejudged::outdated);
+    static_cast<void>(library.get(options.ids));  // all of them are there
+    return options.ids;
 }
 
 void judge_again(const JudgeOptions& options) {
-    Library library = open_library(options.library, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read);
     const std::vector<std::int64_t> ids = ids_to_judge(library, options);
     if (ids.empty() && !options.json) return console::say("nothing to judge: all verdicts are of this version");
-    AddingDisplay row("judged", ids.size());
+    console::RowDisplay row("judged", ids.size());
     std::vector<Entry> entries;
     for (const std::int64_t id : ids) {
         const std::array<std::int64_t, 1> only{id};

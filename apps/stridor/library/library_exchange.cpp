@@ -26,7 +26,7 @@ struct ExportOptions {
 };
 
 void export_entries(const ExportOptions& options) {
-    Library library = open_library(options.library, Access::read);
+    Library library = noise_library::open_library(options.library.file, Access::read);
     std::vector<Entry> entries;
     if (options.ids.empty()) {
         noise_library::Query query = query_of(options.selection);
@@ -47,7 +47,7 @@ struct ImportOptions {
 };
 
 void import_entries(const ImportOptions& options) {
-    Library library = open_library(options.library, Access::fill);
+    Library library = noise_library::open_library(options.library.file, Access::fill);
     constexpr std::uint64_t large = 100'000'000;  // [bytes] what takes a second or so
     console::ShareDisplay display("imported");
     const auto show = [&](std::uint64_t done, std::uint64_t total) {

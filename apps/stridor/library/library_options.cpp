@@ -1,12 +1,12 @@
 #include "library/library.hpp"
-#include "stridor/base/error.hpp"
 #include "stridor/noise_library/field.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <system_error>
+#include <string>
+#include <string_view>
 
 namespace stridor::app {
 
@@ -20,21 +20,6 @@ void add_library_option(CLI::App& command, LibraryOption& option) {
         ->type_name("FILE");
 }
 
-noise_library::Library open_library(const LibraryOption& option, noise_library::Access access) {
-    const bool is_own = option.file.empty();
-    const std::filesystem::path file = is_own ? noise_library::default_library() : std::filesystem::path(option.file);
-    if (is_own && access == noise_library::Access::fill) {
-        std::error_code error;
-        std::filesystem::create_directories(file.parent_path(), error);
-        if (error)
-            throw Error(ErrorKind::io, {"cannot make the folder " + file.parent_path().string(), error.message(),
-                                        "Name another place with --library FILE."});
-    }
-    noise_library::LibraryOptions options;
-    options.access = access;
-    return noise_library::Library(file, options);
-}
-
 void add_selection_options(CLI::App& command, SelectionOptions& options) {
     command
         .add_option("--where", options.where,
@@ -46,17 +31,7 @@ void add_selection_options(CLI::App& command, SelectionOptions& options) {
 }
 
 noise_library::Query query_of(const SelectionOptions& options) {
-    noise_library::Query query;
-    for (const std::string& text : options.where)
-        for (const noise_library::Condition& condition : noise_library::parse_conditions(text))
-            query.conditions.push_back(condition);
-    query.words = noise_library::parse_words(options.search);
-    query.sort = options.sort;
-    if (query.sort.starts_with('-')) {
-        query.sort.erase(0, 1);
-        query.direction = noise_library::SortOrder::falling;
-    }
-    return query;
+    return noise_library::parse_query(options.where, options.search, options.sort);
 }
 
 void add_entry_options(CLI::App& command, EntryOptions& options) {
@@ -80,15 +55,9 @@ void add_entry_options(CLI::App& command, EntryOptions& options) {
 void apply(const EntryOptions& options, Entry& entry) {
     for (const auto& [name, text] : options.fields)
         noise_library::set_from_text(entry, *noise_library::find_field(name), text);
-    if (!options.case_file.empty()) {
-        noise_library::set_from_text(entry, *noise_library::find_field("case"), storage::read_file(options.case_file));
-        if (entry.recorded.empty()) entry.recorded = "simulation";
-    }
+    if (!options.case_file.empty()) noise_library::set_case(entry, storage::read_file(options.case_file));
     for (const std::string& text : options.figures)
-        if (const std::size_t equals = text.find('='); text.substr(std::min(equals, text.size())) == "=unknown")
-            std::erase_if(entry.figures, [&](const auto& figure) { return figure.name == text.substr(0, equals); });
-        else
-            noise_library::set_figure(entry, noise_library::parse_figure(text));
+        noise_library::set_figure_from_text(entry, text);
 }
 
 }  // namespace stridor::app

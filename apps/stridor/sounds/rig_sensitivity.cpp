@@ -1,22 +1,15 @@
 #include "commands.hpp"
 #include "library/library.hpp"
 #include "sounds/rig.hpp"
-#include "stridor/base/error.hpp"
-#include "stridor/base/field_table.hpp"
 #include "stridor/console/results/sensitivity_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"
 #include "stridor/figures/sensitivity.hpp"
 #include "stridor/io/library/json_library.hpp"
-#include "stridor/noise_library/field.hpp"
 #include "stridor/noise_library/sensitivity.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace stridor::app {
@@ -36,39 +29,13 @@ struct SensitivityCommand {
     bool json = false;
 };
 
-// the unit of what the records are laid out over; throws for what is no number
-std::string unit_over(const std::string& name, noise_library::Library& library) {
-    const noise_library::Field* field = noise_library::find_field(name);
-    if (field != nullptr && std::holds_alternative<noise_library::Quantity>(field->kind))
-        return std::string(unit_of(*field));
-    std::vector<std::string> names = noise_library::field_names(
-        [](const noise_library::Field& each) { return std::holds_alternative<noise_library::Quantity>(each.kind); });
-    for (const noise_library::FigureKind& figure : library.figures()) {
-        if (figure.name == name) return figure.unit;
-        names.push_back(figure.name);
-    }
-    throw Error(ErrorKind::input,
-                {"--over " + name + " is no quantity",
-                 field == nullptr ? "there is no field or figure of that name" : "it is words",
-                 base::did_you_mean(name, names, "`stridor library fields` lists them, with units.")});
-}
-
 void run_sensitivity(const SensitivityCommand& command) {
-    noise_library::Library library = open_library(command.library, noise_library::Access::read);
-    noise_library::Query query = query_of(command.selection);
-    query.extent = noise_library::EntryExtent::figures;
+    noise_library::Library library = noise_library::open_library(command.library.file, noise_library::Access::read);
     noise_library::SensitivityOptions options;
     options.quantity = command.over;
-    options.unit = unit_over(command.over, library);
     options.bins = command.bins;
     options.judge = command.by == "category" ? noise_library::Judge::stridor : noise_library::Judge::engineer;
-    const Sensitivity result = noise_library::sensitivity(library.find(query), options);
-    if (result.records.empty())
-        throw Error(ErrorKind::input,
-                    {"there are no records over " + command.over,
-                     result.left_out == 0 ? "no entry meets the conditions"
-                                          : fmt::format("it is unknown in all {} of them", result.left_out),
-                     "Say it with `stridor library edit ID --" + command.over + " VALUE`."});
+    const Sensitivity result = noise_library::sensitivity_in(library, query_of(command.selection), options);
     if (!command.figure.empty()) figures::draw(figures::sensitivity(result), command.figure);
     console::print(command.json ? io::sensitivity_json(library.file(), result) + "\n"
                                 : console::sensitivity_text(result, command.records ? console::SensitivityRows::records

@@ -284,4 +284,15 @@ std::string digest(const Entry& entry) {
     return hash.text();
 }
 
+void set_figure_from_text(Entry& entry, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || text.substr(equals) != "=unknown") return set_figure(entry, parse_figure(text));
+    std::erase_if(entry.figures, [&](const Figure& figure) { return figure.name == text.substr(0, equals); });
+}
+
+void set_case(Entry& entry, std::string_view text) {
+    set_from_text(entry, *find_field("case"), text);
+    if (entry.recorded.empty()) entry.recorded = "simulation";
+}
+
 }  // namespace stridor::noise_library

@@ -94,6 +94,12 @@ Figure parse_figure(std::string_view text);
 /// Adds a figure, or replaces the one of that name.
 void set_figure(Entry& entry, const Figure& figure);
 
+/// Sets a figure from "name=value unit", or clears it by "name=unknown". Throws `Error` (input).
+void set_figure_from_text(Entry& entry, const std::string& text);
+
+/// Sets the case that a sound came from: it is a simulation's, unless it is said where it was recorded.
+void set_case(Entry& entry, std::string_view text);
+
 /// The value of a figure or a quantity by its name; `unknown` where the entry has none.
 double number_of(const Entry& entry, std::string_view name);
 

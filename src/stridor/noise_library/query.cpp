@@ -91,4 +91,15 @@ std::vector<std::string> parse_words(std::string_view text) {
     return words;
 }
 
+Query parse_query(std::span<const std::string> conditions, std::string_view words, std::string_view sort) {
+    Query query;
+    for (const std::string& text : conditions)
+        for (Condition& condition : parse_conditions(text))
+            query.conditions.push_back(std::move(condition));
+    query.words = parse_words(words);
+    if (sort.starts_with('-')) query.direction = SortOrder::falling;
+    query.sort = sort.substr(sort.starts_with('-') ? 1 : 0);
+    return query;
+}
+
 }  // namespace stridor::noise_library

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,9 @@ struct Query {
 ///
 /// Throws `Error` (input) for anything else; names and values are looked at by the library, which knows its figures.
 std::vector<Condition> parse_conditions(std::string_view text);
+
+/// A query from conditions, the words of a search, and what to sort by: "-preload" is falling; all may be empty.
+Query parse_query(std::span<const std::string> conditions, std::string_view words, std::string_view sort);
 
 /// The words of a search, parted at blanks.
 std::vector<std::string> parse_words(std::string_view text);

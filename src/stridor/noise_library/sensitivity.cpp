@@ -1,8 +1,12 @@
 #include "stridor/noise_library/sensitivity.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/field_table.hpp"
 #include "stridor/classification/category.hpp"
 #include "stridor/noise_library/field.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -223,6 +227,34 @@ Sensitivity sensitivity(std::span<const Entry> entries, const SensitivityOptions
     result.bins = bins_of(result, options.bins);
     result.level = over_records(result.records, &Observation::level);
     result.frequency = over_records(result.records, &Observation::frequency);
+    return result;
+}
+
+std::string unit_over(Library& library, const std::string& name) {
+    const Field* field = find_field(name);
+    if (field != nullptr && std::holds_alternative<Quantity>(field->kind)) return std::string(unit_of(*field));
+    std::vector<std::string> names =
+        field_names([](const Field& each) { return std::holds_alternative<Quantity>(each.kind); });
+    for (const FigureKind& figure : library.figures()) {
+        if (figure.name == name) return figure.unit;
+        names.push_back(figure.name);
+    }
+    throw Error(ErrorKind::input,
+                {"--over " + name + " is no quantity",
+                 field == nullptr ? "there is no field or figure of that name" : "it is words",
+                 base::did_you_mean(name, names, "`stridor library fields` lists them, with units.")});
+}
+
+Sensitivity sensitivity_in(Library& library, Query query, SensitivityOptions options) {
+    options.unit = unit_over(library, options.quantity);
+    query.extent = EntryExtent::figures;
+    Sensitivity result = sensitivity(library.find(query), options);
+    if (result.records.empty())
+        throw Error(ErrorKind::input,
+                    {"there are no records over " + options.quantity,
+                     result.left_out == 0 ? "no entry meets the conditions"
+                                          : fmt::format("it is unknown in all {} of them", result.left_out),
+                     "Say it with `stridor library edit ID --" + options.quantity + " VALUE`."});
     return result;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/noise_library/entry.hpp"
+#include "stridor/noise_library/library.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -84,6 +84,14 @@ struct SensitivityOptions {
 
 /// The sensitivity over entries that were read with their figures.
 Sensitivity sensitivity(std::span<const Entry> entries, const SensitivityOptions& options);
+
+/// The unit of a field or figure that is a number, which records can be laid out over; throws `Error` (input) for any
+/// other name.
+std::string unit_over(Library& library, const std::string& name);
+
+/// The sensitivity over the entries of a library that meet a query, in the quantity's own unit. Throws `Error` (input)
+/// for what is no quantity, and where no record knows it.
+Sensitivity sensitivity_in(Library& library, Query query, SensitivityOptions options);
 
 /// Spearman's coefficient of pairs, with its p-value; a pair in which a value is unknown is left out. Equal shapes.
 RankCorrelation rank_correlation(std::span<const double> x, std::span<const double> y);

@@ -155,4 +155,18 @@ std::string sensitivity_json(const std::filesystem::path& library, const Sensiti
     return base::text_of(document);
 }
 
+void library_json(noise_library::Library& library, const noise_library::Query& query,
+                  const std::function<void(std::string_view)>& take) {
+    constexpr std::size_t least_piece = std::size_t{1} << 16U;
+    LibraryJson document;
+    std::string text = document.opening(library.file());
+    library.visit(query, [&](const noise_library::Entry& entry) {
+        text += document.entry(entry);
+        if (text.size() < least_piece) return;
+        take(text);
+        text.clear();
+    });
+    take(text + document.closing() + "\n");
+}
+
 }  // namespace stridor::io

@@ -5,6 +5,7 @@
 #include "stridor/noise_library/sensitivity.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -30,6 +31,10 @@ private:
     std::map<std::string, std::string> units_{};  // of figures
     bool is_first_ = true;
 };
+
+/// The document of what a query finds, handed on piece by piece: it may be larger than memory should be.
+void library_json(noise_library::Library& library, const noise_library::Query& query,
+                  const std::function<void(std::string_view piece)>& take);
 
 /// The same of entries that were just added, with a `summary` of what became of all files.
 std::string arrivals_json(const std::filesystem::path& library, std::span<const noise_library::Entry> entries,

@@ -156,6 +156,15 @@ bool has_outdated_verdict(const Entry& entry) {
     return !kept || !kept->is_current;
 }
 
+std::vector<std::int64_t> ids_to_judge(noise_library::Library& library, noise_library::Query query, Rejudged which) {
+    query.extent = noise_library::EntryExtent::whole;
+    std::vector<std::int64_t> ids;
+    library.visit(query, [&](const Entry& entry) {
+        if (which == Rejudged::all || has_outdated_verdict(entry)) ids.push_back(entry.id);
+    });
+    return ids;
+}
+
 // heard before the library is locked: others may write meanwhile
 Entry judge_again(noise_library::Library& library, std::int64_t id, const HearingOptions& options, const Heard& heard) {
     const std::array<std::int64_t, 1> only{id};

@@ -43,6 +43,12 @@ noise_library::Probe probe_of(const HearingOptions& options, const Heard& heard)
 /// Is there no verdict, or one that another version of this program made?
 bool has_outdated_verdict(const noise_library::Entry& entry);
 
+/// Which verdicts are made anew.
+enum class Rejudged { outdated, all };
+
+/// The entries that meet a query and whose verdict is to be made anew.
+std::vector<std::int64_t> ids_to_judge(noise_library::Library& library, noise_library::Query query, Rejudged which);
+
 /// Listens again to an entry, on the channel of its verdict where none is named, and gives it back as it then is.
 noise_library::Entry judge_again(noise_library::Library& library, std::int64_t id, const HearingOptions& options,
                                  const Heard& heard);
