@@ -13,7 +13,6 @@ namespace stridor::io {
 using base::Json;
 using noise_library::AudioName;
 using noise_library::Entry;
-using noise_library::Field;
 using noise_library::Figure;
 
 namespace {
@@ -99,7 +98,7 @@ void take_field(Announced& announced, const std::string& name, const Json& value
     } else if (name == "figures") {
         for (const Json& each : value)
             noise_library::set_figure(entry, figure_of(each));
-    } else if (const Field* field = noise_library::find_field(name); field == nullptr) {
+    } else if (const noise_library::Field* field = noise_library::find_field(name); field == nullptr) {
         throw Error(ErrorKind::input, {"\"" + name + "\" is no field of an entry", "", ""});
     } else if (std::holds_alternative<noise_library::Quantity>(field->kind)) {
         noise_library::set_quantity(entry, *field, value.get<double>());

@@ -10,7 +10,6 @@ namespace stridor::io {
 using base::csv_text::Table;
 using base::csv_text::TableColumn;
 using noise_library::Entry;
-using noise_library::Field;
 
 std::string library_csv(std::span<const Entry> entries) {
     std::map<std::string, std::string> figures;  // name -> unit
@@ -18,7 +17,7 @@ std::string library_csv(std::span<const Entry> entries) {
         for (const noise_library::Figure& figure : entry.figures)
             figures.emplace(figure.name, figure.unit);
     std::vector<TableColumn> columns{{"id"}};
-    for (const Field& field : noise_library::fields()) {
+    for (const noise_library::Field& field : noise_library::fields()) {
         const std::string_view unit = noise_library::unit_of(field);
         if (!noise_library::is_document(field)) columns.push_back({std::string(field.name), std::string(unit)});
     }
@@ -28,7 +27,7 @@ std::string library_csv(std::span<const Entry> entries) {
     Table table(base::csv_text::origin("library"), columns);
     for (const Entry& entry : entries) {
         table.number(static_cast<double>(entry.id));
-        for (const Field& field : noise_library::fields()) {
+        for (const noise_library::Field& field : noise_library::fields()) {
             if (noise_library::is_document(field)) continue;
             if (std::holds_alternative<noise_library::Quantity>(field.kind))
                 table.number(noise_library::quantity_in(entry, field));

@@ -1,4 +1,4 @@
-#include "sounds/player.hpp"
+#include "stridor/console/player.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/process.hpp"
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stridor::app {
+namespace stridor::console {
 
 namespace {
 
@@ -60,4 +60,4 @@ void play(const std::string& player, const std::string& path) {
                      "Write it with -o FILE.wav and play it elsewhere."});
 }
 
-}  // namespace stridor::app
+}  // namespace stridor::console

@@ -1,0 +1,91 @@
+#include "stridor/io/simulation/friction_test.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/parameters/field.hpp"
+#include "stridor/recordings/open_signal.hpp"
+#include "stridor/recordings/rig_channels.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace stridor::io {
+
+using analysis::FrictionTrace;
+
+namespace {
+
+// an hour of four channels at 10 kHz
+constexpr std::uint64_t most_samples = 150'000'000;
+
+double to_four_digits(double value) {
+    return std::round(value * 1e4) / 1e4;
+}
+
+}  // namespace
+
+MeasuredFriction measured_friction(const FrictionTexts& texts, const std::function<void(const std::string&)>& note) {
+    recordings::OpenOptions open;
+    if (!texts.full_scale.empty()) open.full_scales = {recordings::parse_full_scale(texts.full_scale)};
+    const std::unique_ptr<recordings::SignalFile> file = recordings::open_signal(texts.file, open);
+    const signal::ChannelLayout layout = file->layout();
+    const recordings::FrictionChannels places =
+        recordings::friction_channels(layout, {texts.channel, texts.velocity_channel, texts.normal_channel});
+    for (const std::string& each : file->facts().notes)
+        note(each);
+    const std::vector<signal::Signal> channels = signal::read_all(*file, most_samples);
+
+    analysis::FrictionMeasurement measurement;
+    measurement.rate = layout.rate;
+    measurement.preload = base::parse_quantity(texts.preload, "N");
+    measurement.force = channels[places.force].samples;
+    if (places.velocity) measurement.velocity = channels[*places.velocity].samples;
+    if (places.normal) measurement.normal_force = channels[*places.normal].samples;
+    analysis::FrictionTraceOptions settings;
+    settings.least_drop = texts.least_drop;
+    settings.longest_drop = base::parse_quantity(texts.longest_drop, "s");
+    FrictionTrace trace = analysis::friction_trace(measurement, settings);
+
+    FrictionTest test;
+    test.file = texts.file;
+    test.channel = layout.channels[places.force].name;
+    if (places.velocity) test.velocity_channel = layout.channels[*places.velocity].name;
+    if (places.normal) test.normal_channel = layout.channels[*places.normal].name;
+    test.rate = layout.rate;
+    test.duration = signal::duration(channels[places.force]);
+    test.preload = measurement.preload;
+    test.velocity = !texts.velocity.empty() ? base::parse_quantity(texts.velocity, "m/s")
+                    : places.velocity       ? recordings::usual_speed(channels[*places.velocity].samples)
+                                            : std::numeric_limits<double>::quiet_NaN();
+    test.condition = analysis::vda_condition(test.preload, test.velocity);
+    for (const std::string& each : trace.notes)
+        note(each);
+    return {std::move(test), std::move(trace)};
+}
+
+std::string case_with_friction(parameters::Case c, const MeasuredFriction& measured) {
+    const auto& [test, trace] = measured;
+    const double mu_d = to_four_digits(trace.all.kinetic_friction.value);
+    double mu_s = to_four_digits(trace.all.static_friction.value);
+    if (!std::isfinite(mu_d)) base::refuse("the trace shows no kinetic coefficient", "nothing slides in it", "");
+    std::string heading = fmt::format("friction coefficients measured: {}, preload {:g} N", test.file, test.preload);
+    if (!std::isfinite(mu_s)) {
+        mu_s = mu_d;
+        heading += "\nno static coefficient was to be seen: it is set to the kinetic one";
+    }
+    if (mu_s < mu_d)
+        base::refuse(fmt::format("the static coefficient, {:g}, comes out below the kinetic one, {:g}", mu_s, mu_d),
+                     "the model needs it the other way round", "Is --preload right, and the sensor's zero?");
+    parameters::set_quantity(c, *parameters::find_field("contact.static_friction"), mu_s);
+    parameters::set_quantity(c, *parameters::find_field("contact.kinetic_friction"), mu_d);
+    return case_toml(c, {Comments::full, heading});
+}
+
+}  // namespace stridor::io

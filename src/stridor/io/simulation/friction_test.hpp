@@ -1,0 +1,41 @@
+#pragma once
+
+#include "stridor/io/simulation/json_friction.hpp"
+#include "stridor/parameters/case.hpp"
+
+#include <functional>
+#include <string>
+
+/// Friction coefficients out of a rig's recording, and into a case.
+namespace stridor::io {
+
+/// A recording and what is known of it, as a command line says it; quantities carry their units.
+struct FrictionTexts {
+    std::string file{};
+    std::string preload{};
+    std::string velocity{};  // nominal; empty: the usual speed that was measured
+    std::string channel{};   // names or numbers; empty: as the channels say themselves
+    std::string velocity_channel{};
+    std::string normal_channel{};
+    std::string full_scale{};
+    double least_drop = analysis::FrictionTraceOptions{}.least_drop;  // [1]
+    std::string longest_drop = "250 ms";
+};
+
+/// The friction of a recording, and what it was measured with.
+struct MeasuredFriction {
+    FrictionTest test{};
+    analysis::FrictionTrace trace{};
+};
+
+/// Reads a recording, an hour of four channels at 10 kHz at most, and measures its friction; `note` is told what is
+/// noteworthy.
+///
+/// Throws `Error` (input) where a text or the channels are not clear, and what reading and measuring throw.
+MeasuredFriction measured_friction(const FrictionTexts& texts, const std::function<void(const std::string&)>& note);
+
+/// The text of a case with the measured coefficients, to four digits; the static one is the kinetic one where none was
+/// to be seen. Throws `Error` (input) where nothing slides or they come out the wrong way round.
+std::string case_with_friction(parameters::Case c, const MeasuredFriction& measured);
+
+}  // namespace stridor::io

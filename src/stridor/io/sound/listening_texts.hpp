@@ -1,0 +1,55 @@
+#pragma once
+
+#include "stridor/hearing/rendered_sound.hpp"
+#include "stridor/io/case/toml_document.hpp"
+#include "stridor/io/sound/json_listen.hpp"
+#include "stridor/parameters/case.hpp"
+#include "stridor/sound/auralisation.hpp"
+
+#include <optional>
+#include <string>
+
+/// Which motion is made audible, and how loud, as a command line says it.
+namespace stridor::io {
+
+/// The texts of `stridor listen`; quantities carry their units.
+struct ListeningTexts {
+    std::string cell{};       // "x=20 N,y=0.6"; empty: the case itself
+    std::string direction{};  // "going", "coming"; empty: the whole motion
+    bool is_judged = false;   // only the steady part the verdict is made from
+    std::string of = "joint";
+    std::string quantity = "velocity";
+    std::string component{};  // empty: x of the joint, y of the plate
+    std::string rate = "48000 Hz";
+    std::string seconds{};  // empty: the whole run
+    std::string level = "normalised";
+    std::string full_scale{};
+    std::string high_pass = "20 Hz";
+    std::string fade = "5 ms";
+};
+
+/// The case that is heard.
+struct ListeningChoice {
+    parameters::Case c;
+    std::string cell{};  // of which chart's cell, in words; empty: of a case
+};
+
+/// Reads the case, or the chart whose cell is asked for; more seconds than it lasts make it a longer run. The direction
+/// that a cell names is that of the texts unless they have their own. Throws `Error` (input).
+ListeningChoice chosen_case(ListeningTexts& texts, TomlSource source);
+
+/// How its motion becomes a sound. Throws `Error` (input) for what is no sound, or none of this motion.
+sound::AuralisationSettings listening_settings(const ListeningTexts& texts, const parameters::Case& c);
+
+/// What the largest number of the file stands for [m/s or m/s^2]: normalised, the loudest sample lies at -1 dBFS;
+/// absolute, it is 10 m/s or 100 km/s^2, or as the texts say. Throws `Error` (input) where the sound would be clipped.
+double listening_full_scale(const ListeningTexts& texts, const hearing::RenderedSound& sound);
+
+/// What was made of which motion; file and player are left to the caller. Throws as `listening_full_scale` does.
+SoundInfo sound_info(const ListeningTexts& texts, const ListeningChoice& choice,
+                     const sound::AuralisationSettings& settings, const hearing::RenderedSound& sound);
+
+/// What a file of it says in its description.
+std::string sound_description(const SoundInfo& info, const parameters::Case& c);
+
+}  // namespace stridor::io
