@@ -1,30 +1,23 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/explorer/api.hpp"
+#include "stridor/explorer/browser.hpp"
 #include "stridor/explorer/gate.hpp"
 #include "stridor/explorer/link.hpp"
 #include "stridor/explorer/redirect.hpp"
 #include "stridor/explorer/server.hpp"
 #include "stridor/explorer/typescript.hpp"
-#include "stridor/io/case/toml_case.hpp"
-#include "stridor/io/case/toml_document.hpp"
-#include "stridor/io/chart/toml_study.hpp"
-#include "stridor/noise_library/library.hpp"
-#include "stridor/parameters/temperature_table.hpp"
+#include "stridor/explorer/world.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace stridor::app {
@@ -44,84 +37,12 @@ struct ExploreOptions {
     std::string typescript;  // part of the page to print instead; empty: none
 };
 
-void check(const ExploreOptions& options) {
-    if (options.allow_remote || explorer::is_loopback(options.address.host)) return;
-    throw Error(ErrorKind::input,
-                {options.address.host + " can be reached from other machines",
-                 "whoever has the link could use the explorer, over a connection that is not encrypted",
-                 "Leave --address out and use a tunnel (ssh -L), or add --allow-remote if that is what you want."});
-}
-
-// the page's own chart is over the friction, which cannot be set where it follows the temperature
-io::AxisTexts axes_over_temperature(const parameters::Case& c) {
-    const std::vector<double>& at = c.temperature.at;
-    return {"contact.preload=1:80:64:linear",
-            "temperature.value=" + base::shortest(at.front()) + ":" + base::shortest(at.back()) + ":64"};
-}
-
-explorer::World world_of(const ExploreOptions& options) {
-    explorer::World world;
-    world.threads = options.threads;
-    world.presets = explorer::paper_presets();
-    world.library = options.library.empty() ? noise_library::default_library() : std::filesystem::path(options.library);
-    std::error_code ignored;
-    if (!options.library.empty())
-        static_cast<void>(
-            noise_library::Library(world.library));  // what is wrong with it is said here and not in the page
-    else if (!std::filesystem::exists(world.library, ignored))
-        world.library.clear();
-    if (options.file.empty() || explorer::is_link(options.file)) return world;
-    const io::TomlSource source = load_source(options.file, options.overrides);
-    explorer::Preset preset{"file", source.text, source.name, options.overrides};
-    const io::SamplesReader keep = [&](const std::string& path) {
-        preset.samples_file = path;
-        return preset.samples = recordings::read_sampled_file(path);
-    };
-    const io::TomlDocument document = io::parse_toml(source);
-    const parameters::Case c = io::read_case(document, keep);  // likewise
-    if (document.find("chart") != nullptr)
-        preset.study = io::read_study(source);
-    else if (parameters::temperature_column(c, "contact.kinetic_friction") != nullptr)
-        preset.study = io::read_study(source, axes_over_temperature(c));
-    world.presets.insert(world.presets.begin(), std::move(preset));
-    return world;
-}
-
-// names under which the explorer may be asked for; addresses cannot be made to point elsewhere as names can
-std::vector<std::string> hosts_of(const ExploreOptions& options) {
-    std::vector<std::string> hosts{"localhost", "127.0.0.1", "[::1]"};
-    const std::string& host = options.address.host;
-    hosts.push_back(host.find(':') == std::string::npos ? host : "[" + host + "]");
-    hosts.insert(hosts.end(), options.host_names.begin(), options.host_names.end());
-    return hosts;
-}
-
-bool has_screen() {
-    return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-}
-
-// opens a file that leads to the link; what the opener says is of no interest
-void open_browser(const std::string& file) {
-    const ::pid_t child = ::fork();
-    if (child == 0) {
-        constexpr unsigned first = 3;
-        ::close_range(first, ~0U, 0);  // a browser must not keep the port
-        ::setsid();
-        if (std::freopen("/dev/null", "w", stdout) == nullptr || std::freopen("/dev/null", "w", stderr) == nullptr)
-            ::_exit(127);
-        ::execlp("xdg-open", "xdg-open", file.c_str(), static_cast<char*>(nullptr));
-        ::_exit(127);
-    }
-    if (child > 0) std::thread([child] { ::waitpid(child, nullptr, 0); }).detach();
-}
-
 // tells the links, one after the other, and opens the first
 class Links {
 public:
     Links(const ExploreOptions& options, std::uint16_t port) : options_(options) {
-        const std::string& host = options.address.host;
-        const std::string name = host.find(':') == std::string::npos ? host : "[" + host + "]";
-        base_ = has_port() ? fmt::format("http://{}:{}", name, port) : "http://localhost";
+        base_ = has_port() ? fmt::format("http://{}:{}", explorer::host_in_link(options.address.host), port)
+                           : "http://localhost";
     }
 
     void tell(const std::string& token) {
@@ -132,9 +53,9 @@ public:
         if (std::exchange(is_told_, true)) return;
         if (!has_port()) console::say("listening at " + options_.address.unix_socket.string());
         console::say("Open the link above; it opens once, and a new one follows. Ctrl-C ends.");
-        if (!has_port() || options_.no_browser || !has_screen()) return;
+        if (!has_port() || options_.no_browser || !explorer::has_screen()) return;
         try {
-            open_browser(redirect_.emplace(link).file().string());
+            explorer::open_browser(redirect_.emplace(link).file().string());
         } catch (const Error& error) {
             console::say_error(error);  // the link above works without
         }
@@ -151,17 +72,20 @@ private:
 
 void explore(ExploreOptions options) {
     if (!options.typescript.empty()) return console::print(explorer::typescript(options.typescript));
-    check(options);
+    if (!options.allow_remote) explorer::require_loopback(options.address.host);
     if (explorer::is_link(options.file)) {
         options.fragment = explorer::fragment_of(options.file);
         if (!options.overrides.empty())
             throw Error(ErrorKind::input, {"--set does not go with a link", "the link says the whole case",
                                            "Leave --set out, and change the value in the page."});
     }
-    const explorer::World world = world_of(options);
+    explorer::World world = explorer::world_of(options.library);
+    world.threads = options.threads;
+    if (!options.file.empty() && !explorer::is_link(options.file))
+        world.presets.insert(world.presets.begin(), explorer::preset_of(load_source(options.file, options.overrides)));
     std::optional<explorer::Server> server(std::in_place, options.address);
     std::optional<Links> links(std::in_place, options, server->port());
-    explorer::Gate gate(hosts_of(options), std::to_string(server->port()),
+    explorer::Gate gate(explorer::host_names(options.address.host, options.host_names), std::to_string(server->port()),
                         [&](const std::string& token) { links->tell(token); });
     const Interrupt interrupt;
     const std::size_t stuck =

@@ -1,6 +1,7 @@
 #include "stridor/explorer/gate.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/explorer/server.hpp"
 
 #include <sys/random.h>
 
@@ -111,6 +112,24 @@ Response Gate::open(const HttpRequest& request) {
     response.headers.front() = {"Refresh", "0; url=/"};
     response.body = "<!doctype html><title>Stridor</title><a href=\"/\">Welcome.</a>\n";
     return response;
+}
+
+void require_loopback(const std::string& address) {
+    if (is_loopback(address)) return;
+    throw Error(ErrorKind::input,
+                {address + " can be reached from other machines",
+                 "whoever has the link could use the explorer, over a connection that is not encrypted",
+                 "Leave --address out and use a tunnel (ssh -L), or add --allow-remote if that is what you want."});
+}
+
+std::string host_in_link(const std::string& address) {
+    return address.find(':') == std::string::npos ? address : "[" + address + "]";
+}
+
+std::vector<std::string> host_names(const std::string& address, const std::vector<std::string>& added) {
+    std::vector<std::string> hosts{"localhost", "127.0.0.1", "[::1]", host_in_link(address)};
+    hosts.insert(hosts.end(), added.begin(), added.end());
+    return hosts;
 }
 
 }  // namespace stridor::explorer

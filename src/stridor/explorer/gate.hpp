@@ -22,6 +22,16 @@ bool is_same_secret(std::string_view a, std::string_view b);
 /// Empty if it is no host.
 std::string host_name(std::string_view host);
 
+/// Throws `Error` (input) for an address that other machines reach.
+void require_loopback(const std::string& address);
+
+/// An address as it stands in a link: "[::1]" for ::1.
+std::string host_in_link(const std::string& address);
+
+/// Names under which an explorer at this address may be asked for, and those that the user adds; addresses cannot be
+/// made to point elsewhere as names can.
+std::vector<std::string> host_names(const std::string& address, const std::vector<std::string>& added);
+
 /// Decides which requests reach the explorer.
 ///
 /// 1. *Host*: only names in the list; a foreign site that makes its own name point to this machine (DNS rebinding) is

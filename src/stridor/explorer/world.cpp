@@ -1,10 +1,15 @@
 #include "stridor/explorer/world.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/toml_study.hpp"
+#include "stridor/noise_library/library.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
+#include <system_error>
 
 namespace stridor::explorer {
 
@@ -39,6 +44,44 @@ const Preset& preset_named(const World& world, std::string_view name) {
                      "Ask for one made by Share, Copy link: that one holds the whole case."});
     throw Error(ErrorKind::input,
                 {"there is no preset \"" + std::string(name) + "\"", "", "GET /api/start lists them."});
+}
+
+namespace {
+
+// the page's own chart is over the friction, which cannot be set where it follows the temperature
+io::AxisTexts axes_over_temperature(const parameters::Case& c) {
+    const std::vector<double>& at = c.temperature.at;
+    return {"contact.preload=1:80:64:linear",
+            "temperature.value=" + base::shortest(at.front()) + ":" + base::shortest(at.back()) + ":64"};
+}
+
+}  // namespace
+
+Preset preset_of(const io::TomlSource& source) {
+    Preset preset{"file", source.text, source.name, source.overrides};
+    const io::SamplesReader keep = [&](const std::string& path) {
+        preset.samples_file = path;
+        return preset.samples = recordings::read_sampled_file(path);
+    };
+    const io::TomlDocument document = io::parse_toml(source);
+    const parameters::Case c = io::read_case(document, keep);  // what is wrong is said here and not in the page
+    if (document.find("chart") != nullptr)
+        preset.study = io::read_study(source);
+    else if (parameters::temperature_column(c, "contact.kinetic_friction") != nullptr)
+        preset.study = io::read_study(source, axes_over_temperature(c));
+    return preset;
+}
+
+World world_of(const std::filesystem::path& library) {
+    World world;
+    world.presets = paper_presets();
+    world.library = library.empty() ? noise_library::default_library() : library;
+    std::error_code ignored;
+    if (!library.empty())
+        static_cast<void>(noise_library::Library(world.library));  // likewise
+    else if (!std::filesystem::exists(world.library, ignored))
+        world.library.clear();
+    return world;
 }
 
 }  // namespace stridor::explorer

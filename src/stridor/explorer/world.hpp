@@ -40,6 +40,14 @@ io::SamplesReader samples_of(const Preset& preset);
 /// The four cases of Table 1.
 std::vector<Preset> paper_presets();
 
+/// The file that somebody named when the program started, with its samples and its chart; where the friction follows
+/// the temperature, with a chart over that. Throws `Error` for what is no case.
+Preset preset_of(const io::TomlSource& source);
+
+/// The cases of Table 1 and a noise library: the one named, or the user's own if there is one. Throws `Error` for a
+/// named one that cannot be opened.
+World world_of(const std::filesystem::path& library);
+
 /// Throws `Error` (input) for a name that is none.
 const Preset& preset_named(const World& world, std::string_view name);
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace stridor::app {
+namespace stridor::report {
 
 /// An HTML page printed on A4, as the bytes of a PDF file, by a browser or wkhtmltopdf that is found on PATH.
 ///
@@ -13,4 +13,4 @@ std::string printed_pdf(std::string_view html);
 /// Throws `Error` (io) where no program is there to print: before the work begins.
 void expect_printer();
 
-}  // namespace stridor::app
+}  // namespace stridor::report

@@ -1,4 +1,4 @@
-#include "pdf.hpp"
+#include "stridor/report/pdf.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/process.hpp"
@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace stridor::app {
+namespace stridor::report {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::string printed_pdf(std::string_view html) {
     return storage::read_file(sheet.string());
 }
 
-}  // namespace stridor::app
+}  // namespace stridor::report

@@ -1,0 +1,43 @@
+#include "stridor/explorer/world.hpp"
+
+#include "stridor/explorer/gate.hpp"
+#include "stridor/io/case/ready_files.hpp"
+#include "support/error_text.hpp"
+#include "support/scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace stridor::explorer {
+namespace {
+
+using support::thrown_by;
+
+TEST(World, BeginsWithTable1) {
+    const support::ScratchFolder folder;
+    EXPECT_EQ(thrown_by([&] { world_of(folder / "none.sqlite"); }).kind, ErrorKind::io);
+    EXPECT_EQ(world_of({}).presets.size(), 4U);
+}
+
+TEST(Preset, OfAFileHasItsChart) {
+    EXPECT_FALSE(preset_of({io::ready_file("squeal"), "a.toml", {}}).study.has_value());
+    const Preset chart = preset_of({io::ready_file("noise-chart"), "pair.toml", {"contact.preload=30"}});
+    EXPECT_EQ(chart.name, "file");
+    EXPECT_EQ(chart.file, "pair.toml");
+    ASSERT_TRUE(chart.study.has_value());
+    EXPECT_EQ(chart.study->base.contact.preload, 30.0);
+    EXPECT_EQ(thrown_by([] { preset_of({"contact = 1", "a.toml", {}}); }).kind, ErrorKind::input);
+}
+
+TEST(HostNames, AreOfThisMachineAndThoseThatAreAdded) {
+    EXPECT_EQ(host_names("::1", {"lab"}),
+              (std::vector<std::string>{"localhost", "127.0.0.1", "[::1]", "[::1]", "lab"}));
+    EXPECT_EQ(host_in_link("10.0.0.1"), "10.0.0.1");
+}
+
+TEST(Loopback, IsRequired) {
+    EXPECT_NO_THROW(require_loopback("127.0.0.1"));
+    EXPECT_TRUE(thrown_by([] { require_loopback("0.0.0.0"); }).says("can be reached from other machines"));
+}
+
+}  // namespace
+}  // namespace stridor::explorer
