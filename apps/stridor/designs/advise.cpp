@@ -1,15 +1,12 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "stridor/advice/advice.hpp"
-#include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
-#include "stridor/base/quantity.hpp"
-#include "stridor/base/text.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/results/advice_text.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/io/advice/asked_texts.hpp"
 #include "stridor/io/advice/json_advice.hpp"
-#include "stridor/io/chart/range_text.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,59 +29,6 @@ struct AdviseCommand {
     bool json = false;
 };
 
-Error unreadable(const std::string& option, const std::string& text, const std::string& expected,
-                 const std::string& example) {
-    return {ErrorKind::input, {option + " \"" + text + "\" cannot be read", "expected " + expected, example}};
-}
-
-std::string_view unit_named(const parameters::Case& c, const std::string& name) {
-    return parameters::unit_of(advice::quantity_named(c, name));
-}
-
-advice::AskedRange range_from(const parameters::Case& c, const std::string& text) {
-    const std::optional<io::RangeText> said = io::split_range(text);
-    if (!said) return {std::string(base::trimmed(text))};
-    if (said->parts.size() != 2)
-        throw unreadable("--over", text, "KEY or KEY=FROM:TO", "For example contact.kinetic_friction=0:0.8.");
-    advice::AskedRange range{std::string(said->key)};
-    const io::RangeEnds ends = io::read_range_ends(said->parts[0], said->parts[1], unit_named(c, range.name));
-    range.from = ends.from;
-    range.to = ends.to;
-    return range;
-}
-
-// "10%", "10 % normal", "2 N"
-advice::AskedTolerance tolerance_from(const parameters::Case& c, const std::string& text) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos)
-        throw unreadable("--tolerance", text, "KEY=AMOUNT, in percent or with a unit", "For example preload=10%.");
-    advice::AskedTolerance tolerance{std::string(base::trimmed(text.substr(0, equals)))};
-    std::string amount(base::trimmed(text.substr(equals + 1)));
-    for (std::size_t k = 0; k < advice::spread_names.size(); ++k) {
-        const std::string_view name = advice::spread_names[k];
-        if (!amount.ends_with(name)) continue;
-        tolerance.spread = static_cast<advice::Spread>(k);
-        amount = std::string(base::trimmed(amount.substr(0, amount.size() - name.size())));
-    }
-    if (amount.empty())
-        throw unreadable("--tolerance", text, "KEY=AMOUNT, in percent or with a unit", "For example preload=10%.");
-    if (amount.ends_with('%'))
-        tolerance.relative = base::parse_quantity(amount, "1");
-    else
-        tolerance.absolute = base::parse_quantity(amount, unit_named(c, tolerance.name));
-    return tolerance;
-}
-
-// what is wrong with an option is told with the option's name
-template <typename Read>
-auto named(const char* option, const std::string& text, Read read) {
-    try {
-        return read();
-    } catch (const Error& error) {
-        throw Error(error.kind(), error.problem(), base::Place{option, 0, 0, text});
-    }
-}
-
 // "2 of 4: nearest design, 1820 runs"
 std::string stage_text(const advice::AdviceProgress& progress) {
     const auto number = static_cast<std::size_t>(progress.stage);
@@ -95,9 +39,9 @@ std::string stage_text(const advice::AdviceProgress& progress) {
 advice::Advice advice_on(const parameters::Case& c, const AdviseCommand& command) {
     advice::AdviceOptions options;
     for (const std::string& text : command.over)
-        options.over.push_back(named("--over", text, [&] { return range_from(c, text); }));
+        options.over.push_back(io::read_asked_range(c, text));
     for (const std::string& text : command.tolerances)
-        options.tolerances.push_back(named("--tolerance", text, [&] { return tolerance_from(c, text); }));
+        options.tolerances.push_back(io::read_asked_tolerance(c, text));
     options.chance = {command.samples, command.seed};
     options.threads = command.threads;
     const Interrupt interrupt;

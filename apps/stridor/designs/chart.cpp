@@ -1,14 +1,13 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "designs/chart_run.hpp"
-#include "stridor/console/progress.hpp"
 #include "stridor/console/results/chart_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/figures/picture_files.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/chart_csv.hpp"
-#include "stridor/io/chart/chart_netcdf.hpp"
+#include "stridor/io/chart/chart_tables.hpp"
 #include "stridor/io/chart/json_chart.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/storage/atomic_file.hpp"
@@ -34,15 +33,6 @@ struct ChartOptions {
     bool preview = false;
 };
 
-void refuse_if_nothing_is_valid(const sweep::SweepResult& result) {
-    for (const sweep::CellVerdict& cell : result.cells)
-        if (cell.status == sweep::Status::done) return;
-    const sweep::Cell first = sweep::computed_cell(result, 0);  // the corners of a chart are always computed
-    const bool is_input = first.status == sweep::Status::invalid || first.status == sweep::Status::step_limit;
-    throw Error(is_input ? ErrorKind::input : ErrorKind::numerical,
-                {"no cell of the chart has a result", first.message, "Check the axes and run.step."});
-}
-
 void chart(const ChartOptions& options) {
     sweep::Study study = io::read_study(load_source(options.input.file, options.input.overrides), options.axes);
     if (options.preview) study = sweep::preview(std::move(study));
@@ -53,13 +43,10 @@ void chart(const ChartOptions& options) {
     const sweep::SweepResult result = compute(study, out / "chart.sqlite", options.threads);
     // the resolved chart, overrides included, stands beside its results: what a reproduce command runs
     storage::write_file((out / "chart.toml").string(), io::study_toml(study));
-    report_failures(result, (out / "chart.toml").string());
-    refuse_if_nothing_is_valid(result);
-    storage::PiecewiseFile table((out / "chart.csv").string());
-    io::chart_csv(result, "chart.toml", [&](std::string_view piece) { table.write(piece); });
-    table.commit();
-    storage::write_file((out / "boundaries.csv").string(), io::boundaries_csv(study, sweep::boundaries(result)));
-    io::write_chart_netcdf((out / "chart.nc").string(), result);
+    if (const std::string failures = console::failures_text(result, (out / "chart.toml").string()); !failures.empty())
+        console::say(failures);
+    sweep::require_result(result);
+    io::write_chart_tables(result, out);
     const bool is_diagram = sweep::has_one_axis(study);
     if (is_diagram) {
         const std::vector<sweep::DiagramCell> cells = compute_diagram(result, out / "diagram.sqlite", options.threads);

@@ -40,22 +40,4 @@ std::vector<sweep::DiagramCell> compute_diagram(const sweep::SweepResult& result
     return sweep::diagram(result, options);
 }
 
-void report_failures(const sweep::SweepResult& result, const std::string& chart_file) {
-    std::size_t failures = 0;
-    std::size_t first = result.cells.size();
-    for (std::size_t k = 0; k < result.cells.size(); ++k) {
-        if (result.cells[k].status == sweep::Status::done) continue;
-        // an inferred cell has no message of its own
-        if (first == result.cells.size() && !sweep::is_inferred(result, k)) first = k;
-        ++failures;
-    }
-    if (failures == 0) return;
-    console::say(fmt::format("{} of {} cells have no result and are drawn hatched; the first: {} ({})", failures,
-                             result.cells.size(),
-                             sweep::status_names[static_cast<std::size_t>(result.cells[first].status)],
-                             sweep::computed_cell(result, first).message));
-    console::say("  reproduce: " +
-                 sweep::reproduce_command(result.study, sweep::shown_place(result, first), chart_file));
-}
-
 }  // namespace stridor::app

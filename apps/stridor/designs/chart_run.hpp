@@ -18,7 +18,4 @@ sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::pat
 std::vector<sweep::DiagramCell> compute_diagram(const sweep::SweepResult& result, const std::filesystem::path& file,
                                                 int threads);
 
-/// Says on stderr which cells have no result, with the command that runs the first of them alone.
-void report_failures(const sweep::SweepResult& result, const std::string& chart_file);
-
 }  // namespace stridor::app

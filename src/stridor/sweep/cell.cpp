@@ -1,6 +1,7 @@
 #include "stridor/sweep/cell.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
@@ -100,6 +101,15 @@ CellPlace shown_place(const SweepResult& result, std::size_t index) {
     CellPlace place = place_of(result.study, index);
     place.start = result.cells[index].shown_start;
     return place;
+}
+
+void require_result(const SweepResult& result) {
+    for (const CellVerdict& cell : result.cells)
+        if (cell.status == Status::done) return;
+    const Cell first = computed_cell(result, 0);  // the corners of a chart are always computed
+    const bool is_input = first.status == Status::invalid || first.status == Status::step_limit;
+    throw Error(is_input ? ErrorKind::input : ErrorKind::numerical,
+                {"no cell of the chart has a result", first.message, "Check the axes and run.step."});
 }
 
 }  // namespace stridor::sweep

@@ -123,4 +123,7 @@ std::vector<double> figure_values(const SweepResult& result, const CellFigure& f
 /// The place of a cell with the start that it shows.
 CellPlace shown_place(const SweepResult& result, std::size_t index);
 
+/// Throws `Error` (input, numerical) where no cell has a result, for the reason of the first.
+void require_result(const SweepResult& result);
+
 }  // namespace stridor::sweep

@@ -43,4 +43,21 @@ std::string cells_text(const sweep::SweepResult& result) {
     return fmt::format("{} cells{}: {}\n", result.cells.size(), share, counts_text(counts));
 }
 
+std::string failures_text(const sweep::SweepResult& result, const std::string& chart_file) {
+    std::size_t failures = 0;
+    std::size_t first = result.cells.size();
+    for (std::size_t k = 0; k < result.cells.size(); ++k) {
+        if (result.cells[k].status == sweep::Status::done) continue;
+        // an inferred cell has no message of its own
+        if (first == result.cells.size() && !sweep::is_inferred(result, k)) first = k;
+        ++failures;
+    }
+    if (failures == 0) return {};
+    return fmt::format("{} of {} cells have no result and are drawn hatched; the first: {} ({})\n  reproduce: {}",
+                       failures, result.cells.size(),
+                       sweep::status_names[static_cast<std::size_t>(result.cells[first].status)],
+                       sweep::computed_cell(result, first).message,
+                       sweep::reproduce_command(result.study, sweep::shown_place(result, first), chart_file));
+}
+
 }  // namespace stridor::console

@@ -14,6 +14,10 @@ std::string starts_text(const sweep::SweepResult& result);
 /// "the design lies outside of the chart: contact.preload = 50 N, contact.kinetic_friction = 0.6"
 std::string outside_text(const sweep::Study& study);
 
+/// Which cells have no result, with the command that runs the first of them alone, without a line end; empty if all
+/// have one.
+std::string failures_text(const sweep::SweepResult& result, const std::string& chart_file);
+
 /// How many cells a chart has, computed and of each category.
 std::string cells_text(const sweep::SweepResult& result);
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "stridor/advice/advice.hpp"
+
+#include <string>
+
+/// What advice is asked for, as a command line says it.
+namespace stridor::io {
+
+/// "preload" or "preload=1:40 N": a quantity, within its usual range or this one. Throws `Error` (input), placed at
+/// `--over`.
+advice::AskedRange read_asked_range(const parameters::Case& c, const std::string& text);
+
+/// "preload=10%", "preload=10 % normal", "preload=2 N". Throws `Error` (input), placed at `--tolerance`.
+advice::AskedTolerance read_asked_tolerance(const parameters::Case& c, const std::string& text);
+
+}  // namespace stridor::io

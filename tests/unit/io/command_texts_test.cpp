@@ -1,0 +1,153 @@
+// What options say of sounds, recordings and advice, as `stridor listen`, `convert`, `rig friction` and `advise` take
+// it; and the files that the program brings along.
+
+#include "stridor/io/advice/asked_texts.hpp"
+#include "stridor/io/case/ready_files.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/simulation/friction_test.hpp"
+#include "stridor/io/sound/listening_texts.hpp"
+#include "stridor/io/sound/named_sound.hpp"
+#include "stridor/io/sound/signal_output.hpp"
+#include "stridor/storage/atomic_file.hpp"
+#include "support/error_text.hpp"
+#include "support/scratch_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace stridor::io {
+namespace {
+
+using support::thrown_by;
+
+TEST(ReadyFiles, AreReadAsWhatTheyAre) {
+    for (const std::string& name : ready_file_names()) {
+        if (name != "schema") {
+            EXPECT_NO_THROW(read_case({ready_file(name), name, {}})) << name;
+        }
+    }
+    EXPECT_EQ(ready_file("schema").front(), '{');
+}
+
+TEST(ReadyFiles, MayBeWrittenOverAndNothingElse) {
+    const support::ScratchFolder folder;
+    const std::string file = (folder / "a.toml").string();
+    EXPECT_NO_THROW(spare_written(file));
+    storage::write_file(file, ready_file("creak"));
+    EXPECT_NO_THROW(spare_written(file));
+    storage::write_file(file, ready_file("creak") + "# mine\n");
+    EXPECT_TRUE(thrown_by([&] { spare_written(file); }).says("is there already"));
+}
+
+TEST(AskedTexts, AreRangesAndTolerances) {
+    const parameters::Case c;
+    EXPECT_EQ(read_asked_range(c, " preload ").name, "preload");
+    const advice::AskedRange range = read_asked_range(c, "preload=1:2 kN");
+    EXPECT_EQ(range.from, 1000.0);
+    EXPECT_EQ(range.to, 2000.0);
+    const advice::AskedTolerance share = read_asked_tolerance(c, "preload=10 % normal");
+    EXPECT_NEAR(share.relative.value(), 0.1, 1e-15);
+    EXPECT_EQ(share.spread, advice::Spread::normal);
+    EXPECT_EQ(read_asked_tolerance(c, "preload=2 N").absolute, 2.0);
+    EXPECT_TRUE(thrown_by([&] { read_asked_tolerance(c, "preload"); }).says("expected KEY=AMOUNT"));
+    EXPECT_TRUE(thrown_by([&] { read_asked_range(c, "preload=1:2:3"); }).says("expected KEY or KEY=FROM:TO"));
+}
+
+TEST(ListeningTexts, BecomeSettings) {
+    const TomlSource source{ready_file("squeal"), "squeal.toml", {}};
+    ListeningTexts texts;
+    texts.seconds = "0.4 s";
+    const ListeningChoice choice = chosen_case(texts, source);
+    const sound::AuralisationSettings settings = listening_settings(texts, choice.c);
+    ASSERT_EQ(settings.stretches.size(), 1U);
+    EXPECT_EQ(settings.stretches.front().to, 0.4);
+    EXPECT_EQ(settings.rate, 48000.0);
+    texts.seconds = "2.5";
+    EXPECT_EQ(chosen_case(texts, source).c.run.duration, 2.5);
+    texts.rate = "48";
+    EXPECT_TRUE(thrown_by([&] { listening_settings(texts, choice.c); }).says("from 8 kHz to 192 kHz"));
+}
+
+TEST(ListeningTexts, TakeTheDirectionOfTheirCell) {
+    const TomlSource source{ready_file("noise-chart"), "pair.toml", {}};
+    ListeningTexts texts;
+    texts.cell = "x=20 N,y=0.6,direction=coming";
+    const ListeningChoice choice = chosen_case(texts, source);
+    EXPECT_EQ(texts.direction, "coming");
+    EXPECT_LT(choice.c.drive.velocity, 0.0);
+    EXPECT_FALSE(choice.cell.empty());
+}
+
+TEST(ListeningFullScale, LeavesADecibelOrRefusesToClip) {
+    hearing::RenderedSound sound(8000.0, "m/s");
+    sound.append(std::vector<double>{0.5, -2.0, 1.0});
+    ListeningTexts texts;
+    EXPECT_NEAR(20.0 * std::log10(2.0 / listening_full_scale(texts, sound)), -1.0, 1e-12);
+    texts.full_scale = "5 m/s";
+    EXPECT_TRUE(thrown_by([&] { listening_full_scale(texts, sound); }).says("--level absolute"));
+    texts.level = "absolute";
+    EXPECT_EQ(listening_full_scale(texts, sound), 5.0);
+    texts.full_scale = "1 m/s";
+    EXPECT_TRUE(thrown_by([&] { listening_full_scale(texts, sound); }).says("it would be clipped"));
+}
+
+TEST(SignalOutput, HasTheFormatOfItsName) {
+    EXPECT_EQ(format_of({"A.WAV"}), "wav");
+    EXPECT_EQ(format_of({"a.tsv"}), "csv");
+    EXPECT_EQ(format_of({"a.unv"}), "uff58b");
+    EXPECT_EQ(format_of({"a.wav", "uff58"}), "uff58");
+    EXPECT_TRUE(thrown_by([] { format_of({"a.xyz"}); }).says("Say it with --format."));
+}
+
+TEST(SignalOutput, HasARoundFullScaleAboveThePeak) {
+    EXPECT_EQ(round_full_scale(0.0), 1.0);
+    EXPECT_EQ(round_full_scale(0.7), 1.0);
+    EXPECT_EQ(round_full_scale(1.0), 2.0);
+    EXPECT_EQ(round_full_scale(3.0), 5.0);
+    EXPECT_EQ(round_full_scale(512.0), 1000.0);
+}
+
+MeasuredFriction measured(double mu_s, double mu_d) {
+    MeasuredFriction result;
+    result.test.file = "rig.csv";
+    result.test.preload = 10.0;
+    result.trace.all.static_friction.value = mu_s;
+    result.trace.all.kinetic_friction.value = mu_d;
+    return result;
+}
+
+TEST(CaseWithFriction, HasFourDigitsOfWhatWasMeasured) {
+    const std::string text = case_with_friction({}, measured(0.612349, 0.45));
+    const parameters::Case c = read_case({text, "measured.toml", {}});
+    EXPECT_EQ(c.contact.static_friction, 0.6123);
+    EXPECT_EQ(c.contact.kinetic_friction, 0.45);
+}
+
+TEST(CaseWithFriction, TakesTheKineticCoefficientWhereNoStaticOneIsSeen) {
+    const double unseen = std::numeric_limits<double>::quiet_NaN();
+    const std::string text = case_with_friction({}, measured(unseen, 0.45));
+    EXPECT_NE(text.find("no static coefficient was to be seen"), std::string::npos);
+    EXPECT_TRUE(thrown_by([&] { case_with_friction({}, measured(0.5, unseen)); }).says("nothing slides in it"));
+    EXPECT_TRUE(thrown_by([&] { case_with_friction({}, measured(0.4, 0.5)); }).says("comes out below"));
+}
+
+TEST(NamedSound, IsACaseACellOrARecording) {
+    const support::ScratchFolder folder;
+    const std::string one = (folder / "one.toml").string();
+    const std::string chart = (folder / "pair.toml").string();
+    storage::write_file(one, ready_file("squeal"));
+    storage::write_file(chart, ready_file("noise-chart"));
+    const hearing::NamedSound whole = named_sound(one, {});
+    EXPECT_EQ(whole.label, "one");
+    EXPECT_TRUE(std::get<hearing::SimulatedSound>(whole.source).stretches.empty());
+    const hearing::NamedSound cell = named_sound(chart + ":x=20 N,y=0.6,direction=going", {});
+    EXPECT_EQ(std::get<hearing::SimulatedSound>(cell.source).stretches.size(), 1U);
+    EXPECT_TRUE(thrown_by([&] { named_recording(one, {}); }).says("is no recording"));
+    EXPECT_TRUE(thrown_by([&] { named_sound("library:x", {}); }).says("an entry of the noise library has a number"));
+    EXPECT_TRUE(thrown_by([&] { named_sound("a.wav:channel=", {}); }).says("names no channel"));
+}
+
+}  // namespace
+}  // namespace stridor::io
