@@ -7,9 +7,13 @@
 #include "support/property.hpp"
 #include "support/seal_lip.hpp"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <limits>
 
 namespace stridor::integration {
 namespace {
@@ -103,6 +107,75 @@ RC_GTEST_PROP(Stick, ThatIsProvenHolds, ()) {
     const record::Ending later = ending(c);
     RC_ASSERT(later.state == model::ContactState::stick);
     RC_ASSERT(later.since == first.since);
+}
+
+// The motion of a contact that swings with the plate, and its forces: M u" + C u' + K u = f0 + n N + t T with n.u = 0
+// and t.u = A cos(phi), solved at once for u, N and T. The mean and the complex amplitudes.
+struct Swing {
+    double amplitude = 0.0;  // [m] A
+    double omega = 0.0;      // [rad/s]
+    Eigen::VectorXd mean;    // of (u, -N, -T)
+    Eigen::VectorXcd swing;  // of the same
+
+    // [N] the smaller of mu_s N - T and mu_s N + T over a period
+    double least_margin(double static_friction) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const double side : {-1.0, 1.0}) {
+            const auto margin = [&](const auto& all) {
+                return -static_friction * all(all.size() - 2) - side * all(all.size() - 1);
+            };
+            least = std::min(least, margin(mean) - std::abs(margin(swing)));
+        }
+        return least;
+    }
+
+    StuckState at(double phase) const {
+        const Eigen::Index dofs = mean.size() - 2;
+        const std::complex<double> turned = std::polar(1.0, phase), rate(0.0, omega);
+        return {mean.head(dofs) + (turned * swing.head(dofs)).real(), (rate * turned * swing.head(dofs)).real(),
+                -omega * amplitude * std::sin(phase), -omega * omega * amplitude * std::cos(phase), 0.0};
+    }
+};
+
+Swing swing_with_the_plate(const Case& c) {
+    const model::Structure s = model::rubbing_system(c);
+    const Eigen::Index dofs = s.load.size();
+    const double omega = 2.0 * std::acos(-1.0) * c.drive.frequency;
+    Eigen::MatrixXcd held = Eigen::MatrixXcd::Zero(dofs + 2, dofs + 2);
+    held.block(0, dofs, dofs, 1) = s.contacts.front().normal.cast<std::complex<double>>();
+    held.block(0, dofs + 1, dofs, 1) = s.contacts.front().tangent.cast<std::complex<double>>();
+    held.bottomLeftCorner(2, dofs) = held.topRightCorner(dofs, 2).transpose();
+    Eigen::MatrixXcd moving = held;
+    held.topLeftCorner(dofs, dofs) = s.stiffness.cast<std::complex<double>>();
+    moving.topLeftCorner(dofs, dofs) = (s.stiffness - omega * omega * s.mass).cast<std::complex<double>>() +
+                                       std::complex<double>(0.0, omega) * s.damping.cast<std::complex<double>>();
+    Eigen::VectorXcd rest = Eigen::VectorXcd::Zero(dofs + 2), carried = rest;
+    rest.head(dofs) = s.load.cast<std::complex<double>>();
+    carried(dofs + 1) = c.drive.amplitude;
+    return {c.drive.amplitude, omega, (held.inverse() * rest).real(), moving.inverse() * carried};
+}
+
+// damping and inertia count at this frequency: the plate's swing leads to forces out of step with it
+TEST(Stick, UnderASinusoidalDriveIsJudgedAlikeAtEveryInstant) {
+    Case c = support::seal_lip();
+    c.drive.kind = parameters::DriveKind::sinusoidal;
+    c.drive.amplitude = 5e-4;
+    c.drive.frequency = 150.0;
+    const Swing swing = swing_with_the_plate(c);
+    double slips = 0.0, sticks = 10.0;  // [1] the friction from which on it sticks lies between
+    ASSERT_GT(swing.least_margin(sticks), 0.0);
+    for (int halving = 0; halving < 60; ++halving) {
+        const double middle = 0.5 * (slips + sticks);
+        (swing.least_margin(middle) > 0.0 ? sticks : slips) = middle;
+    }
+    ASSERT_GT(sticks, 0.3);
+    for (int eighth = 0; eighth < 8; ++eighth) {
+        const StuckState now = swing.at(0.25 * std::acos(-1.0) * eighth + 0.3);
+        c.contact.static_friction = sticks * (1.0 + 1e-6);
+        EXPECT_EQ(outlook_of_stick(model::rubbing_system(c), c.drive, now).future, Future::sticks) << eighth;
+        c.contact.static_friction = sticks * (1.0 - 1e-6);
+        EXPECT_EQ(outlook_of_stick(model::rubbing_system(c), c.drive, now).future, Future::releases) << eighth;
+    }
 }
 
 TEST(Stick, OfASampledDriveIsUnknown) {
