@@ -65,7 +65,7 @@ TEST(ExactEngine, SticksForTheKnownShareAndPeriod) {
         c.contact.preload = preload;
         c.run.window = 1.0;
         const Motion motion = integration::simulate(c, with_history);
-        EXPECT_NEAR(share(motion.record, stick), fraction, 2e-6) << preload;
+        EXPECT_NEAR(share(motion.record, stick_index), fraction, 2e-6) << preload;
         EXPECT_NEAR(support::whole_periods(motion.record.histories.front(), ContactState::stick, 1.0).period, period,
                     1e-7 * period)
             << preload;
@@ -278,9 +278,9 @@ TEST(ExactImpacts, WithoutReboundArePlasticBitForBit) {
 // the shares that high-order solvers with events give for the squeal of Table 1 over its 1 s
 TEST(ExactImpacts, SeparationShareDependsOnTheirLaw) {
     Case c = parameters::paper_case(PaperCase::squeal);
-    EXPECT_NEAR(share(integration::simulate(c).record, separation), 0.386, 0.005);
+    EXPECT_NEAR(share(integration::simulate(c).record, separation_index), 0.386, 0.005);
     c.contact.impact = parameters::ImpactKind::normal_only;
-    EXPECT_NEAR(share(integration::simulate(c).record, separation), 0.488, 0.005);
+    EXPECT_NEAR(share(integration::simulate(c).record, separation_index), 0.488, 0.005);
 }
 
 }  // namespace
