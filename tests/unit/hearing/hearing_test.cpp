@@ -1,10 +1,12 @@
 #include "stridor/hearing/hearing.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/hearing/heard_text.hpp"
 #include "stridor/hearing/hearing_run.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/paper_charts.hpp"
+#include "support/scratch_folder.hpp"
 #include "support/small_study.hpp"
 
 #include <gtest/gtest.h>
@@ -12,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace stridor::hearing {
 namespace {
@@ -160,6 +163,103 @@ TEST(Hearing, StopsOnRequestAndKeepsNothing) {
     options.stop = stop.get_token();
     options.progress = [&](const sweep::Progress&) { stop.request_stop(); };
     EXPECT_TRUE(hear(sweep::figure_8(), options).empty());
+}
+
+// what an earlier run kept is taken as it is; what says nothing, or of too few directions, is heard anew
+TEST(Hearing, GoesOnFromWhatIsKept) {
+    sweep::Study study = audible_study();
+    study.x.points = study.y.points = 2;
+    HearingOptions options;
+    options.perturb_every = 0;
+    const std::vector<HeardSound> fresh = hear(study, options);
+    ASSERT_EQ(fresh.size(), 8U);
+    const support::ScratchFolder folder;
+    const std::filesystem::path file = folder / "heard.sqlite";
+    const std::string what = heard_text(study, options);
+    {
+        storage::KeptResults earlier(file, what, "cache");
+        std::array<HeardSound, 1> known{fresh[1]};
+        known[0].reason = "heard earlier";
+        earlier.keep(1, packed(known));
+        earlier.keep(2, "no sound");
+        earlier.keep(3, packed(std::span(fresh).first(2)));
+    }
+    {
+        storage::KeptResults kept(file, what, "cache");
+        ASSERT_EQ(kept.found(), 3U);
+        options.kept = &kept;
+        const std::vector<HeardSound> sounds = hear(study, options);
+        ASSERT_EQ(sounds.size(), fresh.size());
+        EXPECT_EQ(sounds[1].reason, "heard earlier");
+        for (std::size_t k = 0; k < sounds.size(); ++k)
+            EXPECT_TRUE(k == 1 || same_sound(sounds[k], fresh[k])) << k;
+    }
+    const storage::KeptResults all(file, what, "cache");
+    for (std::size_t k = 0; k < fresh.size(); ++k) {
+        const std::optional<std::vector<HeardSound>> kept = unpacked_heard_sounds(all.find(k).value_or(""));
+        ASSERT_TRUE(kept && kept->size() == 1) << k;
+        EXPECT_TRUE(k == 1 || same_sound(kept->front(), fresh[k])) << k;
+    }
+}
+
+// one text for one result: what is kept is found again just if nothing that decides a sound has changed
+TEST(Hearing, IsKeptUnderAllThatDecidesIt) {
+    const sweep::Study study = audible_study();
+    HearingOptions options;
+    const std::string plain = heard_text(study, options);
+    std::set<std::string> texts{plain};
+    const auto is_another = [&](const HearingOptions& changed) {
+        return texts.insert(heard_text(study, changed)).second;
+    };
+    sweep::Study other = study;
+    other.base.contact.static_friction += 0.01;
+    EXPECT_NE(heard_text(other, options), plain);
+    HearingOptions changed = options;
+    changed.settings.sound.pickup.dof = 2;
+    EXPECT_TRUE(is_another(changed));
+    changed = options;
+    changed.settings.sound.pickup.quantity = signal::MotionQuantity::acceleration;
+    EXPECT_TRUE(is_another(changed));
+    changed = options;
+    changed.settings.sound.rate = 16000.0;
+    EXPECT_TRUE(is_another(changed));
+    changed = options;
+    changed.settings.sound.high_pass = 50.0;
+    EXPECT_TRUE(is_another(changed));
+    changed = options;
+    changed.settings.sound.fade = 0.01;
+    EXPECT_TRUE(is_another(changed));
+    changed = options;
+    changed.settings.sound.density = 16;
+    EXPECT_TRUE(is_another(changed));
+    changed = options;
+    changed.perturb_every = 3;
+    EXPECT_TRUE(is_another(changed));
+    for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds()) {
+        changed = options;
+        changed.settings.thresholds.*threshold.member *= 1.0 + 1e-15;
+        EXPECT_TRUE(is_another(changed)) << threshold.name;
+    }
+    changed = options;
+    changed.threads = 3;
+    EXPECT_EQ(heard_text(study, changed), plain);
+}
+
+// the steps of beta_2 get too long for a sound along the axis: the error of that cell reaches who asked
+TEST(Hearing, SaysOnWhichCellItFailed) {
+    sweep::Study study = audible_study();
+    study.base.run.engine = parameters::Engine::beta_2;
+    study.base.run.step = 1e-6;
+    study.base.run.duration = study.base.run.window = 0.01;
+    study.x = {"run.step", 1e-6, 1e-5, 2, sweep::Scale::linear};
+    study.y.points = 2;
+    try {
+        hear(study, {});
+        ADD_FAILURE() << "all was heard";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::input);
+        EXPECT_NE(std::string(error.what()).find("run.step = 1e-05 s is too long"), std::string::npos) << error.what();
+    }
 }
 
 TEST(Hearing, RefusesWhatItCouldNotHear) {

@@ -1,10 +1,12 @@
 #include "stridor/hearing/sound_search.hpp"
 
 #include "stridor/classification/sound_rules.hpp"
+#include "stridor/hearing/heard_text.hpp"
 #include "stridor/signal/perturb.hpp"
 #include "stridor/signal/resample.hpp"
 #include "stridor/sound/analysis.hpp"
 #include "support/effort.hpp"
+#include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -149,6 +151,64 @@ TEST(SoundSearch, LeavesOutWhatIsRuledOut) {
     EXPECT_EQ(result.ruled_out, sweep::cell_count(chart()) - 1);
     for (const SoundMatch& match : result.best)
         EXPECT_NE(match.cell.index, index);
+}
+
+// a cell that was kept is taken as it is; what is another's or nothing is listened to again
+TEST(SoundSearch, GoesOnFromWhatIsKept) {
+    const Signal sound = recording_of(noises().begin()->second);
+    const support::ScratchFolder folder;
+    const std::filesystem::path file = folder / "cells.sqlite";
+    const std::string what = listening_text(chart(), listening());
+    {
+        storage::KeptResults earlier(file, what, "cache");
+        CellSound known = cells()[1];
+        known.status = sweep::Status::failed;
+        earlier.keep(1, packed(known));
+        earlier.keep(2, packed(known));
+        earlier.keep(3, "no sound");
+    }
+    SoundSearch options;
+    options.extent = SearchExtent::every;
+    options.keep = sweep::cell_count(chart());
+    SearchProgress last;
+    options.progress = [&](const SearchProgress& progress) { last = progress; };
+    const SoundSearchResult fresh = found(sound, options);
+    EXPECT_EQ(last.before, 0U);
+    EXPECT_EQ(fresh.best.size(), sweep::cell_count(chart()));
+    {
+        storage::KeptResults kept(file, what, "cache");
+        options.kept = &kept;
+        const SoundSearchResult result = found(sound, options);
+        EXPECT_EQ(last.before, 1U);
+        EXPECT_EQ(last.done, sweep::cell_count(chart()));
+        EXPECT_EQ(result.without_result, 1U);
+        EXPECT_EQ(result.best.size() + 1, fresh.best.size());
+    }
+    storage::KeptResults all(file, what, "cache");
+    options.kept = &all;
+    const SoundSearchResult again = found(sound, options);
+    EXPECT_EQ(last.before, sweep::cell_count(chart()));
+    ASSERT_EQ(again.best.size() + 1, fresh.best.size());
+    EXPECT_EQ(again.best.front().cell.index, fresh.best.front().cell.index);
+    EXPECT_EQ(again.best.front().likeness.distance, fresh.best.front().likeness.distance);
+}
+
+// cells are kept under what decides them, and never taken for runs that `hear` kept
+TEST(SoundSearch, IsKeptUnderAllThatDecidesIt) {
+    const std::string plain = listening_text(chart(), listening());
+    sweep::Study other = chart();
+    other.base.contact.static_friction += 0.01;
+    EXPECT_NE(listening_text(other, listening()), plain);
+    CellListening changed = listening();
+    changed.sound.rate = 48000.0;
+    EXPECT_NE(listening_text(chart(), changed), plain);
+    changed = listening();
+    changed.thresholds.squeal_regularity *= 1.0 + 1e-15;
+    EXPECT_NE(listening_text(chart(), changed), plain);
+    HearingOptions heard;
+    heard.settings.sound = listening().sound;
+    heard.perturb_every = 0;
+    EXPECT_NE(heard_text(chart(), heard), plain);
 }
 
 TEST(SoundSearch, StopsWhenAsked) {

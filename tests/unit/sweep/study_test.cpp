@@ -1,5 +1,6 @@
 #include "stridor/sweep/study.hpp"
 
+#include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/paper_charts.hpp"
@@ -358,6 +359,28 @@ TEST(ReproduceCommand, NamesTheFileAndEachSettingOnce) {
     study.base.drive.kind = parameters::DriveKind::sinusoidal;
     EXPECT_EQ(reproduce_command(study, {1, 2, 0}, "my chart's.toml"),
               "stridor simulate 'my chart'\\''s.toml' --set contact.preload=2 --set contact.kinetic_friction=0.8");
+}
+
+// what paper_charts.hpp says of them; every cell is a case that can be run
+TEST(PaperCharts, HoldTheRangesTheyPromise) {
+    EXPECT_EQ(cell_count(figure_8()), 2U * 40U * 40U);
+    EXPECT_EQ(cell_count(figure_6(70.0)), 30U * 30U);
+    for (const double angle : {70.0, 150.0}) {
+        const parameters::Case first = case_at(figure_6(angle), {0, 0, 0, 0});
+        const parameters::Case last = case_at(figure_6(angle), {0, 29, 29, 0});
+        EXPECT_EQ(first.joint.incidence_angle, angle);
+        EXPECT_EQ(last.joint.incidence_angle, angle);
+        EXPECT_EQ(first.drive.velocity, 0.01);
+        EXPECT_EQ(last.drive.velocity, 1.0);
+        EXPECT_EQ(first.contact.preload, 2.0);
+        EXPECT_EQ(last.contact.preload, 4000.0);
+    }
+    for (const Study& study : {figure_8(), figure_6(70.0), figure_6(150.0)})
+        for (std::size_t index = 0; index < cell_count(study); ++index) {
+            const parameters::Case c = case_at(study, place_of(study, index));
+            EXPECT_TRUE(parameters::findings(c).empty()) << study.base.title << " " << index;
+            EXPECT_EQ(c.drive.velocity < 0.0, place_of(study, index).direction == 1);
+        }
 }
 
 // a designer who varies a stiffness means the same material: its damping ratio stays
