@@ -1,5 +1,6 @@
 #include "stridor/advice/advice.hpp"
 
+#include "stridor/advice/nearest_design.hpp"
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/integration/simulate.hpp"
@@ -87,6 +88,27 @@ TEST(Margins, AreWhereTheVerdictChanges) {
         }
     }
     EXPECT_GE(changes, 2U);
+}
+
+// a grid's interval is 1/64 of the range; on both sides of the present value 0.002 comes first
+TEST(Margins, AreScannedCloserAroundThePresentValue) {
+    const Advice& advice = squeal_advice();
+    std::size_t sides = 0;
+    for (const ParameterMargin& margin : advice.margins) {
+        const double origin = advice.space.origin[margin.parameter];
+        double below = 1.0, above = 1.0;  // [1] distance of the nearest one
+        for (const ScanPoint& point : margin.scan)
+            if (point.share != origin) {
+                double& nearest = point.share < origin ? below : above;
+                nearest = std::min(nearest, std::abs(point.share - origin));
+            }
+        for (const auto& [distance, room] : {std::pair{below, origin}, {above, 1.0 - origin}}) {
+            if (room < 0.002) continue;
+            EXPECT_LE(distance, 0.002 + 1e-12) << margin.parameter;
+            ++sides;
+        }
+    }
+    EXPECT_GE(sides, 2 * advice.margins.size() - 1);
 }
 
 TEST(Margins, NameTheNearestQuietValue) {
@@ -249,6 +271,26 @@ int significant_digits(double value) {
         if (std::strtod(text, nullptr) == value) return digits;
     }
     return 17;
+}
+
+// who goes from a design towards another for their distance arrives, and nobody leaves the box
+TEST(PointAlong, ArrivesAtTheOtherDesign) {
+    const DesignSpace space = design_space(squeal);
+    Shares other = space.origin;
+    ASSERT_GE(other.size(), 2U);
+    other[0] += other[0] < 0.5 ? 0.3 : -0.3;
+    other[1] += other[1] < 0.5 ? 0.2 : -0.2;
+    const Heading heading = heading_to(space, other);
+    const double far = distance(space.origin, other);
+    EXPECT_NEAR(far, std::hypot(0.3, 0.2), 1e-15);
+    const Shares there = point_along(space, heading, far), halfway = point_along(space, heading, 0.5 * far);
+    for (std::size_t k = 0; k < other.size(); ++k) {
+        EXPECT_NEAR(there[k], other[k], 1e-15) << k;
+        EXPECT_NEAR(halfway[k], 0.5 * (space.origin[k] + other[k]), 1e-15) << k;
+    }
+    for (const double share : point_along(space, heading, 100.0))
+        EXPECT_TRUE(share >= 0.0 && share <= 1.0);
+    EXPECT_EQ(point_along(space, heading, 100.0)[0], other[0] > space.origin[0] ? 1.0 : 0.0);
 }
 
 RC_GTEST_PROP(Roundest, LiesBetweenWithFewDigits, ()) {

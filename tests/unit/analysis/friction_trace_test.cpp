@@ -205,6 +205,16 @@ TEST(FrictionTrace, TellsSizesAndTimesOfDrops) {
     EXPECT_NEAR(trace.drops[7].time - trace.drops[6].time, 0.205, 1e-9);
 }
 
+// the level is the 95th percentile by nearest rank: the 15th of 16 samples, so that a wild one moves no threshold
+TEST(FrictionTrace, HasTheLevelOfItsNinetyFifthPercentile) {
+    std::vector<double> force{3.0, 3.1, 3.2, 3.3, 3.4, 3.5, 3.6, 3.7, 3.8, 3.9, 4.0, 4.1, 4.2, 4.3, 4.4, 90.0};
+    FrictionTraceOptions options;
+    options.noise_factor = 0.0;
+    EXPECT_NEAR(friction_trace({1000.0, force, {}, {}, 10.0}, options).threshold, 0.05 * 0.44, 1e-15);
+    force.insert(force.end() - 1, 4.5);  // 0.95 of 16 places is 15.2
+    EXPECT_NEAR(friction_trace({1000.0, force, {}, {}, 10.0}, options).threshold, 0.05 * 0.45, 1e-15);
+}
+
 TEST(FrictionTrace, RefusesWhatIsNoTrace) {
     const std::vector<double> force(100, 3.0), zero(100, 0.0), few(5, 3.0);
     std::vector<double> broken = force;

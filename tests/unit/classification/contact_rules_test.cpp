@@ -131,6 +131,25 @@ TEST(ContactRules, IrregularAlternationIsSqueak) {
     EXPECT_EQ(category(evidence(0.2, 0.1, 0.0)), Category::squeak);
 }
 
+// said of a squeak whose pattern comes back after more beats than a squeal may have, and of nothing else
+TEST(ContactRules, TellOfALateRepetitionWhereThereIsOne) {
+    const auto tells = [](const Evidence& figures, Category expected) {
+        const Verdict verdict = classify(figures, {});
+        EXPECT_EQ(verdict.category, expected);
+        return std::any_of(verdict.reasons.begin(), verdict.reasons.end(), [](const std::string& reason) {
+            return reason == "the pattern repeats, but only after 7 unequal beats";
+        });
+    };
+    Evidence figures = evidence(0.2, 0.1, 0.3);
+    figures.alternation.lag = 7;
+    EXPECT_FALSE(tells(figures, Category::squeak));
+    figures.alternation.repetition = 0.9;
+    EXPECT_TRUE(tells(figures, Category::squeak));
+    Evidence regular = evidence(0.2, 0.1, 0.9);
+    regular.alternation.lag = 7;
+    EXPECT_FALSE(tells(regular, Category::squeal));
+}
+
 // a creak may be perfectly regular
 TEST(ContactRules, StickPredominanceComesBeforeRegularity) {
     EXPECT_EQ(category(evidence(0.1, 0.9, 1.0)), Category::creak);

@@ -53,7 +53,12 @@ TEST(Simulate, DoesNotRunBeyondTheStepLimit) {
     Case c;
     c.run.engine = parameters::Engine::beta_2;
     c.run.step = 2.1e-4;
-    EXPECT_EQ(simulate(c).outcome.reason, Reason::step_limit);
+    const Motion motion = simulate(c);
+    EXPECT_EQ(motion.outcome.reason, Reason::step_limit);
+    EXPECT_EQ(motion.outcome.time, 0.0);
+    for (const record::Tally& phase : motion.record.phases)
+        for (const double time : phase.contacts.front().time)
+            EXPECT_EQ(time, 0.0);
 }
 
 // the flows that a workspace keeps must not outlive anything that they were made from
