@@ -106,6 +106,18 @@ TEST(RecordingRules, WhatLiesFarBelowTheLoudestIsBackground) {
     EXPECT_EQ(verdict.segments[1].verdict.category, Category::none);
 }
 
+TEST(RecordingRules, BackgroundBeginsAtItsDepth) {
+    for (const double beyond : {-0.1, 0.1}) {
+        const double depth = parameters::SoundThresholds{}.quiet_depth + beyond;
+        const SoundFeatures below =
+            with(&SoundFeatures::mean_square, squeal().mean_square * std::pow(10.0, -0.1 * depth));
+        const std::vector<SoundStretch> stretches{stretch(squeal(), 0.0), stretch(below, 0.5)};
+        const SoundVerdict last = classify_recording(stretches, {}).segments.back().verdict;
+        EXPECT_EQ(last.category, beyond < 0.0 ? Category::squeal : Category::none);
+        EXPECT_EQ(last.reasons.back() == "lies 25.1 dB below the loudest stretch", beyond > 0.0) << last.reasons.back();
+    }
+}
+
 TEST(RecordingRules, ThinEvidenceIsUndecided) {
     SoundStretch knock = stretch(with(&SoundFeatures::kurtosis, 100.0), 0.0);
     knock.impulses = {0.25};

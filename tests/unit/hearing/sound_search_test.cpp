@@ -2,6 +2,7 @@
 
 #include "stridor/classification/sound_rules.hpp"
 #include "stridor/hearing/heard_text.hpp"
+#include "stridor/hearing/hearing_run.hpp"
 #include "stridor/signal/perturb.hpp"
 #include "stridor/signal/resample.hpp"
 #include "stridor/sound/analysis.hpp"

@@ -1,5 +1,6 @@
 #include "stridor/integration/exact/exact.hpp"
 
+#include "stridor/integration/imposed_motion.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/mass_on_belt.hpp"
 #include "stridor/model/rubbing_system.hpp"
@@ -52,6 +53,29 @@ TEST(Exact, OpensAtOnceWhereDashpotsOutweighThePreload) {
     EXPECT_LT(std::abs(trace.displacement[1].front() - trace.displacement[2].front()), 1e-20);
     EXPECT_LT(std::abs(trace.velocity[1].front() - trace.velocity[2].front()), 1e-20);
     EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-12);  // integrals and differences known to rounding
+}
+
+// a mass that sticks follows its belt: 100 mm in turns of 20 s as well as 0.1 mm in turns of 20 ms
+TEST(Exact, StuckFollowsASinusoidalDriveOfAnyFrequency) {
+    for (const double frequency : {0.05, 50.0}) {
+        parameters::Drive drive;
+        drive.kind = DriveKind::sinusoidal;
+        drive.frequency = frequency;
+        drive.amplitude = 5e-3 / frequency;
+        Case c;
+        c.drive = constant_case(1.0, Initial::stuck).drive;  // one phase, whatever really drives the belt
+        c.run.duration = c.run.window = 1.0 / frequency;
+        const model::Belt belt{1.0, 1.0, 0.0, 1e6, {0.8, 0.6}};
+        const record::Trace trace =
+            integrate_exact(model::mass_on_belt(belt), drive, {Initial::stuck, 0.0}, {},
+                            record::Recorder(record::schedule(c),
+                                             {record::KeepHistory::no, {0.0, c.run.duration, 0.02 / frequency}}, 2))
+                .record.trace;
+        ASSERT_GE(trace.time.size(), 50U);
+        const ImposedMotion imposed(drive, 1.0);
+        for (std::size_t k = 0; k < trace.time.size(); ++k)
+            EXPECT_NEAR(trace.velocity[0][k], imposed.at(trace.time[k]).velocity, 1e-12) << frequency << " " << k;
+    }
 }
 
 // with mu_s = mu_d a steady slip leaves the mass exactly at the limit of friction when its plate comes to a stop
