@@ -10,6 +10,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/simulation/dof_names.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
+#include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/record/columns.hpp"
 #include "stridor/sweep/cell.hpp"
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <span>
@@ -72,7 +74,7 @@ struct SentColumn {
 };
 
 // displacements and velocities of the rubbing system ("x1", "x1_velocity"), the surface's velocity, each contact's
-std::vector<SentColumn> columns_of(int contacts) {
+std::vector<SentColumn> columns_of(std::size_t contacts) {
     std::vector<SentColumn> columns;
     const std::vector<std::string> dofs = io::dof_names(io::dof_sentences.size());
     for (const record::DofColumn& column : std::span(record::dof_columns).first(2))
@@ -90,11 +92,10 @@ std::vector<SentColumn> columns_of(int contacts) {
                        [](const record::Trace& trace) -> const std::vector<double>& {
                            return trace.*record::surface_column.samples;
                        }});
-    const auto count = static_cast<std::size_t>(contacts);
-    for (std::size_t contact = 0; contact < count; ++contact)
+    for (std::size_t contact = 0; contact < contacts; ++contact)
         for (const record::ContactColumn& column : record::contact_columns)
             columns.push_back(
-                {std::string(column.name) + record::contact_ending(contact, count), column.unit,
+                {std::string(column.name) + record::contact_ending(contact, contacts), column.unit,
                  std::string(column.sentence),
                  [member = column.samples, contact](const record::Trace& trace) -> const std::vector<double>& {
                      return trace.contacts[contact].*member;
@@ -219,7 +220,7 @@ Response simulate(const World& world, const Json& body, const std::stop_token& s
 Response motion(const World& world, const Json& body, const std::stop_token& stop) {
     const parameters::Case c = case_in(world, body);
     record::Request request{record::KeepHistory::yes, trace_in(body, c)};
-    const std::vector<SentColumn> columns = columns_of(1);
+    const std::vector<SentColumn> columns = columns_of(model::rubbing_system(c).contacts.size());
     std::vector<std::vector<float>> values(columns.size());
     // block by block into the half as large numbers that are sent: a trace of doubles would be 100 MB
     request.trace.taker = [&](const record::Trace& trace) {
