@@ -78,6 +78,41 @@ TEST(Exact, StuckFollowsASinusoidalDriveOfAnyFrequency) {
     }
 }
 
+// the same system on a clock that is 1024 times as slow
+Case slowed(Case c) {
+    constexpr double factor = 1024.0;
+    for (double* stiffness : {&c.joint.axial_stiffness, &c.joint.flexural_stiffness, &c.plate.stiffness})
+        *stiffness /= factor * factor;
+    for (double* damping : {&c.joint.axial_damping, &c.joint.flexural_damping, &c.plate.damping})
+        *damping /= factor;
+    c.contact.preload /= factor * factor;
+    c.drive.frequency /= factor;
+    for (double* time : {&c.run.duration, &c.run.window})
+        *time *= factor;
+    return c;
+}
+
+// no law here has a time of its own: all states come in the same order, and at 1024 times the instants
+TEST(Exact, KnowsNoUnitOfTime) {
+    std::size_t separations = 0;
+    for (const auto which : {parameters::PaperCase::squeal, parameters::PaperCase::squeak}) {
+        Case c = parameters::paper_case(which);
+        c.run.duration = c.run.window = 0.3;
+        const auto history_of = [](const Case& run) {
+            return simulate(run, {record::KeepHistory::yes, {}}).record.histories.front();
+        };
+        const record::ContactHistory quick = history_of(c), slow = history_of(slowed(c));
+        ASSERT_EQ(quick.size(), slow.size());
+        ASSERT_GT(quick.size(), 20U);
+        for (std::size_t k = 0; k < quick.size(); ++k) {
+            EXPECT_EQ(slow[k].state, quick[k].state) << k;
+            EXPECT_NEAR(slow[k].from / 1024.0, quick[k].from, 1e-9) << k;
+            separations += quick[k].state == ContactState::separation ? 1 : 0;
+        }
+    }
+    EXPECT_GT(separations, 20U);
+}
+
 // with mu_s = mu_d a steady slip leaves the mass exactly at the limit of friction when its plate comes to a stop
 TEST(Exact, HoldsAtTheLimitOfFrictionWhenThePlateStops) {
     for (int k = 1; k < 100; ++k) {
