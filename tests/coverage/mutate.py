@@ -161,13 +161,14 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("mutants", nargs="?", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--skip", type=int, default=0, metavar="N", help="begin after the first N of the seed")
     parser.add_argument("--only", nargs="+", metavar="K", help="only the mutants of these numbers")
     parser.add_argument("--list", action="store_true", help="print them and do nothing")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build-mutants")
     options = parser.parse_args()
 
     known = mutants(options.seed)
-    chosen = [mutant for mutant in known if not options.only or mutant.rank in options.only]
+    chosen = [mutant for mutant in known if not options.only or mutant.rank in options.only][options.skip:]
     shop = None
     if not options.list:
         began = time.monotonic()
