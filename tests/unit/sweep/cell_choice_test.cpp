@@ -41,6 +41,16 @@ TEST(NearestCell, RefusesWhatLiesOutside) {
     EXPECT_THROW(nearest_cell(study(), parse_cell("x=10 N,y=-0.1")), Error);
 }
 
+TEST(NearestCell, LiesInTheDirectionAskedForIfTheChartHasIt) {
+    EXPECT_EQ(nearest_cell(study(), parse_cell("x=1,y=0")).direction, 0U);
+    EXPECT_EQ(nearest_cell(study(), parse_cell("x=1,y=0,direction=coming")).direction, 1U);
+    Study coming = study();
+    coming.directions = {Direction::coming};
+    EXPECT_EQ(nearest_cell(coming, parse_cell("x=1,y=0")).direction, 0U);
+    EXPECT_EQ(nearest_cell(coming, parse_cell("x=1,y=0,direction=coming")).direction, 0U);
+    EXPECT_THROW(nearest_cell(coming, parse_cell("x=1,y=0,direction=going")), Error);
+}
+
 TEST(CellName, CanBeAskedForAgain) {
     const CellPlace place{0, 2, 1, 0};
     EXPECT_EQ(cell_name(study(), place), "x=10 N,y=1");
