@@ -89,6 +89,19 @@ void say_usage_error(const CLI::App& program, const CLI::ParseError& error) {
     console::say_error(Error(ErrorKind::input, problem));
 }
 
+CLI::Validator one_of(const std::vector<std::string>& names) {
+    const CLI::IsMember member(names);
+    const auto complaint = [member, names](std::string& word) -> std::string {
+        if (member(word).empty()) return "";
+        std::string list;
+        for (const std::string& name : names)
+            list += (list.empty() ? "" : ", ") + name;
+        const std::string near = nearest(word, names);
+        return "\"" + word + "\" is none of " + list + (near.empty() ? "" : "; did you mean " + near + "?");
+    };
+    return {complaint, member.get_description()};
+}
+
 CLI::Option* add_output_file(CLI::App& command, std::string& file, const std::string& sentence) {
     command.add_option("--out", file)->group("");
     return command.add_option("-o,--output", file, sentence)->type_name("FILE");

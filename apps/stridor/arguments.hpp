@@ -17,6 +17,9 @@ void check_commands(const CLI::App& program, const std::vector<std::string>& arg
 /// Tells on stderr why a command line cannot be understood, and which option was meant.
 void say_usage_error(const CLI::App& program, const CLI::ParseError& error);
 
+/// Lets an option be one of these words; for another it says which one was meant.
+CLI::Validator one_of(const std::vector<std::string>& names);
+
 /// Adds -o and --output for the file that a command writes; --out is understood, too.
 CLI::Option* add_output_file(CLI::App& command, std::string& file, const std::string& sentence);
 

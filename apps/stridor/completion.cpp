@@ -1,5 +1,6 @@
 #include "stridor/console/completion.hpp"
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "stridor/console/terminal.hpp"
 
@@ -33,7 +34,7 @@ void add_completion(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("completion", "Print the shell completion script (bash; zsh through bashcompinit).");
     auto shell = std::make_shared<std::string>("bash");
-    command->add_option("shell", *shell, "bash")->check(CLI::IsMember({"bash"}))->capture_default_str();
+    command->add_option("shell", *shell, "bash")->check(one_of({"bash"}))->capture_default_str();
     command->footer("Example:\n  stridor completion bash > ~/.local/share/bash-completion/completions/stridor");
     command->callback([&program, shell] { console::print(console::bash_completion(words_of(program).subcommands)); });
 }

@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
@@ -130,8 +131,7 @@ void add_explore(CLI::App& program) {
         ->allow_extra_args(false);
     // for who changes the program (explorer/README.md); users have no use for it
     command->add_option("--typescript", options->typescript)
-        ->check(CLI::IsMember(
-            std::vector<std::string>(explorer::typescript_names.begin(), explorer::typescript_names.end())))
+        ->check(one_of(std::vector<std::string>(explorer::typescript_names.begin(), explorer::typescript_names.end())))
         ->group("");
     command->footer(
         "The page is served to this machine alone, to who has the link; nothing is fetched from anywhere.\n"

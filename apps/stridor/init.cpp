@@ -35,7 +35,7 @@ void add_init(CLI::App& program) {
             "weatherstrip-shaken, glass-run, clip, wiper, brake-pad: soft parts of a car, each with its chart; "
             "schema: JSON Schema of case files")
         ->required()
-        ->check(CLI::IsMember(io::ready_file_names()));
+        ->check(one_of(io::ready_file_names()));
     add_output_file(*command, options->output, "file to write (default: stdout)");
     command->add_flag("--force", options->is_forced, "write over a file that was changed by hand");
     command->footer(

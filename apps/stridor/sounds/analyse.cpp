@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "sounds/sound_options.hpp"
 #include "stridor/console/results/analysis_text.hpp"
@@ -52,7 +53,7 @@ void add_analyse(CLI::App& program) {
     command
         ->add_option("--field", options->field,
                      "how a sound in Pa comes to the listener, for its loudness and sharpness")
-        ->check(CLI::IsMember({"free", "diffuse"}))
+        ->check(one_of({"free", "diffuse"}))
         ->capture_default_str();
     command
         ->add_option("--figure", options->figure,

@@ -1,5 +1,6 @@
 #include "sounds/compare_options.hpp"
 
+#include "arguments.hpp"
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
@@ -31,10 +32,10 @@ double detail_of(const std::string& text) {
 
 void add_motion_options(CLI::App& command, MotionOptions& options) {
     command.add_option("--of", options.of, "whose motion stands for the sound of a simulation")
-        ->check(CLI::IsMember({"joint", "plate"}))
+        ->check(one_of({"joint", "plate"}))
         ->capture_default_str();
     command.add_option("--quantity", options.quantity, "what of it")
-        ->check(CLI::IsMember({"velocity", "acceleration"}))
+        ->check(one_of({"velocity", "acceleration"}))
         ->capture_default_str();
 }
 

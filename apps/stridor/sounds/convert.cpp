@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "input_options.hpp"
 #include "stridor/console/results/signal_text.hpp"
@@ -59,9 +60,9 @@ void add_convert(CLI::App& program) {
                         "file to write (.wav, .csv, .uff); without it only the report is printed");
     add_input_options(*command, options->recording);
     command->add_option("--format", options->target.format, "of OUT, whatever its name")
-        ->check(CLI::IsMember({"wav", "csv", "uff58", "uff58b"}));
+        ->check(one_of({"wav", "csv", "uff58", "uff58b"}));
     command->add_option("--bits", options->target.bits, "of a WAV's samples; by default as in IN, or float")
-        ->check(CLI::IsMember({"16", "24", "float"}));
+        ->check(one_of({"16", "24", "float"}));
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.convert/1)");
     command->footer(
         "Without --full-scale the unit comes from NAME.json beside the recording, the text in its header, or its own "

@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "stridor/console/progress.hpp"
@@ -134,7 +135,7 @@ void add_evaluate(CLI::App& program) {
     CLI::Option* planes = command
                               ->add_option("--planes", options->planes,
                                            "built-in planes: Figures 8 and 6 of the paper, the soft parts, or all")
-                              ->check(CLI::IsMember({"paper", "soft", "all"}))
+                              ->check(one_of({"paper", "soft", "all"}))
                               ->capture_default_str()
                               ->excludes(files);
     command
@@ -144,7 +145,7 @@ void add_evaluate(CLI::App& program) {
         ->allow_extra_args(false);
     command
         ->add_option("--of", options->of, "whose velocity is heard: the joint's along, the plate's across the contact")
-        ->check(CLI::IsMember({"joint", "plate"}))
+        ->check(one_of({"joint", "plate"}))
         ->capture_default_str();
     command
         ->add_option("--perturb-every", options->perturb_every,

@@ -82,19 +82,19 @@ void add_listen(CLI::App& program) {
     command
         ->add_option("--direction", options->texts.direction,
                      "only the going or the coming phases (default: everything)")
-        ->check(CLI::IsMember({"going", "coming"}));
+        ->check(one_of({"going", "coming"}));
     command->add_flag("--judged", options->texts.is_judged, "only the steady part the verdict is made from");
     add_output_file(*command, options->out, "write FILE.wav instead of playing");
     command->add_option("--of", options->texts.of, "whose motion")
-        ->check(CLI::IsMember({"joint", "plate"}))
+        ->check(one_of({"joint", "plate"}))
         ->capture_default_str();
     command->add_option("--quantity", options->texts.quantity, "what of it")
-        ->check(CLI::IsMember({"velocity", "acceleration"}))
+        ->check(one_of({"velocity", "acceleration"}))
         ->capture_default_str();
     command
         ->add_option("--component", options->texts.component,
                      "along (x) or across (y) the contact (default: x of the joint, y of the plate)")
-        ->check(CLI::IsMember({"x", "y"}));
+        ->check(one_of({"x", "y"}));
     command->add_option("--rate", options->texts.rate, "samples per second")
         ->type_name("FREQUENCY")
         ->capture_default_str();
@@ -103,7 +103,7 @@ void add_listen(CLI::App& program) {
                      "how much of the motion (default: run.duration); more than that simulates longer")
         ->type_name("TIME");
     command->add_option("--level", options->texts.level, "normalised: peak at -1 dBFS; absolute: full scale as stated")
-        ->check(CLI::IsMember({"normalised", "absolute"}))
+        ->check(one_of({"normalised", "absolute"}))
         ->capture_default_str();
     command
         ->add_option("--full-scale", options->texts.full_scale,

@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "library/library.hpp"
 #include "sounds/rig.hpp"
@@ -57,7 +58,7 @@ void add_rig_sensitivity(CLI::App& rig) {
     command->add_option("--bins", options->bins, "number of bins (default: a bin per value up to 10 values, else 6)")
         ->check(CLI::Range(1, 1000));
     command->add_option("--by", options->by, "whose word counts: category (Stridor's) or denomination (the engineer's)")
-        ->check(CLI::IsMember({"category", "denomination"}))
+        ->check(one_of({"category", "denomination"}))
         ->capture_default_str();
     command->add_flag("--records", options->records, "a row per record instead of bins");
     command->add_option("--figure", options->figure, "draw the records to FILE.png, FILE.svg or FILE.pdf")
