@@ -86,7 +86,7 @@ void read_archive(const std::string& bytes) {
             for (std::string_view piece = tar.read(); !piece.empty(); piece = tar.read())
                 size += piece.size();
             total += size;
-            require(size == member->size && total <= bytes.size());
+            require(size == member->size && total <= io::longest_expanded(bytes.size()));
         }
     } catch (const Error& error) {
         require(error.kind() == ErrorKind::input && !error.problem().what.empty());

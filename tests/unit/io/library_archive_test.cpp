@@ -257,12 +257,20 @@ TEST_F(Archive, RefusesNamesThatLeadElsewhere) {
 }
 
 TEST_F(Archive, RefusesLinksAndDevices) {
-    for (const char type : {'1', '2', '3', '4', '6', 'x', 'g', 'L', 'S'})
-        expect_refused(tar_of({{"manifest.jsonl", opening + line()}, {sound_name, sound}},
-                              [&](std::string& header) {
-                                  if (header.starts_with("audio")) header[156] = type;
-                              }),
-                       "something else than files");
+    const std::string manifest = opening + line();
+    const auto with_type = [&](char type, const std::string& target) {
+        return tar_of({{"manifest.jsonl", manifest}, {sound_name, sound}}, [&](std::string& header) {
+            if (!header.starts_with("audio")) return;
+            header[156] = type;
+            header.replace(157, target.size(), target);
+        });
+    };
+    for (const char type : {'1', '2', '3', '4', '6'})
+        for (const char* target : {"manifest.jsonl", "/etc/passwd"})
+            expect_refused(with_type(type, target), "something else than files");
+    // a link to nothing, and headers that tell of a file which does not follow
+    for (const char type : {'1', 'x', 'g', 'K', 'L', 'V'})
+        refusal(with_type(type, ""));
 }
 
 TEST_F(Archive, RefusesSizesAndBytesThatAreNotTrue) {
@@ -272,17 +280,18 @@ TEST_F(Archive, RefusesSizesAndBytesThatAreNotTrue) {
             if (header.starts_with("audio")) header.replace(124, 11, size);
         });
     };
-    expect_refused(with_size("77777777777"), "longer than the archive");
-    expect_refused(with_size("99999999999"), "is no number");
-    expect_refused(with_size("-0000000001"), "is no number");
+    for (const char* size : {"77777777777", "99999999999"})
+        expect_refused(with_size(size), "not as long as its entry says");
+    expect_refused(with_size("-0000000001"), "negative size");
+    expect_refused(tar_of({{"manifest.jsonl", manifest}, {sound_name, sound}}).substr(0, 2048 + 5), "Truncated");
     expect_refused(with_size("00000000012"), "not as long as its entry says");
     expect_refused(tar_of({{"manifest.jsonl", opening + line("", 3)}, {sound_name, sound}}), "not as long");
     expect_refused(tar_of({{"manifest.jsonl", manifest}, {sound_name, "other bytes"}}), "not those of its name");
     expect_refused(tar_of({{"manifest.jsonl", manifest}}), "is missing");
     expect_refused(tar_of({{"manifest.jsonl", manifest}, {sound_name, sound}, {sound_name, sound}}), "there twice");
     expect_refused(tar_of({{sound_name, sound}, {"manifest.jsonl", manifest}}), "first file is not");
-    expect_refused("", "end is missing");
-    expect_refused(std::string(4096, 'x'), "not in the ustar format");
+    for (const std::string& bytes : {std::string(), std::string(4096, 'x')})
+        expect_refused(bytes, "is no tar archive");
     expect_refused(std::string(4096, '\0'), "first file is not");
 }
 

@@ -2,103 +2,54 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/opened_library.hpp"
 #include "stridor/storage/system_io.hpp"
 
-#include <algorithm>
-#include <array>
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+
 #include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
+#include <exception>
+#include <numeric>
 #include <system_error>
 #include <utility>
 
 namespace stridor::io {
 
+// ---- writing
+
 namespace {
 
-constexpr std::size_t block_size = tar_block;
-constexpr std::uint64_t size_limit = std::uint64_t{1} << 33U;  // eleven octal digits
+constexpr std::size_t block_size = 512;                        // [bytes]
+constexpr std::uint64_t size_limit = std::uint64_t{1} << 33U;  // [bytes] eleven octal digits
 
-using Header = std::array<char, block_size>;
-
-// where a header's parts stand
-struct HeaderPart {
-    std::size_t from;
-    std::size_t length;
-};
-constexpr HeaderPart name_part{0, 100};
-constexpr HeaderPart mode_part{100, 8};
-constexpr HeaderPart size_part{124, 12};
-constexpr HeaderPart checksum_part{148, 8};
-constexpr std::size_t type_place = 156;
-constexpr char folder_type = '5';
-constexpr HeaderPart magic_part{257, 6};
-constexpr HeaderPart prefix_part{345, 155};
-
-void put_octal(Header& header, HeaderPart part, std::uint64_t value) {
-    for (std::size_t k = part.length - 1; k-- > 0; value /= 8)
-        header[part.from + k] = static_cast<char>('0' + value % 8);
-}
-
-void put_text(Header& header, HeaderPart part, std::string_view text) {
-    std::copy_n(text.begin(), std::min(text.size(), part.length),
-                header.begin() + static_cast<std::ptrdiff_t>(part.from));
-}
-
-std::string_view text_of(const Header& header, HeaderPart part) {
-    const std::string_view whole(header.data() + part.from, part.length);
-    return whole.substr(0, whole.find('\0'));
-}
-
-// nothing for what is no octal number
-std::optional<std::uint64_t> octal_of(const Header& header, HeaderPart part) {
-    std::string_view digits = text_of(header, part);
-    while (digits.starts_with(' '))
-        digits.remove_prefix(1);
-    while (digits.ends_with(' '))
-        digits.remove_suffix(1);
-    std::uint64_t value = 0;
-    for (const char c : digits) {
-        if (c < '0' || c > '7') return std::nullopt;
-        value = value * 8 + static_cast<std::uint64_t>(c - '0');
-    }
-    return digits.empty() ? std::nullopt : std::optional(value);
-}
-
-// the sum of a header's bytes, its own field counted as blanks
-std::uint64_t checksum(Header header) {
-    std::fill_n(header.begin() + checksum_part.from, checksum_part.length, ' ');
-    std::uint64_t sum = 0;
-    for (const char c : header)
-        sum += static_cast<unsigned char>(c);
-    return sum;
-}
-
-std::uint64_t padding_after(std::uint64_t size) {
-    return (block_size - size % block_size) % block_size;
+std::string padding_after(std::uint64_t size) {
+    return std::string((block_size - size % block_size) % block_size, '\0');
 }
 
 }  // namespace
 
 void TarWriter::begin(const TarMember& member) {
-    STRIDOR_EXPECT(member.name.size() <= name_part.length);
+    STRIDOR_EXPECT(member.name.size() <= 100);
     if (member.size >= size_limit)
         throw Error(ErrorKind::input,
                     {member.name + " does not fit into an archive", "it is larger than 8 GiB", "Leave it out."});
-    Header header{};
-    put_text(header, name_part, member.name);
-    put_octal(header, mode_part, 0644);
-    put_octal(header, {108, 8}, 0);  // user
-    put_octal(header, {116, 8}, 0);  // group
-    put_octal(header, size_part, member.size);
-    put_octal(header, {136, 12}, 0);  // time of change: the same library gives the same bytes
-    header[type_place] = '0';
-    put_text(header, magic_part, std::string_view("ustar\0", 6));
-    put_text(header, {263, 2}, "00");
-    put_octal(header, {checksum_part.from, checksum_part.length - 1}, checksum(header));
-    header[checksum_part.from + checksum_part.length - 1] = ' ';
-    file_->write({header.data(), header.size()});
+    std::string header(block_size, '\0');
+    const auto put = [&](std::size_t at, const std::string& text) { header.replace(at, text.size(), text); };
+    put(0, member.name);
+    put(100, "0000644");  // mode
+    put(108, "0000000");  // user
+    put(116, "0000000");  // group
+    put(124, fmt::format("{:011o}", member.size));
+    put(136, "00000000000");  // time of change: the same library gives the same bytes
+    put(148, "        ");     // the checksum counts itself as blanks
+    put(156, "0");            // a regular file
+    put(257, "ustar");
+    put(263, "00");
+    // the format sums unsigned bytes, and names are ASCII
+    put(148, fmt::format("{:06o}", std::accumulate(header.begin(), header.end(), 0)) + '\0');
+    file_->write(header);
     written_ = 0;
 }
 
@@ -108,94 +59,211 @@ void TarWriter::write(std::string_view bytes) {
 }
 
 void TarWriter::end() {
-    file_->write(std::string(padding_after(written_), '\0'));
+    file_->write(padding_after(written_));
 }
 
 void TarWriter::finish() {
     file_->write(std::string(2 * block_size, '\0'));
 }
 
-TarReader::TarReader(const std::filesystem::path& file, TarProgress progress)
-    : file_(file),
-      stream_(std::make_unique<std::ifstream>(file, std::ios::binary)),
-      progress_(std::move(progress)),
-      block_(std::size_t{1} << 18U) {
+// ---- reading
+
+namespace {
+
+constexpr std::size_t piece_size = std::size_t{1} << 16U;          // [bytes] read from a file at a time
+constexpr std::uint64_t longest_header = std::uint64_t{1} << 18U;  // [bytes] with all that extends it
+constexpr std::size_t longest_name = 255;                          // [bytes] of a file, as in the ustar dialect
+
+// The functions of libarchive that Stridor uses, of the version it was built with. It is opened when the first archive
+// is read: linked to the program, it and the thirteen libraries it needs would be loaded at every start.
+struct Libarchive {
+    base::OpenedLibrary library{STRIDOR_ARCHIVE_LIBRARY};
+    decltype(&::archive_entry_filetype) entry_filetype = library.function("archive_entry_filetype");
+    decltype(&::archive_entry_hardlink) entry_hardlink = library.function("archive_entry_hardlink");
+    decltype(&::archive_entry_pathname) entry_pathname = library.function("archive_entry_pathname");
+    decltype(&::archive_entry_size) entry_size = library.function("archive_entry_size");
+    decltype(&::archive_errno) error_number = library.function("archive_errno");
+    decltype(&::archive_error_string) error_string = library.function("archive_error_string");
+    decltype(&::archive_filter_bytes) filter_bytes = library.function("archive_filter_bytes");
+    decltype(&::archive_filter_count) filter_count = library.function("archive_filter_count");
+    decltype(&::archive_read_data_block) read_data_block = library.function("archive_read_data_block");
+    decltype(&::archive_read_free) read_free = library.function("archive_read_free");
+    decltype(&::archive_read_new) read_new = library.function("archive_read_new");
+    decltype(&::archive_read_next_header) read_next_header = library.function("archive_read_next_header");
+    decltype(&::archive_read_open) read_open = library.function("archive_read_open");
+    decltype(&::archive_read_open_filename) read_open_filename = library.function("archive_read_open_filename");
+    decltype(&::archive_read_open_memory2) read_open_memory = library.function("archive_read_open_memory2");
+    decltype(&::archive_read_support_filter_gzip) support_gzip = library.function("archive_read_support_filter_gzip");
+    decltype(&::archive_read_support_filter_xz) support_xz = library.function("archive_read_support_filter_xz");
+    decltype(&::archive_read_support_filter_zstd) support_zstd = library.function("archive_read_support_filter_zstd");
+    decltype(&::archive_read_support_format_raw) support_raw = library.function("archive_read_support_format_raw");
+    decltype(&::archive_read_support_format_tar) support_tar = library.function("archive_read_support_format_tar");
+};
+
+const Libarchive& libarchive() {
+    static const Libarchive opened;
+    opened.library.expect_whole("archives cannot be read");
+    return opened;
+}
+
+[[noreturn]] void refuse(const std::string& file, const std::string& why, const std::string& suggestion = "") {
+    throw Error(ErrorKind::input, {file + " is no whole archive of a noise library", why, suggestion});
+}
+
+}  // namespace
+
+std::uint64_t longest_expanded(std::uint64_t size) {
+    return (std::uint64_t{64} << 20U) + 16 * size;
+}
+
+/// One reader of libarchive expands the file, another takes it apart. So what goes between them is counted: a file of a
+/// megabyte may grow to many gigabytes, even within a single header.
+class TarReader::Source {
+public:
+    Source(std::string file, std::uint64_t size, TarProgress progress, const std::function<int(archive*)>& open)
+        : file_(std::move(file)),
+          size_(size),
+          progress_(std::move(progress)) {
+        for (const auto support : {lib_.support_gzip, lib_.support_xz, lib_.support_zstd, lib_.support_raw})
+            expect(whole_, support(whole_.get()));
+        expect(whole_, open(whole_.get()));
+        // the file as it is counts as one
+        if (lib_.filter_count(whole_.get()) > 2) refuse(file_, "it is compressed more than once");
+        archive_entry* everything = nullptr;
+        expect(whole_, lib_.read_next_header(whole_.get(), &everything));
+        expect(tar_, lib_.support_tar(tar_.get()));
+        expect(tar_, lib_.read_open(tar_.get(), this, nullptr, feed, nullptr));
+    }
+
+    // null at the end
+    archive_entry* next_header() {
+        header_room_ = longest_header;
+        archive_entry* entry = nullptr;
+        const int result = lib_.read_next_header(tar_.get(), &entry);
+        header_room_.reset();
+        // a warning is about what we do not use, such as the name of a user
+        if (expect(tar_, result == ARCHIVE_WARN ? ARCHIVE_OK : result)) return entry;
+        if (has_ended_) refuse(file_, "its end is missing");
+        return nullptr;
+    }
+
+    struct Piece {
+        std::string_view bytes;
+        std::int64_t offset = 0;  // [bytes] where they stand in what is read
+    };
+    // the next bytes of a file of the archive; none at its end
+    Piece read() { return read_from(tar_); }
+
+    const std::string& file() const { return file_; }
+
+private:
+    using Reader = std::unique_ptr<archive, decltype(&::archive_read_free)>;
+
+    // called by libarchive, which knows no exceptions
+    static la_ssize_t feed(archive*, void* self, const void** bytes) {
+        auto& source = *static_cast<Source*>(self);
+        try {
+            const std::string_view piece = source.next_expanded();
+            *bytes = piece.data();
+            return static_cast<la_ssize_t>(piece.size());
+        } catch (...) {
+            source.failure_ = std::current_exception();
+            return ARCHIVE_FATAL;
+        }
+    }
+
+    std::string_view next_expanded() {
+        const std::string_view piece = read_from(whole_).bytes;
+        if (progress_) progress_(static_cast<std::uint64_t>(lib_.filter_bytes(whole_.get(), -1)), size_);
+        has_ended_ = piece.empty();
+        grown_ += piece.size();
+        if (grown_ > longest_expanded(size_))
+            refuse(file_, "it grows to more than 16 times its size when it is expanded",
+                   "Expand it yourself if you trust it.");
+        if (header_room_ && piece.size() > *header_room_) refuse(file_, "a header in it is longer than 256 KiB");
+        if (header_room_) *header_room_ -= piece.size();
+        return piece;
+    }
+
+    Piece read_from(const Reader& reader) const {
+        const void* bytes = nullptr;
+        std::size_t count = 0;
+        std::int64_t offset = 0;
+        while (count == 0)
+            if (!expect(reader, lib_.read_data_block(reader.get(), &bytes, &count, &offset))) return {{}, offset};
+        return {{static_cast<const char*>(bytes), count}, offset};
+    }
+
+    // false at the end
+    bool expect(const Reader& reader, int result) const {
+        if (failure_) std::rethrow_exception(failure_);
+        if (result == ARCHIVE_OK || result == ARCHIVE_EOF) return result == ARCHIVE_OK;
+        // what is not of libarchive's own is the system's word on the file
+        const int code = lib_.error_number(reader.get());
+        if (reader == whole_ && code > 0 && code != EILSEQ && code != EINVAL && code != ENOMEM)
+            throw storage::system_failure("read", file_, code);
+        const char* const said = lib_.error_string(reader.get());
+        refuse(file_, std::string("it is no tar archive, or damaged: ") + (said == nullptr ? "unknown" : said));
+    }
+
+    const Libarchive& lib_ = libarchive();
+    std::string file_;
+    std::uint64_t size_ = 0;  // [bytes]
+    TarProgress progress_;
+    std::uint64_t grown_ = 0;                     // [bytes] expanded so far
+    std::optional<std::uint64_t> header_room_{};  // [bytes] that the header at hand may still take
+    bool has_ended_ = false;                      // more was asked for than there is
+    std::exception_ptr failure_{};                // of what expands
+    Reader whole_{lib_.read_new(), lib_.read_free};
+    Reader tar_{lib_.read_new(), lib_.read_free};
+};
+
+TarReader::TarReader(const std::filesystem::path& file, TarProgress progress) {
     std::error_code error;
     const bool is_regular = std::filesystem::is_regular_file(file, error);
-    if (!error && is_regular) left_in_file_ = std::filesystem::file_size(file, error);
+    const std::uint64_t size = is_regular ? std::filesystem::file_size(file, error) : 0;
     if (error) throw storage::system_failure("read", file.string(), error.value());
-    if (!is_regular) refuse("it is no file");
-    if (!*stream_) throw storage::system_failure("read", file.string(), EACCES);
-    size_ = left_in_file_;
+    if (!is_regular) refuse(file.string(), "it is no file");
+    source_ = std::make_unique<Source>(file.string(), size, std::move(progress), [&](archive* reader) {
+        return libarchive().read_open_filename(reader, file.c_str(), piece_size);
+    });
 }
 
 TarReader::TarReader(std::string_view bytes, const std::string& name)
-    : file_(name),
-      stream_(std::make_unique<std::istringstream>(std::string(bytes))),
-      size_(bytes.size()),
-      left_in_file_(bytes.size()),
-      block_(std::size_t{1} << 12U) {}
+    : source_(std::make_unique<Source>(name, bytes.size(), TarProgress(), [&](archive* reader) {
+          return libarchive().read_open_memory(reader, bytes.data(), bytes.size(), piece_size);
+      })) {}
 
-void TarReader::refuse(const std::string& why) const {
-    throw Error(ErrorKind::input, {file_.string() + " is no whole archive of a noise library", why, ""});
-}
-
-void TarReader::fill(char* bytes, std::uint64_t count) {
-    if (count > left_in_file_) refuse("its end is missing");
-    stream_->read(bytes, static_cast<std::streamsize>(count));
-    if (!*stream_) throw storage::system_failure("read", file_.string(), EIO);
-    left_in_file_ -= count;
-    if (progress_) progress_(size_ - left_in_file_, size_);
-}
+TarReader::~TarReader() = default;
 
 std::optional<TarMember> TarReader::next() {
-    // folders tell nothing, and an archive may hold any number of them
-    while (true) {
-        const std::optional<Header> header = next_header();
-        if (!header) return std::nullopt;
-        TarMember member = member_of(*header);
-        if ((*header)[type_place] == folder_type) continue;
-        left_in_member_ = member.size;
-        padding_ = padding_after(member.size);
-        return member;
-    }
-}
-
-// nothing at the end of the archive
-std::optional<TarReader::Header> TarReader::next_header() {
     while (!read().empty())
         continue;
-    if (padding_ > left_in_file_) refuse("its end is missing");
-    fill(block_.data(), padding_);
-    padding_ = 0;
-
-    Header header{};
-    fill(header.data(), header.size());
-    const bool is_end = std::all_of(header.begin(), header.end(), [](char c) { return c == '\0'; });
-    return is_end ? std::nullopt : std::optional(header);
-}
-
-TarMember TarReader::member_of(const Header& header) const {
-    const std::optional<std::uint64_t> sum = octal_of(header, checksum_part);
-    const std::optional<std::uint64_t> size = octal_of(header, size_part);
-    if (!text_of(header, magic_part).starts_with("ustar") || !sum || *sum != checksum(header))
-        refuse("it is not in the ustar format, or damaged");
-    const char type = header[type_place];
-    const bool is_folder = type == folder_type;
-    if (type != '0' && type != '\0' && !is_folder) refuse("it holds something else than files");
-    std::string name(text_of(header, name_part));
-    if (const std::string_view prefix = text_of(header, prefix_part); !prefix.empty())
-        name = std::string(prefix) + "/" + name;
-    if (!size || (is_folder && *size > 0)) refuse("the size of " + name + " is no number");
-    if (*size > left_in_file_) refuse(name + " says it is longer than the archive");
-    return {name.starts_with("./") ? name.substr(2) : name, *size};
+    archive_entry* entry = source_->next_header();
+    // folders tell nothing, and an archive may hold any number of them
+    while (entry != nullptr && libarchive().entry_filetype(entry) == AE_IFDIR)
+        entry = source_->next_header();
+    if (entry == nullptr) return std::nullopt;
+    if (libarchive().entry_filetype(entry) != AE_IFREG || libarchive().entry_hardlink(entry) != nullptr)
+        refuse(source_->file(), "it holds something else than files");
+    const char* const path = libarchive().entry_pathname(entry);
+    const std::string_view name = path == nullptr ? "" : path;
+    if (name.empty() || name.size() > longest_name)
+        refuse(source_->file(), "the name of a file is missing or too long");
+    member_ = {std::string(name.starts_with("./") ? name.substr(2) : name),
+               static_cast<std::uint64_t>(libarchive().entry_size(entry))};
+    given_ = 0;
+    return member_;
 }
 
 std::string_view TarReader::read() {
-    const std::uint64_t count = std::min<std::uint64_t>(left_in_member_, block_.size());
-    fill(block_.data(), count);
-    left_in_member_ -= count;
-    return {block_.data(), static_cast<std::size_t>(count)};
+    if (!member_) return {};
+    const auto [bytes, offset] = source_->read();
+    const bool has_hole = bytes.empty() ? given_ != member_->size : static_cast<std::uint64_t>(offset) != given_;
+    if (has_hole) refuse(source_->file(), member_->name + " has holes");
+    given_ += bytes.size();
+    if (bytes.empty()) member_.reset();
+    return bytes;
 }
 
 }  // namespace stridor::io

@@ -2,25 +2,19 @@
 
 #include "stridor/storage/atomic_file.hpp"
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <istream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-/// Archives in the ustar format (POSIX.1-1988): headers of 512 bytes, each followed by a file padded to such blocks.
+/// Archives in the tar format: headers of 512 bytes, each followed by a file padded to such blocks.
 ///
-/// Regular files alone, names up to 100 bytes, sizes below 8 GiB; no compression, so a small archive cannot hold much.
+/// They are written by us in the ustar dialect (POSIX.1-1988), in bytes of our own choice, and read by libarchive,
+/// whoever wrote them.
 namespace stridor::io {
-
-/// What an archive is made of [bytes]: a header is one such block, and files are padded to them.
-inline constexpr std::size_t tar_block = 512;
 
 /// A file of an archive.
 struct TarMember {
@@ -28,7 +22,8 @@ struct TarMember {
     std::uint64_t size = 0;  // [bytes]
 };
 
-/// Writes an archive file by file.
+/// Writes an archive file by file: regular files alone, names up to 100 bytes, sizes below 8 GiB. The same files give
+/// the same bytes.
 class TarWriter {
 public:
     explicit TarWriter(storage::PiecewiseFile& file) : file_(&file) {}
@@ -51,14 +46,24 @@ private:
 /// Is told how many bytes of an archive are read, of how many.
 using TarProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// Reads an archive file by file, a block at a time. What is no such archive, is cut short or lies about its sizes
-/// throws `Error` (input).
+/// What an archive of so many bytes may grow to when it is expanded [bytes]: audio hardly shrinks.
+std::uint64_t longest_expanded(std::uint64_t size);
+
+/// Reads an archive file by file, a piece at a time: any dialect of tar, as it is or compressed by gzip, xz or zstd.
+///
+/// What is no such archive, is cut short, lies about its sizes, holds links, devices or files with holes, or grows
+/// beyond `longest_expanded` throws `Error` (input). Memory does not grow with the archive. Names are for comparing
+/// alone: nothing keeps them below a folder.
 class TarReader {
 public:
     explicit TarReader(const std::filesystem::path& file, TarProgress progress = {});
 
-    /// Bytes in memory as an archive; `name` is for messages.
+    /// Bytes in memory as an archive, which must outlive it; `name` is for messages.
     TarReader(std::string_view bytes, const std::string& name);
+
+    ~TarReader();
+    TarReader(const TarReader&) = delete;
+    TarReader& operator=(const TarReader&) = delete;
 
     /// Goes to the next file; nothing at the end.
     std::optional<TarMember> next();
@@ -67,21 +72,11 @@ public:
     std::string_view read();
 
 private:
-    using Header = std::array<char, tar_block>;
+    class Source;
 
-    std::optional<Header> next_header();
-    TarMember member_of(const Header& header) const;
-    [[noreturn]] void refuse(const std::string& why) const;
-    void fill(char* bytes, std::uint64_t count);
-
-    std::filesystem::path file_;
-    std::unique_ptr<std::istream> stream_;
-    TarProgress progress_{};
-    std::uint64_t size_ = 0;            // [bytes]
-    std::uint64_t left_in_file_ = 0;    // [bytes] after what was read
-    std::uint64_t left_in_member_ = 0;  // [bytes]
-    std::uint64_t padding_ = 0;         // [bytes] after the member
-    std::vector<char> block_;
+    std::unique_ptr<Source> source_;
+    std::optional<TarMember> member_{};  // whose bytes are not read to their end
+    std::uint64_t given_ = 0;            // [bytes] of it
 };
 
 }  // namespace stridor::io
