@@ -114,14 +114,6 @@ Response Gate::open(const HttpRequest& request) {
     return response;
 }
 
-void require_loopback(const std::string& address) {
-    if (is_loopback(address)) return;
-    throw Error(ErrorKind::input,
-                {address + " can be reached from other machines",
-                 "whoever has the link could use the explorer, over a connection that is not encrypted",
-                 "Leave --address out and use a tunnel (ssh -L), or add --allow-remote if that is what you want."});
-}
-
 std::string host_in_link(const std::string& address) {
     return address.find(':') == std::string::npos ? address : "[" + address + "]";
 }

@@ -22,9 +22,6 @@ bool is_same_secret(std::string_view a, std::string_view b);
 /// Empty if it is no host.
 std::string host_name(std::string_view host);
 
-/// Throws `Error` (input) for an address that other machines reach.
-void require_loopback(const std::string& address);
-
 /// An address as it stands in a link: "[::1]" for ::1.
 std::string host_in_link(const std::string& address);
 

@@ -147,4 +147,12 @@ bool is_loopback(const std::string& host) {
     return !error && address.is_loopback();
 }
 
+void require_loopback(const std::string& address) {
+    if (is_loopback(address)) return;
+    throw Error(ErrorKind::input,
+                {address + " can be reached from other machines",
+                 "whoever has the link could use the explorer, over a connection that is not encrypted",
+                 "Leave --address out and use a tunnel (ssh -L), or add --allow-remote if that is what you want."});
+}
+
 }  // namespace stridor::explorer

@@ -71,4 +71,7 @@ private:
 /// Is it an address that only this machine reaches?
 bool is_loopback(const std::string& host);
 
+/// Throws `Error` (input) for an address that other machines reach.
+void require_loopback(const std::string& address);
+
 }  // namespace stridor::explorer

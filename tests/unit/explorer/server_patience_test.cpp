@@ -159,6 +159,8 @@ TEST(ServerAddress, IsAnAddressThatCanBeHad) {
     EXPECT_TRUE(is_loopback("::1"));
     for (const char* host : {"0.0.0.0", "::", "192.168.1.2", "localhost", ""})
         EXPECT_FALSE(is_loopback(host)) << host;
+    EXPECT_NO_THROW(require_loopback("127.0.0.1"));
+    EXPECT_TRUE(thrown_by([] { require_loopback("0.0.0.0"); }).says("can be reached from other machines"));
 }
 
 TEST(UnixSocket, IsForItsOwnerAloneAndGoesWithTheServer) {

@@ -34,10 +34,5 @@ TEST(HostNames, AreOfThisMachineAndThoseThatAreAdded) {
     EXPECT_EQ(host_in_link("10.0.0.1"), "10.0.0.1");
 }
 
-TEST(Loopback, IsRequired) {
-    EXPECT_NO_THROW(require_loopback("127.0.0.1"));
-    EXPECT_TRUE(thrown_by([] { require_loopback("0.0.0.0"); }).says("can be reached from other machines"));
-}
-
 }  // namespace
 }  // namespace stridor::explorer
