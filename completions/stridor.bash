@@ -16,7 +16,7 @@ _stridor() {
         return
     fi
     if [[ ${COMP_WORDS[1]} == init && COMP_CWORD -eq 2 ]]; then
-        COMPREPLY=($(compgen -W "squeal squeak creak quiet noise-chart rate-map weatherstrip weatherstrip-shaken glass-run clip wiper brake-pad schema" -- "$word"))
+        COMPREPLY=($(compgen -W "squeal squeak creak quiet noise-chart rate-map weatherstrip weatherstrip-shaken glass-run clip wiper brake-pad two-lips schema" -- "$word"))
         return
     fi
     case ${COMP_WORDS[1]} in

@@ -28,8 +28,8 @@ io::TomlSource load_source(const std::string& path, std::vector<std::string> ove
     return source;
 }
 
-parameters::Case load_case(const CaseOptions& options) {
-    return io::read_case(load_source(options.file, options.overrides));
+parameters::Case load_case(const CaseOptions& options, io::JointsTaken joints) {
+    return io::read_case(load_source(options.file, options.overrides), joints);
 }
 
 }  // namespace stridor::app

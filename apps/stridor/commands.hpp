@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/parameters/case.hpp"
 
@@ -50,6 +51,6 @@ void add_no_early_option(CLI::App& command, CaseOptions& options);
 io::TomlSource load_source(const std::string& path, std::vector<std::string> overrides = {});
 
 /// Reads the case the options name.
-parameters::Case load_case(const CaseOptions& options);
+parameters::Case load_case(const CaseOptions& options, io::JointsTaken joints = io::JointsTaken::one);
 
 }  // namespace stridor::app

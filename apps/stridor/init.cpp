@@ -29,11 +29,11 @@ void add_init(CLI::App& program) {
     auto options = std::make_shared<InitOptions>();
     CLI::App* command = program.add_subcommand("init", "Write a commented case or chart file to start from.");
     command
-        ->add_option(
-            "kind", options->kind,
-            "squeal, squeak, creak, quiet: Table 1; noise-chart: Figure 8; rate-map: Figure 6; weatherstrip, "
-            "weatherstrip-shaken, glass-run, clip, wiper, brake-pad: soft parts of a car, each with its chart; "
-            "schema: JSON Schema of case files")
+        ->add_option("kind", options->kind,
+                     "squeal, squeak, creak, quiet: Table 1; noise-chart: Figure 8; rate-map: Figure 6; weatherstrip, "
+                     "weatherstrip-shaken, glass-run, clip, wiper, brake-pad: soft parts of a car, each with its "
+                     "chart; two-lips: several joints; "
+                     "schema: JSON Schema of case files")
         ->required()
         ->check(one_of(io::ready_file_names()));
     add_output_file(*command, options->output, "file to write (default: stdout)");

@@ -22,7 +22,7 @@ Evidence evidence(const record::Tally& tally, std::size_t contact) {
     figures.ending = one.ending;
     const bool is_over = slides_for_good(figures) || sticks_for_good(figures);
     const Along along = sticks_for_good(figures) ? Along::carried : Along::counted;
-    figures.levels = levels(tally, is_over && tally.closing_time > 0.0 ? Part::closing : Part::judged, along);
+    figures.levels = levels(tally, contact, is_over && tally.closing_time > 0.0 ? Part::closing : Part::judged, along);
     return figures;
 }
 

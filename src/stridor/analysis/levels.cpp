@@ -36,14 +36,14 @@ Level level_of(std::span<const record::Vibration> components, double time) {
 
 }  // namespace
 
-Levels levels(const record::Tally& tally, Part part, Along along) {
+Levels levels(const record::Tally& tally, std::size_t contact, Part part, Along along) {
     const bool is_closing = part == Part::closing;
     const std::span<const record::Vibration> all(is_closing ? tally.closing_vibration : tally.vibration);
     const double time = is_closing ? tally.closing_time : tally.vibration_time;
-    STRIDOR_EXPECT(all.size() == 3);
-    const Level plate = level_of(all.subspan(2, 1), time);
+    STRIDOR_EXPECT(all.size() == 2 * tally.contacts.size() + 1 && contact < tally.contacts.size());
+    const Level plate = level_of(all.last(1), time);
     // the gap is closed: across the contact a carried joint moves as the plate does
-    return {along == Along::carried ? plate : level_of(all.first(2), time), plate};
+    return {along == Along::carried ? plate : level_of(all.subspan(2 * contact, 2), time), plate};
 }
 
 }  // namespace stridor::analysis

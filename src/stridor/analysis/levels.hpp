@@ -2,6 +2,7 @@
 
 #include "stridor/record/tally.hpp"
 
+#include <cstddef>
 #include <string_view>
 
 namespace stridor::analysis {
@@ -24,7 +25,7 @@ struct Level {
     double peak_decibels = 0.0;  // [dB re 1e-9 m/s] of the peak
 };
 
-/// Levels of the paper's two bodies.
+/// Levels of the paper's two bodies; of several joints that of one.
 struct Levels {
     Level joint;  // mass 1: (x1', y1')
     Level plate;  // mass 2: y2'
@@ -37,7 +38,9 @@ enum class Part { judged, closing };
 /// vibration?
 enum class Along { counted, carried };
 
-/// Levels from a tally of the rubbing system, degrees of freedom (x1, y1, y2). NaN where nothing was judged.
-Levels levels(const record::Tally& tally, Part part = Part::judged, Along along = Along::counted);
+/// Levels of a contact's joint and of the plate, from a tally of the rubbing system: two degrees of freedom a joint, in
+/// the order of the contacts, then one of the plate. NaN where nothing was judged.
+Levels levels(const record::Tally& tally, std::size_t contact = 0, Part part = Part::judged,
+              Along along = Along::counted);
 
 }  // namespace stridor::analysis

@@ -76,7 +76,7 @@ struct SentColumn {
 // displacements and velocities of the rubbing system ("x1", "x1_velocity"), the surface's velocity, each contact's
 std::vector<SentColumn> columns_of(std::size_t contacts) {
     std::vector<SentColumn> columns;
-    const std::vector<std::string> dofs = io::dof_names(io::dof_sentences.size());
+    const std::vector<std::string> dofs = io::dof_names(parameters::Case{});
     for (const record::DofColumn& column : std::span(record::dof_columns).first(2))
         for (std::size_t dof = 0; dof < dofs.size(); ++dof) {
             const bool is_place = column.samples == &record::Trace::displacement;

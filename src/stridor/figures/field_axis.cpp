@@ -109,11 +109,16 @@ drawing::Text conditions(const parameters::Case& c, std::span<const std::string_
     const auto varies = [&](std::string_view key) {
         return std::find(varied.begin(), varied.end(), key) != varied.end();
     };
+    // several joints have no one angle and preload
+    const auto is_of_one = [&](std::string_view key) {
+        return !c.further_joints.empty() && (key.starts_with("joint.") || key.starts_with("contact."));
+    };
     // what follows an axis has no one value
     const bool is_temperature_varied = varies("temperature.value");
     std::vector<std::string_view> kept;
     for (const std::string_view key : telling)
-        if (!varies(key) && !(is_temperature_varied && parameters::temperature_column(c, key) != nullptr))
+        if (!is_of_one(key) && !varies(key) &&
+            !(is_temperature_varied && parameters::temperature_column(c, key) != nullptr))
             kept.push_back(key);
     const drawing::Text row = settings(c, kept);
     if (!is_temperature_varied || !parameters::has_temperature_table(c)) return row;

@@ -4,6 +4,7 @@
 #include "stridor/drawing/palette.hpp"
 #include "stridor/figures/contact_states.hpp"
 #include "stridor/figures/field_axis.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/record/schedule.hpp"
 
 #include <fmt/format.h>
@@ -32,13 +33,17 @@ drawing::Text body_symbol(std::string_view letter, std::string_view number) {
     return drawing::Text(letter, drawing::TextStyle::italic) + drawing::Text(number, drawing::TextStyle::subscript);
 }
 
-// the three degrees of freedom, their letters with as many dots as derivatives
+// two degrees of freedom a joint, numbered as the contacts, then the plate's; their letters with as many dots as
+// derivatives. The only joint is mass 1, and the plate mass 2.
 void add_motion(std::vector<Curve>& curves, const std::vector<std::vector<double>>& motion,
                 const std::array<std::string_view, 2>& letters, const std::string& unit, double cut = 0.0) {
     const auto& [x, y] = letters;
-    const std::array<drawing::Text, 3> names{body_symbol(x, "1"), body_symbol(y, "1"), body_symbol(y, "2")};
-    for (std::size_t dof = 0; dof < std::min(names.size(), motion.size()); ++dof)
-        curves.push_back({names[dof], unit, &motion[dof], cut});
+    const std::size_t joints = motion.size() / 2;
+    for (std::size_t dof = 0; dof < motion.size(); ++dof) {
+        const bool is_plate = dof == 2 * joints;
+        const std::string body = !is_plate ? std::to_string(dof / 2 + 1) : joints == 1 ? "2" : "plate";
+        curves.push_back({body_symbol(!is_plate && dof % 2 == 0 ? x : y, body), unit, &motion[dof], cut});
+    }
 }
 
 // the only contact needs none
@@ -244,7 +249,9 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
         add_column(scene, record, curves, *options.zoom);
         for (std::size_t k = 0; k < record.histories.size(); ++k) {
             const bool is_only = record.histories.size() == 1;
-            const std::string contact = is_only ? "the contact" : fmt::format("contact {}", k + 1);
+            const bool is_named = !is_only && k < parameters::joint_count(c);
+            const std::string name = is_named ? " (" + parameters::joint_name(c, k) + ")" : "";
+            const std::string contact = is_only ? "the contact" : fmt::format("contact {}{}", k + 1, name);
             scene.caption.emplace_back(changes_text(record.histories[k], contact, *options.zoom));
         }
         mark(scene, *options.zoom);

@@ -2,8 +2,12 @@
 
 #include "stridor/integration/beta_2/beta_2.hpp"
 #include "stridor/integration/exact/exact.hpp"
+#include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/initial_state.hpp"
+#include "stridor/integration/taylor/taylor.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/record/schedule.hpp"
 
 #include <cmath>
@@ -25,7 +29,16 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
 }
 
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace) {
-    record::Recorder recorder(record::schedule(c), request, model::rubbing_system_dofs);
+    const bool has_several = !c.further_joints.empty();
+    record::Recorder recorder(record::schedule(c), request, model::dofs_of_system(c),
+                              static_cast<int>(parameters::joint_count(c)));
+    if (has_several) {
+        const model::Structure structure = model::rubbing_system(c);
+        const Start start{c.run.initial, c.run.perturbation};
+        const double velocity = ImposedMotion(c.drive, 1.0).at(0.0).velocity;
+        return integrate_taylor(structure, c.drive, initial_state(structure, start, velocity), {c.run.early_ending},
+                                std::move(recorder), std::move(stop));
+    }
     switch (c.run.engine) {
         case parameters::Engine::exact:
             return integrate_exact(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},

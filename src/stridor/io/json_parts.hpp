@@ -6,6 +6,7 @@
 #include "stridor/base/version.hpp"
 #include "stridor/classification/verdict.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/study.hpp"
@@ -29,16 +30,44 @@ inline Json quiet_word(classification::Quiet quiet) {
     return quiet == classification::Quiet::no ? Json() : Json(classification::name(quiet));
 }
 
-inline Json case_object(const parameters::Case& c) {
-    Json object = Json::object();
+// the members of a section, or of all but [joint] and [contact], that belong to a case
+inline void put_fields(Json& object, const parameters::Case& c, bool (*is_wanted)(const parameters::Field&)) {
     for (const parameters::Field& field : parameters::fields()) {
-        if (!field.belongs(c)) continue;
+        if (!field.belongs(c) || !is_wanted(field)) continue;
         Json& section = field.section.empty() ? object : object[std::string(field.section)];
         const std::string name(field.name);
         if (std::holds_alternative<parameters::Quantity>(field.kind))
             section[name] = parameters::get_quantity(c, field);
         else
             section[name] = parameters::value_text(c, field);
+    }
+}
+
+inline bool is_of_joint(const parameters::Field& field) {
+    return field.section == "joint" || field.section == "contact";
+}
+
+// of several joints a list, each with its name and its contact
+inline Json joints_array(const parameters::Case& c) {
+    Json joints = Json::array();
+    for (std::size_t k = 0; k < parameters::joint_count(c); ++k) {
+        Json parts = Json::object();
+        put_fields(parts, parameters::alone(c, k), is_of_joint);
+        Json joint{{"name", parameters::joint_name(c, k)}};
+        joint.update(parts["joint"]);
+        joint["contact"] = parts["contact"];
+        joints.push_back(std::move(joint));
+    }
+    return joints;
+}
+
+inline Json case_object(const parameters::Case& c) {
+    Json object = Json::object();
+    if (c.further_joints.empty()) {
+        put_fields(object, c, [](const parameters::Field&) { return true; });
+    } else {
+        put_fields(object, c, [](const parameters::Field& field) { return !is_of_joint(field); });
+        object["joint"] = joints_array(c);
     }
     if (!parameters::has_temperature_table(c)) return object;
     object["temperature"]["at"] = c.temperature.at;

@@ -36,7 +36,9 @@ Structure joints_on_plate(std::span<const PlateJoint> joints, const parameters::
         contact.tangent(along) = 1.0;
         contact.friction = friction_law(rubbed);
         contact.impact = impact_law(rubbed);
+        structure.body.insert(structure.body.end(), {k, k});
     }
+    structure.body.push_back(count);
     structure.mass(last, last) = plate.mass;
     structure.damping(last, last) = plate.damping;
     structure.stiffness(last, last) = plate.stiffness;

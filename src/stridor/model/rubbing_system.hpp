@@ -13,6 +13,11 @@ inline constexpr int rubbing_system_dofs = 3;
 ///     Kxx = k1i c^2 + k1j s^2,  Kyy = k1i s^2 + k1j c^2,  Kxy = (k1i - k1j) s c,  C likewise;
 ///     c, s: cosine and sine of the incidence angle
 ///     n = (0, 1, -1),  t = (1, 0, 0),  f0 = (0, -F, F)
+///
+/// Several joints stand on the plate one beside the other: u = (x1, y1, x3, y3, ..., y2), a contact each.
 Structure rubbing_system(const parameters::Case& c);
+
+/// Number of unknowns of the case's system: 3 of one joint, 2 more of each further one.
+int dofs_of_system(const parameters::Case& c);
 
 }  // namespace stridor::model

@@ -35,6 +35,7 @@ struct Structure {
     Eigen::MatrixXd stiffness;  // [N/m] K, symmetric, shape [dof][dof]
     Eigen::VectorXd load;       // [N] f0, constant, shape [dof]
     std::vector<ContactPoint> contacts;
+    std::vector<int> body{};  // number of the body that each degree of freedom moves, rising; empty: each its own
 };
 
 /// Matrices and load of zeros for so many degrees of freedom, and as many contacts with normals and tangents of zeros.

@@ -141,12 +141,23 @@ struct Thresholds {
     double least_intervals = 6.0;    // [1] fewest repeats that can be judged; fewer are `undecided`
 };
 
-/// One complete case.
+/// Another joint on the same plate, with its own contact and its dampings as shares of critical.
+struct FurtherJoint {
+    std::string name;  // "lip2", by which keys call it: "joint.lip2.mass"
+    Joint joint;
+    Contact contact;
+    std::optional<double> axial_ratio{};     // [1] as `DampingRatios`
+    std::optional<double> flexural_ratio{};  // [1]
+};
+
+/// One complete case: a joint on a plate, or several.
 struct Case {
     std::string title;
     Joint joint;
     Plate plate;
     Contact contact;
+    std::string joint_name{};                    // of the first joint, where there are several
+    std::vector<FurtherJoint> further_joints{};  // all but the first
     Drive drive;
     Run run;
     Thresholds verdict;

@@ -2,7 +2,9 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/resolution.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
 #include <string>
@@ -170,11 +172,37 @@ void check_verdict(const Case& c, std::vector<Finding>& found) {
 
 std::vector<Finding> findings(const Case& c) {
     std::vector<Finding> found;
+    if (!c.further_joints.empty()) {
+        for (std::size_t joint = 0; joint < joint_count(c); ++joint) {
+            const Case only = alone(c, joint);
+            for (const auto& part : {findings(only), findings_among_several(only)})
+                found.insert(found.end(), part.begin(), part.end());
+        }
+        return found;
+    }
     check_contact(c, found);
     check_drive(c, found);
     check_run(c, found);
     check_verdict(c, found);
     find_unresolvable(c, found);
+    return found;
+}
+
+std::vector<Finding> findings_among_several(const Case& only) {
+    std::vector<Finding> found;
+    if (only.run.engine != Engine::exact)
+        found.push_back({"run.engine",
+                         {"several joints are solved from event to event only", "the beta_2 engine knows one contact",
+                          "Set run.engine = \"exact\"."}});
+    if (only.contact.impact != ImpactKind::plastic)
+        found.push_back(
+            {"contact.impact",
+             {"several joints have plastic impacts only",
+              "other laws say nothing of impacts that meet at the same instant", "Set impact = \"plastic\"."}});
+    if (has_temperature_table(only))
+        found.push_back({"temperature.value",
+                         {"several joints follow no temperature", "a table is of the parts of one joint",
+                          "Write the numbers of one temperature."}});
     return found;
 }
 

@@ -123,7 +123,8 @@ std::optional<double> damping_ratio(const Case& c, const Field& field);
 /// The value as a user would write it, with its unit: "20 N", "sinusoidal", "damping ratio 0.15".
 std::string value_text(const Case& c, const Field& field);
 
-/// Every field that belongs to this case as "section.key = value unit", a line each, shortest round-trip numbers.
+/// Every field that belongs to this case as "section.key = value unit", a line each, shortest round-trip numbers. Of
+/// several joints each has lines of its own, "joint.lip2.contact.preload = 20 N".
 /// Two cases that would run alike have the same text, whatever files they came from; a sampled drive is named by
 /// the hash of its samples. What follows the temperature is its whole table: "temperature.at = -30 degC, 80 degC",
 /// "temperature.joint.axial_stiffness = 60000 N/m, 12000 N/m".

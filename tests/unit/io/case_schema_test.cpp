@@ -26,6 +26,8 @@ TEST(CaseSchema, DescribesEveryFieldOnce) {
     for (const auto& [name, section] : schema["properties"].items())
         if (name == "temperature")
             ++described;  // its value; the lists are no fields
+        else if (name == "joint")
+            described += section["oneOf"][0]["properties"].size();
         else if (name != "chart" && name != "title")
             described += section["properties"].size();
     EXPECT_EQ(described + 1, parameters::fields().size());
@@ -36,8 +38,15 @@ TEST(CaseSchema, DescribesEveryFieldOnce) {
 
 TEST(CaseSchema, RequiresWhatTheReaderRequires) {
     const Json schema = Json::parse(json_schema());
-    for (const char* section : {"joint", "plate", "contact", "drive"})
+    for (const char* section : {"joint", "plate", "drive"})
         EXPECT_TRUE(lists(schema["required"], section)) << section;
+    // a contact of its own, unless there are several joints with theirs
+    EXPECT_EQ(schema["allOf"][0]["then"]["required"], Json::array({"contact"}));
+    EXPECT_EQ(schema["allOf"][0]["else"]["not"]["required"], Json::array({"contact"}));
+    const Json& each = schema["properties"]["joint"]["oneOf"][1]["items"];
+    for (const char* name : {"name", "contact", "mass", "axial_stiffness", "incidence_angle"})
+        EXPECT_TRUE(lists(each["required"], name)) << name;
+    EXPECT_TRUE(lists(each["properties"]["contact"]["required"], "kinetic_friction"));
     EXPECT_FALSE(lists(schema["required"], "run"));
     EXPECT_TRUE(lists(schema["properties"]["contact"]["required"], "preload"));
     // what may follow the temperature must be there without a table only

@@ -5,6 +5,7 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/io/chart/json_chart.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/sweep/boundaries.hpp"
 
 #include <gtest/gtest.h>
@@ -44,21 +45,25 @@ TEST(CaseJson, HoldsWhatBelongsToTheCase) {
 }
 
 TEST(SimulationJson, ListsSeveralContacts) {
-    const parameters::Case c;
+    parameters::Case c;
+    c.joint_name = "upper";
+    parameters::add_joint(c, "lower", parameters::Case());
     integration::Motion motion;
     record::Tally tally;
     tally.contacts.resize(2);
     tally.contacts[0].time = tally.contacts[0].judged_time = {1.0, 0.0, 0.0};
     tally.contacts[1].time = tally.contacts[1].judged_time = {0.5, 0.25, 0.25};
-    tally.vibration.resize(3);
-    tally.closing_vibration.resize(3);
+    tally.vibration.resize(5);
+    tally.closing_vibration.resize(5);
     motion.record.phases = {tally};
     const auto verdicts = classification::classify_phases(motion.record.phases, c.verdict);
     const Json phase = Json::parse(simulation_json(c, motion, {}, verdicts))["phases"][0];
     EXPECT_EQ(phase["verdict"]["category"], "undecided");  // the second has too few intervals
     ASSERT_EQ(phase["contacts"].size(), 2U);
     EXPECT_EQ(phase["contacts"][0]["verdict"]["category"], "none");
-    EXPECT_EQ(phase["contacts"][1]["contact"], 2);
+    EXPECT_EQ(phase["contacts"][0]["name"], "upper");
+    EXPECT_EQ(phase["contacts"][1]["name"], "lower");
+    EXPECT_EQ(phase["contacts"][1]["rates"]["stick"], 0.25);
     EXPECT_EQ(phase["contacts"][1]["verdict"]["rates"]["stick"], 0.25);
     EXPECT_FALSE(simulation_document()["phases"][0].contains("contacts"));
 }

@@ -4,6 +4,7 @@
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <fmt/format.h>
@@ -28,11 +29,15 @@ std::string temperature_table_text(const parameters::Case& c) {
     return text;
 }
 
-std::string fields_text(const parameters::Case& c) {
+enum class Shown { all, joint, but_joint };
+
+std::string fields_text(const parameters::Case& c, Shown shown) {
     std::string text;
     std::string_view section;
     for (const parameters::Field& field : parameters::fields()) {
         if (!field.belongs(c) || field.section.empty()) continue;
+        const bool is_of_joint = field.section == "joint" || field.section == "contact";
+        if (shown != Shown::all && is_of_joint != (shown == Shown::joint)) continue;
         if (field.section != section) text += (section.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
         section = field.section;
         const std::string symbol = field.symbol.empty() ? "" : std::string(field.symbol) + ": ";
@@ -46,6 +51,16 @@ std::string fields_text(const parameters::Case& c) {
         if (field.section == "temperature") text += temperature_table_text(c);
     }
     return text;
+}
+
+// joint by joint, then what they share
+std::string fields_text(const parameters::Case& c) {
+    if (c.further_joints.empty()) return fields_text(c, Shown::all);
+    std::string text;
+    for (std::size_t k = 0; k < parameters::joint_count(c); ++k)
+        text += styled(parameters::joint_name(c, k), Style::bold, STDOUT_FILENO) + "\n" +
+                fields_text(parameters::alone(c, k), Shown::joint) + "\n";
+    return text + fields_text(c, Shown::but_joint);
 }
 
 std::string frequencies_text(const parameters::Case& c) {

@@ -4,10 +4,12 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/joints.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stridor::console {
@@ -77,14 +79,38 @@ std::string left_out(const parameters::Case& c, const std::vector<Verdict>& verd
         e.judged_time);
 }
 
+// what the joints rub with
+std::string joints_text(const parameters::Case& c) {
+    std::string text;
+    for (std::size_t k = 0; k < parameters::joint_count(c); ++k) {
+        const parameters::Case only = parameters::alone(c, k);
+        text += c.further_joints.empty() ? "" : "  " + parameters::joint_name(c, k) + ": ";
+        text += fmt::format("preload {:g} N, mu_d {:g}, mu_s {:g}, incidence angle {:g} deg\n", only.contact.preload,
+                            only.contact.kinetic_friction, only.contact.static_friction, only.joint.incidence_angle);
+    }
+    return c.further_joints.empty() ? ", " + text : fmt::format(", {} joints\n", parameters::joint_count(c)) + text;
+}
+
+// a row for each contact of several, the phase's verdict being that of the loudest
+std::string contacts_text(const parameters::Case& c, const integration::Motion& motion) {
+    if (c.further_joints.empty()) return "";
+    std::string text = "\neach contact by itself; a phase has the verdict of the loudest:\n";
+    std::size_t widest = 8;
+    for (std::size_t k = 0; k < parameters::joint_count(c); ++k)
+        widest = std::max(widest, parameters::joint_name(c, k).size() + 2);
+    for (const record::Tally& phase : motion.record.phases)
+        for (const Verdict& verdict : classification::classify_contacts(phase, c.verdict))
+            text += fmt::format("{:<{}}", parameters::joint_name(c, verdict.evidence.contact), widest) +
+                    verdict_row(verdict);
+    return text;
+}
+
 }  // namespace
 
 std::string simulation_text(const parameters::Case& c, const integration::Motion& motion,
                             const std::vector<Verdict>& verdicts) {
     std::string text = styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n";
-    text +=
-        fmt::format("{}, preload {:g} N, mu_d {:g}, mu_s {:g}, incidence angle {:g} deg\n", drive_text(c),
-                    c.contact.preload, c.contact.kinetic_friction, c.contact.static_friction, c.joint.incidence_angle);
+    text += drive_text(c) + joints_text(c);
     text += fmt::format("engine {}; start: {}; energy balance closes to {:.1e}\n\n", engine_text(c),
                         parameters::value_text(c, *parameters::find_field("run.initial")),
                         std::abs(motion.energy.relative_residual()));
@@ -93,7 +119,7 @@ std::string simulation_text(const parameters::Case& c, const integration::Motion
                         "separ.", "regularity", "frequency", "joint level");
     for (const Verdict& verdict : verdicts)
         text += verdict_row(verdict);
-    text += "\n";
+    text += contacts_text(c, motion) + "\n";
     for (const Verdict& verdict : verdicts) {
         text += fmt::format("{}: ", record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)]);
         for (std::size_t k = 0; k < verdict.reasons.size(); ++k)

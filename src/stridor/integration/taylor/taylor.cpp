@@ -66,6 +66,7 @@ private:
     double next_boundary() const;
     Firing first_firing(double reach);
     void account(double theta);
+    void add_vibration(const Eigen::VectorXd& speed, double duration);
     void pass_samples(double theta);
     void move(double theta);
     std::optional<Outcome> fire(const Firing& firing);
@@ -212,11 +213,24 @@ void TaylorRun::account(double theta) {
         if (!is_judged) continue;
         const Eigen::VectorXd speed =
             structure_.shapes * Eigen::Map<const Eigen::VectorXd>(v, static_cast<Eigen::Index>(scratch_.size()));
-        for (std::size_t dof = 0; dof < vibration_.size(); ++dof) {
-            const double square = speed(static_cast<Eigen::Index>(dof)) * speed(static_cast<Eigen::Index>(dof));
-            vibration_[dof].square_time += duration * square;
-            vibration_[dof].peak_square = std::max(vibration_[dof].peak_square, square);
+        add_vibration(speed, duration);
+    }
+}
+
+// peaks are of whole bodies: their degrees of freedom stand one after the other
+void TaylorRun::add_vibration(const Eigen::VectorXd& speed, double duration) {
+    const auto body = [this](std::size_t dof) {
+        return whole_.body.empty() ? static_cast<int>(dof) : whole_.body[dof];
+    };
+    for (std::size_t first = 0, end = 0; first < vibration_.size(); first = end) {
+        double whole = 0.0;
+        for (end = first; end < vibration_.size() && body(end) == body(first); ++end) {
+            const double square = speed(static_cast<Eigen::Index>(end)) * speed(static_cast<Eigen::Index>(end));
+            vibration_[end].square_time += duration * square;
+            whole += square;
         }
+        for (std::size_t dof = first; dof < end; ++dof)
+            vibration_[dof].peak_square = std::max(vibration_[dof].peak_square, whole);
     }
 }
 

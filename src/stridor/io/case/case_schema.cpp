@@ -147,6 +147,30 @@ Json chart_schema() {
     return schema;
 }
 
+// [joint] with [contact], or [[joint]] tables, each with its name and its [joint.contact]
+void allow_several_joints(Json& document) {
+    Json& properties = document["properties"];
+    Json contact = properties["contact"];
+    Json each = properties["joint"];
+    each["properties"]["name"] = {{"type", "string"}, {"pattern", "^[A-Za-z0-9_-]+$"}};
+    for (const parameters::Field& field : parameters::fields())
+        if (is_always_required(field) && may_follow_temperature(field)) {
+            if (field.section == "joint") each["required"].push_back(field.name);
+            if (field.section == "contact") contact["required"].push_back(field.name);
+        }
+    each["properties"]["contact"] = std::move(contact);
+    each["required"].push_back("name");
+    each["required"].push_back("contact");
+    Json one = properties["joint"];
+    properties["joint"] = {
+        {"oneOf", {std::move(one), {{"type", "array"}, {"minItems", 1}, {"items", std::move(each)}}}}};
+    Json& required = document["required"];
+    required.erase(std::find(required.begin(), required.end(), "contact"));
+    document["allOf"] = {{{"if", {{"properties", {{"joint", {{"type", "object"}}}}}}},
+                          {"then", {{"required", Json::array({"contact"})}}},
+                          {"else", {{"not", {{"required", Json::array({"contact"})}}}}}}};
+}
+
 }  // namespace
 
 std::string json_schema() {
@@ -171,6 +195,7 @@ std::string json_schema() {
     add_temperature_lists(properties["temperature"]);
     properties["drive"]["allOf"] = drive_conditions();
     properties["chart"] = chart_schema();
+    allow_several_joints(document);
     // last: they move what stands before
     document["if"] = {{"not", {{"required", Json::array({"temperature"})}}}};
     document["then"] = without_temperature();

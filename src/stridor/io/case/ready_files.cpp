@@ -4,6 +4,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/io/case/case_schema.hpp"
 #include "stridor/io/case/toml_writer.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/ready_charts.hpp"
@@ -14,16 +15,24 @@
 
 namespace stridor::io {
 
+namespace {
+
+constexpr const char* two_lips_name = "two-lips";
+
+}  // namespace
+
 std::vector<std::string> ready_file_names() {
     std::vector<std::string> names(parameters::paper_case_names.begin(), parameters::paper_case_names.end());
     for (sweep::ReadyChart& chart : sweep::ready_charts())
         names.push_back(std::move(chart.name));
+    names.emplace_back(two_lips_name);
     names.emplace_back("schema");
     return names;
 }
 
 std::string ready_file(const std::string& name) {
     if (name == "schema") return json_schema();
+    if (name == two_lips_name) return case_toml(parameters::two_lips());
     for (const sweep::ReadyChart& chart : sweep::ready_charts())
         if (name == chart.name) return study_toml(chart.study);
     const auto& cases = parameters::paper_case_names;

@@ -5,8 +5,8 @@
 
 namespace stridor::io {
 
-/// The names of the files that the program brings along: the cases of Table 1, the ready charts, and "schema", the JSON
-/// Schema of case files.
+/// The names of the files that the program brings along: the cases of Table 1, the ready charts, "two-lips", a case
+/// with several joints, and "schema", the JSON Schema of case files.
 std::vector<std::string> ready_file_names();
 
 /// The text of such a file, with comments; the name is one of them.

@@ -3,12 +3,15 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/complaints.hpp"
 #include "stridor/io/case/toml_case_keys.hpp"
+#include "stridor/io/case/toml_joints.hpp"
 #include "stridor/io/case/toml_temperature.hpp"
 #include "stridor/parameters/check.hpp"
+#include "stridor/parameters/joints.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -143,6 +146,45 @@ void read_samples(Case& c, const TomlDocument& document, const SamplesReader& sa
     }
 }
 
+parameters::Case read_one(const TomlDocument& document, const SamplesReader& samples) {
+    CaseReading reading(document);
+    reading.read_kinds();
+    reading.read_values();
+    // what a sampled drive moves is known only when its file is read
+    if (reading.complaints().empty()) read_samples(reading.result(), document, samples);
+    reading.check_findings();
+    reading.complaints().throw_any();
+    return reading.result();
+}
+
+// several joints: the file is read once for each, and the first says what they share
+parameters::Case read_several(const TomlDocument& document, const SamplesReader& samples) {
+    Complaints complaints;
+    std::optional<Case> whole;
+    for (const JointDocument& joint : joint_documents(document, complaints))
+        complaints.keep([&] {
+            const Case only = read_one(joint.document, samples);
+            for (const parameters::Finding& finding : parameters::findings_among_several(only)) {
+                const TomlEntry* entry = joint.document.find(finding.key);
+                complaints.add({ErrorKind::input, finding.problem,
+                                entry != nullptr ? entry->value_place : base::Place{document.name, 0, 0, ""}});
+            }
+            if (whole) return parameters::add_joint(*whole, joint.name, only);
+            whole = only;
+            whole->joint_name = joint.name;
+        });
+    complaints.throw_any();
+    return *whole;
+}
+
+void require_one_joint(const TomlDocument& document) {
+    if (!lists_joints(document)) return;
+    throw Error(ErrorKind::input,
+                {"this command takes a case with one joint", "the file lists joints, as [[joint]]",
+                 "`stridor simulate` and `stridor check` take several."},
+                document.find("joint")->key_place);
+}
+
 }  // namespace
 
 bool is_required(const parameters::Field& field) {
@@ -166,20 +208,31 @@ void assign(Case& c, const Field& field, const TomlEntry& entry) {
 }
 
 std::vector<base::Complaint> case_warnings(const TomlDocument& document) {
-    CaseReading reading(document);
-    reading.read_kinds();
+    Complaints names;  // said when the case is read
+    std::vector<JointDocument> joints;
+    if (lists_joints(document)) joints = joint_documents(document, names);
+    if (joints.empty()) joints.push_back({"", document});
     std::vector<base::Complaint> warnings;
-    for (const TomlEntry& entry : document.entries) {
-        const Field* field = parameters::find_field(entry.key);
-        if (field == nullptr || !is_idle(reading.of_file(), *field, entry)) continue;
-        warnings.push_back({{entry.key + " means nothing for this case and is left out",
-                             "it belongs to " + parameters::home_of(reading.of_file(), *field), ""},
-                            entry.key_place});
+    for (const JointDocument& joint : joints) {
+        CaseReading reading(joint.document);
+        reading.read_kinds();
+        for (const TomlEntry& entry : joint.document.entries) {
+            const Field* field = parameters::find_field(entry.key);
+            if (field == nullptr || !is_idle(reading.of_file(), *field, entry)) continue;
+            const bool is_told = std::any_of(warnings.begin(), warnings.end(), [&](const base::Complaint& told) {
+                return told.place->line == entry.key_place.line && told.place->column == entry.key_place.column;
+            });
+            if (is_told) continue;
+            warnings.push_back({{entry.key + " means nothing for this case and is left out",
+                                 "it belongs to " + parameters::home_of(reading.of_file(), *field), ""},
+                                entry.key_place});
+        }
     }
     return warnings;
 }
 
 parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples) {
+    require_one_joint(document);
     CaseReading reading(document);
     reading.read_kinds();
     reading.read_values();
@@ -188,23 +241,17 @@ parameters::Case read_base_case(const TomlDocument& document, const SamplesReade
     return reading.result();
 }
 
-parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples) {
-    CaseReading reading(document);
-    reading.read_kinds();
-    reading.read_values();
-    // what a sampled drive moves is known only when its file is read
-    if (reading.complaints().empty()) read_samples(reading.result(), document, samples);
-    reading.check_findings();
-    reading.complaints().throw_any();
-    return reading.result();
+parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples, JointsTaken joints) {
+    if (joints == JointsTaken::one) require_one_joint(document);
+    return lists_joints(document) ? read_several(document, samples) : read_one(document, samples);
 }
 
-parameters::Case read_case(const TomlSource& source) {
-    return read_case(parse_toml(source), recordings::read_sampled_file);
+parameters::Case read_case(const TomlSource& source, JointsTaken joints) {
+    return read_case(parse_toml(source), recordings::read_sampled_file, joints);
 }
 
-parameters::Case read_case(const std::string& path, std::vector<std::string> overrides) {
-    return read_case(load_toml(path, std::move(overrides)));
+parameters::Case read_case(const std::string& path, std::vector<std::string> overrides, JointsTaken joints) {
+    return read_case(load_toml(path, std::move(overrides)), joints);
 }
 
 }  // namespace stridor::io

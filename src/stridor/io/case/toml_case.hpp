@@ -15,6 +15,9 @@ namespace stridor::io {
 /// file. Whoever reads for somebody who may name no files hands over one that opens none.
 using SamplesReader = std::function<recordings::SampledMotion(const std::string& path)>;
 
+/// How many joints the reader can do with: who knows one only refuses a case of several by name.
+enum class JointsTaken { one, several };
+
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
 ///
 /// Everything in [joint], [plate], [contact] and [drive] that belongs to the case must be there, except contact.impact
@@ -24,13 +27,18 @@ using SamplesReader = std::function<recordings::SampledMotion(const std::string&
 /// drive's CSV is looked for beside the file (given by an override: in the current folder).
 /// Throws `Error` (input) with all that is wrong, each with file, line, column and source line, for anything else than
 /// a case that can be simulated.
-parameters::Case read_case(const TomlSource& source);
+///
+/// A file with `[[joint]]` tables has several joints on its plate, each with a name and the keys of [joint], and with
+/// those of [contact] in [joint.contact].
+parameters::Case read_case(const TomlSource& source, JointsTaken joints = JointsTaken::one);
 
 /// The same of a document that is parsed already.
-parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples);
+parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples,
+                           JointsTaken joints = JointsTaken::one);
 
 /// The same from a file; "-" is standard input.
-parameters::Case read_case(const std::string& path, std::vector<std::string> overrides = {});
+parameters::Case read_case(const std::string& path, std::vector<std::string> overrides = {},
+                           JointsTaken joints = JointsTaken::one);
 
 /// The case a chart starts from, out of a document that is parsed already. Whether its values fit together is left to
 /// the chart, whose axes replace two of them.

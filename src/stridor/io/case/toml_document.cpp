@@ -170,11 +170,31 @@ TomlValue value_of(const toml::node& node) {
 
 // Keys are three names long at most ("chart.x.from"); what lies deeper hangs on a key that is unknown already.
 constexpr int deepest = 4;
+constexpr std::string_view listed_section = "joint";  // the only one that may be there several times
+
+bool is_list_of_tables(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    return list != nullptr && list->is_array_of_tables();
+}
 
 void collect(const toml::table& table, const std::string& prefix, int depth, const Places& places,
              std::vector<TomlEntry>& entries) {
     for (const auto& [key, node] : table) {
         const std::string full = prefix + std::string(key.str());
+        // [[joint]]: its tables are called by their numbers, "joint.1"
+        if (full == listed_section && is_list_of_tables(node)) {
+            const toml::array& list = *node.as_array();
+            entries.push_back(
+                {full, TomlTable{}, TomlOrigin::file, places.at(key.source().begin), places.at(node.source().begin)});
+            for (std::size_t k = 0; k < list.size(); ++k) {
+                const toml::table& each = *list[k].as_table();
+                const std::string name = full + "." + std::to_string(k + 1);
+                const base::Place place = places.at(each.source().begin);
+                entries.push_back({name, TomlTable{}, TomlOrigin::file, place, place});
+                collect(each, name + ".", depth + 1, places, entries);
+            }
+            continue;
+        }
         entries.push_back(
             {full, value_of(node), TomlOrigin::file, places.at(key.source().begin), places.at(node.source().begin)});
         const toml::table* inner = depth < deepest ? node.as_table() : nullptr;

@@ -1,6 +1,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/starts.hpp"
 
@@ -158,10 +159,17 @@ std::string toml_line(const Case& c, const Field& field) {
     return std::string(field.name) + " = " + (is_unknown_file ? basic_string("velocity.csv") : value_of(c, field));
 }
 
-std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
-    std::string text = heading(options);
+namespace {
+
+enum class Sections { all, of_joint, but_joint };
+
+std::string section_lines(const Case& c, const TomlOptions& options, Sections sections, std::string text = {}) {
     std::string_view section;
     for (const Field& field : parameters::fields()) {
+        const bool is_of_joint = field.section == "joint" || field.section == "contact";
+        const bool is_wanted =
+            is_of_joint ? sections == Sections::of_joint : !field.section.empty() && sections == Sections::but_joint;
+        if (sections != Sections::all && !is_wanted) continue;
         if (!has_line(c, field, options)) continue;
         const bool is_used = field.belongs(c);
         if (field.section != section) text += (text.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
@@ -171,6 +179,31 @@ std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
         if (section == "temperature") text += table_lines(c, options);
     }
     return text;
+}
+
+void replace_line(std::string& text, std::string_view line, std::string_view by) {
+    if (const std::size_t at = text.find(line); at != std::string::npos) text.replace(at, line.size(), by);
+}
+
+// [joint] and [contact] of one joint as [[joint]], with its name, and [joint.contact]
+std::string joint_table(const Case& c, std::size_t joint, const TomlOptions& options) {
+    std::string text = section_lines(parameters::alone(c, joint), options, Sections::of_joint);
+    replace_line(text, "[joint]\n", "[[joint]]\nname = " + basic_string(parameters::joint_name(c, joint)) + "\n");
+    replace_line(text, "\n[contact]\n", "\n[joint.contact]\n");
+    return text;
+}
+
+}  // namespace
+
+std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
+    if (c.further_joints.empty()) return section_lines(c, options, Sections::all, heading(options));
+    std::string text = heading(options);
+    if (!c.title.empty()) text += toml_line(c, *parameters::find_field("title")) + "\n\n";
+    for (std::size_t joint = 0; joint < parameters::joint_count(c); ++joint)
+        text += joint_table(c, joint, options) + "\n";
+    Case shared = c;
+    shared.title.clear();
+    return text + section_lines(shared, options, Sections::but_joint);
 }
 
 std::string study_toml(const sweep::Study& study, const TomlOptions& options) {

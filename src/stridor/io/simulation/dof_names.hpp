@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/parameters/joints.hpp"
 
 #include <array>
 #include <cstddef>
@@ -14,10 +14,23 @@ namespace stridor::io {
 inline constexpr std::array<std::string_view, 3> dof_sentences{
     "of the joint along the plate", "of the joint across the plate", "of the plate across the contact"};
 
-/// Names of the degrees of freedom in files: x1, y1, y2 of the rubbing system; u1, u2, ... of any other structure.
-inline std::vector<std::string> dof_names(std::size_t count) {
-    if (count == static_cast<std::size_t>(model::rubbing_system_dofs)) return {"x1", "y1", "y2"};
+/// Names of the degrees of freedom in files: x1, y1, y2 of the rubbing system; of several joints x and y with their
+/// names, then y_plate.
+inline std::vector<std::string> dof_names(const parameters::Case& c) {
+    if (c.further_joints.empty()) return {"x1", "y1", "y2"};
     std::vector<std::string> names;
+    for (std::size_t k = 0; k < parameters::joint_count(c); ++k)
+        for (const std::string_view direction : {"x_", "y_"})
+            names.push_back(std::string(direction) + parameters::joint_name(c, k));
+    names.emplace_back("y_plate");
+    return names;
+}
+
+/// The same, or u1, u2, ... where a record is of another structure.
+inline std::vector<std::string> dof_names(const parameters::Case& c, std::size_t count) {
+    std::vector<std::string> names = dof_names(c);
+    if (names.size() == count) return names;
+    names.clear();
     for (std::size_t k = 1; k <= count; ++k)
         names.push_back("u" + std::to_string(k));
     return names;

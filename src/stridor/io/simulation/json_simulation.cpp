@@ -51,11 +51,20 @@ Json verdict_object(const classification::Verdict& verdict) {
     return object;
 }
 
-// of a structure with several contacts: each by itself, numbered from 1
+Json rates_object(const analysis::Rates& rates) {
+    return {{"slip", rates.slip}, {"stick", rates.stick}, {"separation", rates.separation}};
+}
+
+// of a case with several joints: each contact by itself, called as its joint
 Json contacts_array(const Case& c, const record::Tally& phase) {
     Json contacts = Json::array();
-    for (const classification::Verdict& verdict : classification::classify_contacts(phase, c.verdict))
-        contacts.push_back({{"contact", verdict.evidence.contact + 1}, {"verdict", verdict_object(verdict)}});
+    for (const classification::Verdict& verdict : classification::classify_contacts(phase, c.verdict)) {
+        const std::size_t contact = verdict.evidence.contact;
+        const std::string name =
+            contact < parameters::joint_count(c) ? parameters::joint_name(c, contact) : std::to_string(contact + 1);
+        contacts.push_back(
+            {{"name", name}, {"rates", rates_object(verdict.evidence.rates)}, {"verdict", verdict_object(verdict)}});
+    }
     return contacts;
 }
 

@@ -36,7 +36,7 @@ std::string trace_csv(const parameters::Case& c, const record::Trace& trace, dou
     facts.emplace_back("rate", base::shortest(rate_of(trace, interval)) + " Hz");
     add_lines(facts, parameters::canonical_text(c));
     const std::size_t contacts = trace.contacts.size();
-    const std::vector<record::NumberColumn> numbers = record::columns(trace, dof_names(trace.displacement.size()));
+    const std::vector<record::NumberColumn> numbers = record::columns(trace, dof_names(c, trace.displacement.size()));
     // the states of a contact stand behind its numbers
     const std::size_t before = numbers.size() - contacts * record::contact_columns.size();
     const auto is_last_of_contact = [&](std::size_t column) {

@@ -33,8 +33,8 @@ void put_contacts(NetcdfDataset& file, const record::Trace& trace, const std::ve
     file.flags(std::string(record::state_column), along, states, model::contact_state_names, {"", "contact state"});
 }
 
-void put_trace(NetcdfDataset& file, const record::Trace& trace) {
-    const std::vector<std::string> names = dof_names(trace.displacement.size());
+void put_trace(NetcdfDataset& file, const parameters::Case& c, const record::Trace& trace) {
+    const std::vector<std::string> names = dof_names(c, trace.displacement.size());
     const int time = file.dimension("time", trace.time.size());
     const int dof = file.dimension("dof", names.size());
     const auto put = [&](const record::TraceColumn& column, MissingNumbers missing) {
@@ -93,7 +93,7 @@ void write_trace_netcdf(const std::string& path, const parameters::Case& c, cons
     file.attribute("study", canonical);
     file.attribute("study_hash", base::hash_text(canonical));
     file.attribute("case", case_toml(c, {.comments = Comments::none, .heading = ""}));
-    if (!record.trace.time.empty()) put_trace(file, record.trace);
+    if (!record.trace.time.empty()) put_trace(file, c, record.trace);
     const bool has_history = std::any_of(record.histories.begin(), record.histories.end(),
                                          [](const record::ContactHistory& history) { return !history.empty(); });
     if (has_history) put_histories(file, record.histories);

@@ -1,0 +1,83 @@
+#include "stridor/parameters/joints.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/parameters/field.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace stridor::parameters {
+
+namespace {
+
+constexpr std::string_view joint_opening = "joint.";
+constexpr std::string_view contact_opening = "contact.";
+
+}  // namespace
+
+std::size_t joint_count(const Case& c) {
+    return 1 + c.further_joints.size();
+}
+
+std::string joint_name(const Case& c, std::size_t joint) {
+    STRIDOR_EXPECT(joint < joint_count(c));
+    if (c.further_joints.empty()) return "joint";
+    return joint == 0 ? c.joint_name : c.further_joints[joint - 1].name;
+}
+
+Case alone(const Case& c, std::size_t joint) {
+    STRIDOR_EXPECT(joint < joint_count(c));
+    Case only = c;
+    only.joint_name.clear();
+    only.further_joints.clear();
+    if (joint == 0) return only;
+    const FurtherJoint& further = c.further_joints[joint - 1];
+    only.joint = further.joint;
+    only.contact = further.contact;
+    only.damping_ratios.axial = further.axial_ratio;
+    only.damping_ratios.flexural = further.flexural_ratio;
+    return only;
+}
+
+void add_joint(Case& c, std::string name, const Case& only) {
+    c.further_joints.push_back(
+        {std::move(name), only.joint, only.contact, only.damping_ratios.axial, only.damping_ratios.flexural});
+}
+
+Case two_lips() {
+    Case c;
+    c.contact.preload = 200.0;
+    c.contact.kinetic_friction = 0.2;
+    c.drive.kind = DriveKind::constant;
+    c.drive.velocity = -0.1;
+    c.run.duration = 2.0;
+    c.run.initial = Initial::stuck;
+    Case lower = c;
+    lower.joint.incidence_angle = 60.0;
+    c.title = "two lips on one pane";
+    c.joint_name = "upper";
+    add_joint(c, "lower", lower);
+    return c;
+}
+
+std::optional<JointKey> joint_key(std::string_view key) {
+    if (!key.starts_with(joint_opening)) return std::nullopt;
+    const std::string_view rest = key.substr(joint_opening.size());
+    const std::size_t point = rest.find('.');
+    if (point == std::string_view::npos) return std::nullopt;
+    const std::string_view inner = rest.substr(point + 1);
+    const bool is_of_contact = inner.starts_with(contact_opening);
+    return JointKey{std::string(rest.substr(0, point)),
+                    is_of_contact ? std::string(inner) : std::string(joint_opening) + std::string(inner)};
+}
+
+bool names_a_joint(std::string_view name) {
+    const auto fits = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    };
+    constexpr std::size_t longest = 64;
+    return !name.empty() && name.size() <= longest && std::all_of(name.begin(), name.end(), fits) &&
+           name != "contact" && name != "name" && find_field(std::string(joint_opening) + std::string(name)) == nullptr;
+}
+
+}  // namespace stridor::parameters

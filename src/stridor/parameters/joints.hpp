@@ -1,0 +1,43 @@
+#pragma once
+
+#include "stridor/parameters/case.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// Cases with several joints on one plate. Each joint has a name, and the keys of `[joint]` and `[contact]` below it:
+/// "joint.lip2.mass", "joint.lip2.contact.preload".
+namespace stridor::parameters {
+
+/// Most joints of a case: with ten the event-driven engine is at its limit.
+inline constexpr std::size_t most_joints = 16;
+
+std::size_t joint_count(const Case& c);
+
+/// The name of a joint; "joint" where there is only one.
+std::string joint_name(const Case& c, std::size_t joint);
+
+/// The case as if this joint were its only one: what a single joint's fields, checks and texts are made from.
+Case alone(const Case& c, std::size_t joint);
+
+/// Appends what `alone` shows of another case as a further joint.
+void add_joint(Case& c, std::string name, const Case& only);
+
+/// Two lips of a seal on one pane: Table 1's joint twice, leaning differently, on a plate that moves evenly.
+Case two_lips();
+
+/// A key of one joint: its name, and the key that it is for a case with one joint.
+struct JointKey {
+    std::string joint;  // "lip2"
+    std::string key;    // "joint.mass", "contact.preload"
+};
+
+/// Takes "joint.lip2.contact.preload" apart; nothing for a key of any other form.
+std::optional<JointKey> joint_key(std::string_view key);
+
+/// A word that may name a joint: letters, digits, "_" and "-", and no key of `[joint]`.
+bool names_a_joint(std::string_view name);
+
+}  // namespace stridor::parameters
