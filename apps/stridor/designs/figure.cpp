@@ -43,7 +43,7 @@ record::Record recorded(const Case& c, const record::TraceRequest& trace, const 
 
 using NamedCase = std::pair<std::string, Case>;
 
-drawing::Scene states_scene(const std::vector<NamedCase>& cases, const drawing::Range& time,
+drawing::Scene states_scene(const std::vector<NamedCase>& cases, const drawing::Extent& time,
                             const std::stop_token& stop) {
     std::vector<figures::StatesOfCase> states;
     for (const auto& [name, c] : cases)

@@ -28,14 +28,14 @@ using noise_library::Access;
 using noise_library::Entry;
 using noise_library::Library;
 
-using io::HearingOptions;
+using io::JudgingOptions;
 
-HearingOptions hearing_options(HearingOptions options) {
+JudgingOptions judging_options(JudgingOptions options) {
     options.note = console::say_note;
     return options;
 }
 
-void add_hearing_options(CLI::App& command, HearingOptions& options) {
+void add_judging_options(CLI::App& command, JudgingOptions& options) {
     command
         .add_option("--channel", options.channel,
                     "the sound among several channels: name or number (default: by unit, the loudest)")
@@ -47,7 +47,7 @@ struct AddOptions {
     LibraryOption library;
     std::vector<std::string> files;
     EntryOptions entry;
-    HearingOptions hearing;
+    JudgingOptions judging;
     bool without_verdict = false;
     bool again = false;
     bool json = false;
@@ -67,9 +67,9 @@ void add(const AddOptions& options) {
     adding.known = options.again ? noise_library::Known::added_again : noise_library::Known::skipped;
     adding.refused = is_alone ? noise_library::Refused::thrown : noise_library::Refused::listed;
     adding.stop = interrupt.token();
-    HearingOptions hearing = hearing_options(options.hearing);
-    if (options.without_verdict) hearing.judging = io::Judging::none;
-    adding.probe = io::probe_of(hearing, [&](double share) {
+    JudgingOptions judging = judging_options(options.judging);
+    if (options.without_verdict) judging.judging = io::Judging::none;
+    adding.probe = io::probe_of(judging, [&](double share) {
         noise_library::go_on(adding.stop, files.files.size() - row.done());
         row.show(share);
     });
@@ -94,7 +94,7 @@ struct JudgeOptions {
     LibraryOption library;
     std::vector<std::int64_t> ids;
     SelectionOptions selection;
-    HearingOptions hearing;
+    JudgingOptions judging;
     bool all = false;
     bool json = false;
 };
@@ -119,7 +119,7 @@ void judge_again(const JudgeOptions& options) {
         const Entry before = library.get(only).front();
         row.begin(library.audio_file(before));
         const Entry entry =
-            io::judge_again(library, id, hearing_options(options.hearing), [&](double share) { row.show(share); });
+            io::judge_again(library, id, judging_options(options.judging), [&](double share) { row.show(share); });
         row.end();
         if (options.json)
             entries.push_back(entry);
@@ -144,7 +144,7 @@ void add_library_add(CLI::App& library) {
         ->required();
     add_library_option(*command, options->library);
     add_entry_options(*command, options->entry);
-    add_hearing_options(*command, options->hearing);
+    add_judging_options(*command, options->judging);
     command->add_flag("--no-verdict", options->without_verdict, "do not listen: no category, no figures of the sound");
     command->add_flag("--again", options->again, "add a sound even if an entry has it already");
     command->add_flag("--json", options->json,
@@ -167,7 +167,7 @@ void add_library_judge(CLI::App& library) {
     command->add_option("ids", options->ids, "these entries, whatever their verdict");
     add_library_option(*command, options->library);
     add_selection_options(*command, options->selection);
-    add_hearing_options(*command, options->hearing);
+    add_judging_options(*command, options->judging);
     command->add_flag("--all", options->all, "all that meet the conditions, whatever their verdict");
     command->add_flag("--json", options->json, "print the entries as one JSON document (schema stridor.library/1)");
     command->footer(

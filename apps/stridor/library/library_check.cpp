@@ -40,9 +40,9 @@ void tell(const Findings& findings, const std::filesystem::path& file) {
 
 void repair(const CheckOptions& options, const std::filesystem::path& file) {
     const std::vector<std::filesystem::path> archives(options.archives.begin(), options.archives.end());
-    io::HearingOptions hearing;
-    hearing.note = console::say_note;
-    const io::Repair done = io::repair_library(file, archives, io::probe_of(hearing, {}));
+    io::JudgingOptions judging;
+    judging.note = console::say_note;
+    const io::Repair done = io::repair_library(file, archives, io::probe_of(judging, {}));
     console::print(fmt::format("{} kept, {} brought back from archives, {} made anew from sounds, {} lost\n",
                                console::counted(done.kept, "entry", "entries"), done.from_archives, done.from_sounds,
                                done.lost.size()));

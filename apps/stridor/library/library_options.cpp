@@ -11,7 +11,7 @@
 namespace stridor::app {
 
 using noise_library::Entry;
-using noise_library::Field;
+using noise_library::EntryField;
 
 void add_library_option(CLI::App& command, LibraryOption& option) {
     command
@@ -35,7 +35,7 @@ noise_library::Query query_of(const SelectionOptions& options) {
 }
 
 void add_entry_options(CLI::App& command, EntryOptions& options) {
-    for (const Field& field : noise_library::fields()) {
+    for (const EntryField& field : noise_library::fields()) {
         if (field.writer != noise_library::Writer::user || is_document(field)) continue;
         const std::string_view unit = unit_of(field);
         command

@@ -30,7 +30,7 @@ void analyse(const AnalyseOptions& options) {
     const io::SoundReport report = listen_to(options.input, field);
     if (!options.figure.empty()) {
         drawing::Scene scene = figures::sound(report.channels[report.loudest], report.verdicts[report.loudest]);
-        scene.title = drawing::Text(console::channel_title(report, report.loudest));
+        scene.title = drawing::StyledText(console::channel_title(report, report.loudest));
         figures::draw(scene, options.figure);
     }
     console::print(options.json ? io::analyse_json(report) + "\n"

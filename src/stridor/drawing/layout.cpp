@@ -38,10 +38,10 @@ struct Needs {
 };
 
 // one direction of the grid: where each row or column begins and ends [mm]
-std::vector<Range> divided(Range room, const std::vector<double>& shares, const std::vector<double>& gaps) {
+std::vector<Extent> divided(Extent room, const std::vector<double>& shares, const std::vector<double>& gaps) {
     const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
     const double length = room.to - room.from - std::accumulate(gaps.begin(), gaps.end(), 0.0);
-    std::vector<Range> parts;
+    std::vector<Extent> parts;
     double from = room.from;
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const double to = from + std::max(1.0, length * shares[i] / total);
@@ -92,19 +92,19 @@ private:
         const double width = scene_.width - 2.0 * margin;
         double y = scene_.height - margin;
         const double title_size = scene_.font_size + 1.0;
-        for (const Text& line : wrapped(bold(scene_.title), title_size, width)) {
+        for (const StyledText& line : wrapped(bold(scene_.title), title_size, width)) {
             layout_.texts.push_back({line, margin, y - 0.6 * mm_.line, Align::left, title_size, ink});
             y -= 1.15 * mm_.line;
         }
-        for (const Text& paragraph : scene_.caption)
-            for (const Text& line : wrapped(paragraph, scene_.font_size, width)) {
+        for (const StyledText& paragraph : scene_.caption)
+            for (const StyledText& line : wrapped(paragraph, scene_.font_size, width)) {
                 layout_.texts.push_back({line, margin, y - 0.5 * mm_.line, Align::left, scene_.font_size, quiet_ink});
                 y -= mm_.line;
             }
         return y - mm_.em * 0.5;
     }
 
-    static Text bold(Text text) {
+    static StyledText bold(StyledText text) {
         for (TextRun& run : text.runs)
             if (run.style == TextStyle::plain) run.style = TextStyle::bold;
         return text;
@@ -160,7 +160,7 @@ private:
     }
 
     // rows from the top down; y ticks follow from the heights
-    void place_rows(Range room) {
+    void place_rows(Extent room) {
         std::vector<Needs> rows(scene_.row_heights.size());
         for (const Panel& panel : scene_.panels) {
             STRIDOR_EXPECT(panel.row < rows.size());
@@ -173,7 +173,7 @@ private:
             gaps.push_back(rows[r].bottom + rows[r + 1].top + least_gap);
         room = {room.from + rows.back().bottom, room.to - rows.front().top};
         // counted downwards, then turned over
-        const std::vector<Range> parts = divided({0.0, room.to - room.from}, scene_.row_heights, gaps);
+        const std::vector<Extent> parts = divided({0.0, room.to - room.from}, scene_.row_heights, gaps);
         for (std::size_t i = 0; i < scene_.panels.size(); ++i) {
             Rectangle& area = layout_.panels[i].area;
             area.top = room.to - parts[scene_.panels[i].row].from;
@@ -182,7 +182,7 @@ private:
         }
         if (!scene_.colour_bar) return;
         const std::optional<std::size_t> row = scene_.colour_bar->row;
-        const Range along = row ? parts[*row] : Range{0.0, parts.back().to};
+        const Extent along = row ? parts[*row] : Extent{0.0, parts.back().to};
         place_bar_rows({room.to - along.to, room.to - along.from});
     }
 
@@ -197,7 +197,7 @@ private:
     }
 
     // columns from the left; x ticks follow from the widths
-    void place_columns(Range room) {
+    void place_columns(Extent room) {
         std::vector<Needs> columns(scene_.column_widths.size());
         for (std::size_t i = 0; i < scene_.panels.size(); ++i) {
             STRIDOR_EXPECT(scene_.panels[i].column < columns.size());
@@ -211,7 +211,7 @@ private:
             gaps.push_back(columns[c].right + columns[c + 1].left + least_gap);
         room = {room.from + columns.front().left, room.to - columns.back().right};
         if (scene_.colour_bar) room.to = place_bar_columns(room.to);
-        const std::vector<Range> parts = divided(room, scene_.column_widths, gaps);
+        const std::vector<Extent> parts = divided(room, scene_.column_widths, gaps);
         for (std::size_t i = 0; i < scene_.panels.size(); ++i) {
             const Panel& panel = scene_.panels[i];
             Rectangle& area = layout_.panels[i].area;
@@ -233,7 +233,7 @@ private:
         return axis;
     }
 
-    void place_bar_rows(Range rows) {
+    void place_bar_rows(Extent rows) {
         PlacedPanel bar;
         bar.area.bottom = rows.from;
         bar.area.top = rows.to;
@@ -244,7 +244,7 @@ private:
     // returns where the columns must end
     double place_bar_columns(double right) {
         PlacedPanel& bar = *layout_.colour_bar;
-        const Text title = axis_title(scene_.colour_bar->label, scene_.colour_bar->unit, bar.y.exponent);
+        const StyledText title = axis_title(scene_.colour_bar->label, scene_.colour_bar->unit, bar.y.exponent);
         const double numbers = mm_.to_tick + widest_label(bar.y, scene_.font_size);
         bar.area.right = right - numbers - (is_empty(title) ? 0.0 : mm_.line);
         bar.area.left = bar.area.right - bar_width;

@@ -25,7 +25,7 @@ inline double height_of(const Rectangle& area) {
 
 /// A line of text on paper; the point is the middle of its height.
 struct PlacedText {
-    Text text;
+    StyledText text;
     double x = 0.0;  // [mm]
     double y = 0.0;  // [mm]
     Align align = Align::left;

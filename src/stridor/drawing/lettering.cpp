@@ -85,7 +85,9 @@ struct SetLine {
     Held<PangoLayout> layout;
     double drop = 0.0;  // [pt] from the middle of its height down to its baseline
 
-    SetLine(const Text& text, double size) : context(context_for_paper()), layout(pango().layout_new(context.get())) {
+    SetLine(const StyledText& text, double size)
+        : context(context_for_paper()),
+          layout(pango().layout_new(context.get())) {
         const Held<PangoFontDescription> font(pango().font_description_from_string("DejaVu Sans,sans-serif"));
         pango().font_description_set_size(font.get(), static_cast<int>(size * PANGO_SCALE));
         if (!Held<PangoFont>(pango().context_load_font(context.get(), font.get())))
@@ -113,8 +115,8 @@ struct SetLine {
 };
 
 // a text in pieces that must stay together, each with its trailing blank
-std::vector<Text> words_of(const Text& text) {
-    std::vector<Text> words;
+std::vector<StyledText> words_of(const StyledText& text) {
+    std::vector<StyledText> words;
     bool is_open = false;
     for (const TextRun& run : text.runs)
         for (std::size_t from = 0; from < run.text.size();) {
@@ -142,16 +144,16 @@ std::string drawable(std::string_view text) {
     return letters;
 }
 
-double text_width(const Text& text, double size) {
+double text_width(const StyledText& text, double size) {
     const SetLine line(text, size);
     PangoRectangle extent;
     pango().layout_line_get_extents(line.letters(), nullptr, &extent);
     return extent.width * millimetres_per_point / PANGO_SCALE;
 }
 
-std::vector<Text> wrapped(const Text& text, double size, double width) {
-    std::vector<Text> lines;
-    for (const Text& word : words_of(text)) {
+std::vector<StyledText> wrapped(const StyledText& text, double size, double width) {
+    std::vector<StyledText> lines;
+    for (const StyledText& word : words_of(text)) {
         if (lines.empty() || text_width(lines.back() + word, size) > width)
             lines.push_back(word);
         else
@@ -160,12 +162,12 @@ std::vector<Text> wrapped(const Text& text, double size, double width) {
     return lines;
 }
 
-TextExtent note_extent(const Text& text, double size) {
+TextExtent note_extent(const StyledText& text, double size) {
     const double em = size * millimetres_per_point;
     return {text_width(text, size) + 0.6 * em, 1.4 * em};
 }
 
-void draw_letters(cairo_t* page, const Text& text, double size, Letters letters) {
+void draw_letters(cairo_t* page, const StyledText& text, double size, Letters letters) {
     const SetLine line(text, size);
     pango().cairo_update_layout(page, line.layout.get());
     cairo().move_to(page, 0.0, line.drop);

@@ -14,23 +14,23 @@ struct _cairo;  // cairo_t
 namespace stridor::drawing {
 
 /// Width of a text [mm]; `size` in pt.
-double text_width(const Text& text, double size);
+double text_width(const StyledText& text, double size);
 
 /// Cuts a text into lines at its blanks so that each is at most `width` mm wide where a blank allows it.
-std::vector<Text> wrapped(const Text& text, double size, double width);
+std::vector<StyledText> wrapped(const StyledText& text, double size, double width);
 
 /// Room that a note takes [mm], a little air included.
 struct TextExtent {
     double width = 0.0;
     double height = 0.0;
 };
-TextExtent note_extent(const Text& text, double size);
+TextExtent note_extent(const StyledText& text, double size);
 
 /// How letters are drawn: each where the raster of an image has room for it, or as the curves of its shape.
 enum class Letters { glyphs, outlines };
 
 /// Draws a text from the origin of a page whose unit is a point, to the right; the middle of its height is at zero.
-void draw_letters(_cairo* page, const Text& text, double size, Letters letters);
+void draw_letters(_cairo* page, const StyledText& text, double size, Letters letters);
 
 /// Text as a picture can hold it: control characters are blanks, bytes that are no UTF-8 are replacement characters.
 std::string drawable(std::string_view text);

@@ -36,7 +36,7 @@ std::vector<std::size_t> corners(const Line& line, std::size_t first, std::size_
     return kept;
 }
 
-void add_interval(std::vector<double>& covered, const Range& place) {
+void add_interval(std::vector<double>& covered, const Extent& place) {
     const auto columns = static_cast<double>(covered.size());
     const auto first = static_cast<std::size_t>(std::min(place.from, columns - 1.0));
     for (std::size_t c = first; c < covered.size() && static_cast<double>(c) <= place.to; ++c) {
@@ -80,7 +80,7 @@ Line reduced(const Line& line, const PanelAxis& x, std::size_t columns) {
     return kept;
 }
 
-std::vector<Shade> shades(const Strip& strip, const Range& x, std::size_t columns) {
+std::vector<Shade> shades(const Strip& strip, const Extent& x, std::size_t columns) {
     STRIDOR_EXPECT(columns > 0);
     const double width = (x.to - x.from) / static_cast<double>(columns);
     std::vector<std::vector<double>> covered(strip.rows.size(), std::vector<double>(columns, 0.0));

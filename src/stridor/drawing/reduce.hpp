@@ -15,13 +15,13 @@ Line reduced(const Line& line, const PanelAxis& x, std::size_t columns);
 
 /// A stretch of time in one row of a strip, with the share of it that was spent in the row's state.
 struct Shade {
-    Range x;
+    Extent x;
     std::size_t row = 0;
     double share = 1.0;  // [1] above 0, in steps of 1/8
 };
 
 /// The shades of a strip, neighbours alike joined; columns in which a row's state never occurs have none.
-std::vector<Shade> shades(const Strip& strip, const Range& x, std::size_t columns);
+std::vector<Shade> shades(const Strip& strip, const Extent& x, std::size_t columns);
 
 /// Neighbouring cells of one row that are drawn alike.
 struct CellRun {

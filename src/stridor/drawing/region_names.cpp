@@ -139,12 +139,12 @@ std::optional<Dot> roomiest(const Map& map, const std::vector<NamePlace>& region
 
 }  // namespace
 
-std::vector<Note> region_names(const CategoryCells& cells, const std::vector<Text>& names, const Panel& panel,
+std::vector<Note> region_names(const CategoryCells& cells, const std::vector<StyledText>& names, const Panel& panel,
                                const Rectangle& area, double size) {
     STRIDOR_EXPECT(names.size() == cells.fills.size());
     const Map map(cells, panel, area);
     std::vector<TextExtent> extents;
-    for (const Text& name : names)
+    for (const StyledText& name : names)
         extents.push_back(note_extent(name, size));
     std::vector<char> seen(cells.kinds.size(), 0);
     std::vector<Note> notes;

@@ -44,10 +44,10 @@ struct Stroke {
 };
 
 /// An interval of an axis, in its data units.
-struct Range {
+struct Extent {
     double from = 0.0;
     double to = 1.0;
-    bool operator==(const Range&) const = default;
+    bool operator==(const Extent&) const = default;
 };
 
 enum class AxisScale { linear, logarithmic };
@@ -56,7 +56,7 @@ enum class TickSize { major, minor };
 
 struct Tick {
     double value = 0.0;
-    Text label;
+    StyledText label;
     TickSize size = TickSize::major;
 };
 
@@ -64,10 +64,10 @@ struct Tick {
 enum class AxisText { shown, hidden };
 
 struct PanelAxis {
-    Text label;        // "preload F", without its unit
+    StyledText label;  // "preload F", without its unit
     std::string unit;  // as in the field table: "m/s^2", "1"
     AxisScale scale = AxisScale::linear;
-    Range range;
+    Extent range;
     std::vector<Tick> ticks;  // empty: chosen by the range and the axis' length
     AxisText text = AxisText::shown;
 };
@@ -110,8 +110,8 @@ struct Strip {
 
 /// An axis-parallel rectangle in data units.
 struct Box {
-    Range x;
-    Range y;
+    Extent x;
+    Extent y;
 };
 
 /// Filled rectangles.
@@ -130,7 +130,7 @@ struct CategoryCells {
 
 /// A quantity's colours: the sequential map stretched over a range; values beyond it take the end's colour.
 struct ColourScale {
-    Range range;
+    Extent range;
     AxisScale scale = AxisScale::linear;
 };
 
@@ -149,7 +149,7 @@ enum class Align { left, centre, right };
 
 /// A piece of text in a panel, over all other layers.
 struct Note {
-    Text text;
+    StyledText text;
     double x = 0.0;
     double y = 0.0;
     Anchor anchor = Anchor::data;
@@ -175,7 +175,7 @@ enum class Frame { open, closed };
 enum class Grid { none, vertical, both };
 
 struct Panel {
-    Text title;
+    StyledText title;
     std::size_t row = 0;     // from the top
     std::size_t column = 0;  // from the left
     PanelAxis x;
@@ -187,21 +187,21 @@ struct Panel {
 
 /// One entry of the legend below the panels.
 struct LegendEntry {
-    Text text;
+    StyledText text;
     std::variant<Fill, Stroke, Points> sample;  // of points one is shown, wherever they stand
 };
 
 /// The scale of a quantity's colours, right of all panels or of one row of them.
 struct ColourBar {
-    Text label;
+    StyledText label;
     std::string unit;
     ColourScale colours;
     std::optional<std::size_t> row{};  // beside this row of panels only
 };
 
 struct Scene {
-    Text title;
-    std::vector<Text> caption;               // paragraphs below the title, each wrapped to the width
+    StyledText title;
+    std::vector<StyledText> caption;         // paragraphs below the title, each wrapped to the width
     double width = 170.0;                    // [mm] the text width of a two-column paper
     double height = 100.0;                   // [mm]
     double font_size = 8.0;                  // [pt]

@@ -34,14 +34,14 @@ bool contains(std::string_view characters, char c) {
 
 }  // namespace
 
-Text::Text(const char* literal) : Text(std::string_view(literal)) {}
-Text::Text(const std::string& literal) : Text(std::string_view(literal)) {}
-Text::Text(std::string_view literal) : Text(literal, TextStyle::plain) {}
-Text::Text(std::string_view literal, TextStyle style) {
+StyledText::StyledText(const char* literal) : StyledText(std::string_view(literal)) {}
+StyledText::StyledText(const std::string& literal) : StyledText(std::string_view(literal)) {}
+StyledText::StyledText(std::string_view literal) : StyledText(literal, TextStyle::plain) {}
+StyledText::StyledText(std::string_view literal, TextStyle style) {
     if (!literal.empty()) runs.push_back({std::string(literal), style});
 }
 
-Text operator+(Text left, const Text& right) {
+StyledText operator+(StyledText left, const StyledText& right) {
     for (const TextRun& run : right.runs)
         if (!left.runs.empty() && left.runs.back().style == run.style)
             left.runs.back().text += run.text;
@@ -50,36 +50,36 @@ Text operator+(Text left, const Text& right) {
     return left;
 }
 
-bool is_empty(const Text& text) {
+bool is_empty(const StyledText& text) {
     return text.runs.empty();
 }
 
-std::string plain_text(const Text& text) {
+std::string plain_text(const StyledText& text) {
     std::string characters;
     for (const TextRun& run : text.runs)
         characters += run.text;
     return characters;
 }
 
-Text symbol(std::string_view name) {
+StyledText symbol(std::string_view name) {
     std::size_t cut = name.find('_');
     std::string_view subscript = cut == std::string_view::npos ? "" : name.substr(cut + 1);
     if (cut == std::string_view::npos) {
         cut = name.find_first_of("0123456789");
         subscript = cut == std::string_view::npos ? "" : name.substr(cut);
     }
-    return Text(letter_of(name.substr(0, cut)), TextStyle::italic) + Text(subscript, TextStyle::subscript);
+    return StyledText(letter_of(name.substr(0, cut)), TextStyle::italic) + StyledText(subscript, TextStyle::subscript);
 }
 
-Text unit_text(std::string_view unit) {
+StyledText unit_text(std::string_view unit) {
     if (unit == "1") return {};
     if (unit == "deg") return "°";
     if (unit == "degC") return "°C";
     constexpr std::string_view reference = "1e-9 m/s";  // of velocity levels
     const std::size_t at = unit.find(reference);
     if (at != std::string_view::npos)
-        return Text(std::string(unit.substr(0, at)) + "1 nm/s") + unit_text(unit.substr(at + reference.size()));
-    Text text;
+        return StyledText(std::string(unit.substr(0, at)) + "1 nm/s") + unit_text(unit.substr(at + reference.size()));
+    StyledText text;
     for (std::size_t i = 0; i < unit.size(); ++i) {
         // "m/s^2", and the "1e-6 N" of a reference
         const bool is_power = unit[i] == '^' || unit.substr(i, 3) == "1e-";
@@ -93,15 +93,15 @@ Text unit_text(std::string_view unit) {
             std::string power;
             while (i + 1 < unit.size() && contains("-0123456789", unit[i + 1]))
                 power += unit[++i] == '-' ? std::string("−") : std::string(1, unit[i]);
-            text = text + Text(power, TextStyle::superscript);
+            text = text + StyledText(power, TextStyle::superscript);
         } else {
-            text = text + Text(unit.substr(i, 1));
+            text = text + StyledText(unit.substr(i, 1));
         }
     }
     return text;
 }
 
-Text number_text(double value) {
+StyledText number_text(double value) {
     const std::string digits = fmt::format("{:.6g}", value);
     const std::size_t cut = digits.find('e');
     const auto with_minus = [](std::string number) {
@@ -110,9 +110,10 @@ Text number_text(double value) {
     };
     if (cut == std::string::npos) return with_minus(digits);
     const std::string factor = digits.substr(0, cut);
-    const Text power =
-        Text("10") + Text(with_minus(fmt::format("{}", std::stoi(digits.substr(cut + 1)))), TextStyle::superscript);
-    return factor == "1" ? power : Text(with_minus(factor) + "·") + power;
+    const StyledText power =
+        StyledText("10") +
+        StyledText(with_minus(fmt::format("{}", std::stoi(digits.substr(cut + 1)))), TextStyle::superscript);
+    return factor == "1" ? power : StyledText(with_minus(factor) + "·") + power;
 }
 
 }  // namespace stridor::drawing

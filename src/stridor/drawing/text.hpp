@@ -18,33 +18,33 @@ struct TextRun {
 
 /// Text of a scene. What comes from a user is taken literally ("mu_d" stays "mu_d"): subscripts and italics exist only
 /// where code asks for them, with `symbol` and `unit_text`.
-struct Text {
+struct StyledText {
     std::vector<TextRun> runs;
 
-    Text() = default;
-    Text(const char* literal);
-    Text(std::string_view literal);
-    Text(const std::string& literal);
-    Text(std::string_view literal, TextStyle style);
-    bool operator==(const Text&) const = default;
+    StyledText() = default;
+    StyledText(const char* literal);
+    StyledText(std::string_view literal);
+    StyledText(const std::string& literal);
+    StyledText(std::string_view literal, TextStyle style);
+    bool operator==(const StyledText&) const = default;
 };
 
-Text operator+(Text left, const Text& right);
+StyledText operator+(StyledText left, const StyledText& right);
 
-bool is_empty(const Text& text);
+bool is_empty(const StyledText& text);
 
 /// The characters alone, without styles.
-std::string plain_text(const Text& text);
+std::string plain_text(const StyledText& text);
 
 /// A symbol of the field table as it is printed: "mu_d" as an italic mu with subscript d, "k1i",
 /// "m1", "A_exc" likewise.
-Text symbol(std::string_view name);
+StyledText symbol(std::string_view name);
 
 /// A unit as it is printed: "m/s^2" with its superscript, "N*s/m" with a centred dot,
 /// "deg" as a degree sign, "1" as nothing.
-Text unit_text(std::string_view unit);
+StyledText unit_text(std::string_view unit);
 
 /// A number as it is printed, with six digits: "0.004", "10" with its power where it is very small or large.
-Text number_text(double value);
+StyledText number_text(double value);
 
 }  // namespace stridor::drawing

@@ -30,7 +30,7 @@ int common_exponent(double largest) {
     return 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
 }
 
-TickSet linear_ticks(const Range& range, double length, double spacing) {
+TickSet linear_ticks(const Extent& range, double length, double spacing) {
     const double span = range.to - range.from;
     const auto count = [&](double step) {
         return std::floor(range.to / step + slack) - std::ceil(range.from / step - slack) + 1.0;
@@ -51,14 +51,15 @@ TickSet linear_ticks(const Range& range, double length, double spacing) {
     return set;
 }
 
-Text decade_label(double value, int decade) {
+StyledText decade_label(double value, int decade) {
     if (decade >= -3 && decade <= 4) return minus_sign(fmt::format("{:.{}f}", value, std::max(0, -decade)));
     const long factor = std::lround(value / std::pow(10.0, decade));
-    const Text power = Text("10") + Text(minus_sign(fmt::format("{}", decade)), TextStyle::superscript);
-    return factor == 1 ? power : Text(fmt::format("{}·", factor)) + power;
+    const StyledText power =
+        StyledText("10") + StyledText(minus_sign(fmt::format("{}", decade)), TextStyle::superscript);
+    return factor == 1 ? power : StyledText(fmt::format("{}·", factor)) + power;
 }
 
-TickSet logarithmic_ticks(const Range& range, double length, double spacing) {
+TickSet logarithmic_ticks(const Extent& range, double length, double spacing) {
     const double decades = std::log10(range.to / range.from);
     const double decade_length = length / decades;
     // how many of 1, 2, 5 (or 1, 2, 3, 5) fit into a decade: the narrowest gap decides
@@ -70,8 +71,8 @@ TickSet logarithmic_ticks(const Range& range, double length, double spacing) {
             const double value = factor * std::pow(10.0, decade);
             if (value < range.from * (1.0 - slack) || value > range.to * (1.0 + slack)) continue;
             const bool is_major = factor == 1 || (has_room_for_three && (factor == 2 || factor == 5));
-            set.ticks.push_back(
-                {value, is_major ? decade_label(value, decade) : Text(), is_major ? TickSize::major : TickSize::minor});
+            set.ticks.push_back({value, is_major ? decade_label(value, decade) : StyledText(),
+                                 is_major ? TickSize::major : TickSize::minor});
         }
     const auto majors = std::count_if(set.ticks.begin(), set.ticks.end(),
                                       [](const Tick& tick) { return tick.size == TickSize::major; });
@@ -98,10 +99,11 @@ double value_at_position(const PanelAxis& axis, double share) {
     return axis.scale == AxisScale::linear ? from + share * (to - from) : from * std::pow(to / from, share);
 }
 
-Text axis_title(const Text& label, std::string_view unit, int exponent) {
-    Text inside = unit_text(unit);
+StyledText axis_title(const StyledText& label, std::string_view unit, int exponent) {
+    StyledText inside = unit_text(unit);
     if (exponent != 0) {
-        const Text power = Text("10") + Text(minus_sign(fmt::format("{}", exponent)), TextStyle::superscript);
+        const StyledText power =
+            StyledText("10") + StyledText(minus_sign(fmt::format("{}", exponent)), TextStyle::superscript);
         inside = is_empty(inside) ? power : power + " " + inside;
     }
     return is_empty(inside) ? label : label + " [" + inside + "]";

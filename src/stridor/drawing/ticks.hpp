@@ -26,6 +26,6 @@ double position(const PanelAxis& axis, double value);
 double value_at_position(const PanelAxis& axis, double share);
 
 /// The axis' title: label and unit in brackets, the unit with the power of ten.
-Text axis_title(const Text& label, std::string_view unit, int exponent);
+StyledText axis_title(const StyledText& label, std::string_view unit, int exponent);
 
 }  // namespace stridor::drawing

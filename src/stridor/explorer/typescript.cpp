@@ -85,7 +85,7 @@ std::string_view name_of(drawing::Texture texture) {
 
 std::string fill_lines() {
     const std::vector<drawing::Fill> fills = figures::kind_fills();
-    const std::vector<drawing::Text> names = figures::kind_names();
+    const std::vector<drawing::StyledText> names = figures::kind_names();
     std::string lines;
     for (std::size_t k = 0; k < fills.size(); ++k) {
         const drawing::Fill& fill = fills[k];

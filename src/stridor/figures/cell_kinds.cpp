@@ -36,8 +36,8 @@ std::vector<drawing::Fill> kind_fills() {
     return fills;
 }
 
-std::vector<drawing::Text> kind_names() {
-    std::vector<drawing::Text> names;
+std::vector<drawing::StyledText> kind_names() {
+    std::vector<drawing::StyledText> names;
     for (const Category category : all_categories)
         names.emplace_back(classification::name(category));
     names.emplace_back("none (sticks)");
@@ -61,7 +61,7 @@ std::string failure_words(const sweep::SweepResult& result) {
 
 void add_kind_legend(drawing::Scene& scene, const sweep::SweepResult& result) {
     const std::vector<drawing::Fill> fills = kind_fills();
-    const std::vector<drawing::Text> names = kind_names();
+    const std::vector<drawing::StyledText> names = kind_names();
     const auto occurs = [&](std::size_t kind) {
         return std::any_of(result.cells.begin(), result.cells.end(),
                            [&](const sweep::CellVerdict& cell) { return kind_of(cell) == kind; });
@@ -72,7 +72,7 @@ void add_kind_legend(drawing::Scene& scene, const sweep::SweepResult& result) {
             scene.legend.push_back({failure_words(result), fills[kind]});
         else if (is_category || occurs(kind))
             scene.legend.push_back(
-                {kind == 0 && occurs(stuck_kind) ? drawing::Text("none (slides)") : names[kind], fills[kind]});
+                {kind == 0 && occurs(stuck_kind) ? drawing::StyledText("none (slides)") : names[kind], fills[kind]});
     }
 }
 

@@ -15,7 +15,7 @@ namespace stridor::figures {
 std::size_t kind_of(const sweep::CellVerdict& cell);
 
 std::vector<drawing::Fill> kind_fills();
-std::vector<drawing::Text> kind_names();
+std::vector<drawing::StyledText> kind_names();
 
 /// "failed (invalid, diverged)": which ways to fail occur; empty if none does.
 std::string failure_words(const sweep::SweepResult& result);

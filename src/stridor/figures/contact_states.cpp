@@ -9,11 +9,11 @@
 
 namespace stridor::figures {
 
-drawing::Panel state_panel(std::span<const record::ContactHistory> histories, const drawing::Range& time) {
+drawing::Panel state_panel(std::span<const record::ContactHistory> histories, const drawing::Extent& time) {
     using model::ContactState;
     drawing::Panel panel;
     panel.frame = drawing::Frame::open;
-    panel.x.label = drawing::Text("time ") + drawing::symbol("t");
+    panel.x.label = drawing::StyledText("time ") + drawing::symbol("t");
     panel.x.unit = "s";
     panel.x.range = time;
     panel.y.range = {0.0, static_cast<double>(model::contact_states * std::max<std::size_t>(1, histories.size()))};
@@ -36,7 +36,7 @@ drawing::Panel state_panel(std::span<const record::ContactHistory> histories, co
     return panel;
 }
 
-drawing::Scene contact_states(std::span<const StatesOfCase> cases, const drawing::Range& time) {
+drawing::Scene contact_states(std::span<const StatesOfCase> cases, const drawing::Extent& time) {
     constexpr std::array<std::string_view, 5> told{"joint.incidence_angle", "contact.kinetic_friction",
                                                    "contact.static_friction", "contact.preload", "drive.velocity"};
     drawing::Scene scene;
@@ -46,7 +46,7 @@ drawing::Scene contact_states(std::span<const StatesOfCase> cases, const drawing
     scene.height = 28.0 + 23.0 * static_cast<double>(cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) {
         drawing::Panel panel = state_panel(cases[i].histories, time);
-        panel.title = lettered(i, drawing::Text(cases[i].name) + ": " + settings(cases[i].c, told));
+        panel.title = lettered(i, drawing::StyledText(cases[i].name) + ": " + settings(cases[i].c, told));
         panel.row = i;
         // the time axis stands once, below all
         if (i + 1 < cases.size()) panel.x.text = drawing::AxisText::hidden;

@@ -24,7 +24,7 @@ constexpr double octaves_of_linear = 16.0;  // [1] largest over smallest value u
 
 // a row of panels: for each cell the values that stand above its place on the x axis
 struct Row {
-    drawing::Text label;
+    drawing::StyledText label;
     std::string unit;
     std::vector<std::vector<double>> values;  // shape [cell][value]
 };
@@ -40,16 +40,16 @@ std::vector<std::vector<double>> values_of(const std::vector<DiagramCell>& cells
 Row figure_row(const SweepResult& result, const sweep::CellFigure& figure) {
     std::string name(figure.name);
     std::replace(name.begin(), name.end(), '_', ' ');
-    Row row{drawing::Text(name), std::string(figure.unit), {}};
+    Row row{drawing::StyledText(name), std::string(figure.unit), {}};
     for (const double value : sweep::figure_values(result, figure))
         row.values.push_back(std::isfinite(value) ? std::vector{value} : std::vector<double>{});
     return row;
 }
 
 std::vector<Row> rows_of(const SweepResult& result, const std::vector<DiagramCell>& cells) {
-    const drawing::Text x1 =
-        drawing::Text("x", drawing::TextStyle::italic) + drawing::Text("1", drawing::TextStyle::subscript);
-    std::vector<Row> rows{{drawing::Text("extremes of ") + x1, "m", values_of(cells, &DiagramCell::extremes)},
+    const drawing::StyledText x1 =
+        drawing::StyledText("x", drawing::TextStyle::italic) + drawing::StyledText("1", drawing::TextStyle::subscript);
+    std::vector<Row> rows{{drawing::StyledText("extremes of ") + x1, "m", values_of(cells, &DiagramCell::extremes)},
                           {"beat interval", "s", values_of(cells, &DiagramCell::intervals)}};
     for (const std::string& quantity : result.study.quantities)
         if (const sweep::CellFigure* figure = sweep::find_cell_figure(quantity))
@@ -109,10 +109,10 @@ drawing::Panel points_panel(const SweepResult& result, const Row& row, std::size
     return panel;
 }
 
-drawing::Text direction_title(const sweep::Study& study, std::size_t direction) {
+drawing::StyledText direction_title(const sweep::Study& study, std::size_t direction) {
     const bool is_going = study.directions[direction] == parameters::Direction::going;
-    const drawing::Text name =
-        drawing::Text(is_going ? "going (" : "coming (") + drawing::symbol("V") + (is_going ? " > 0)" : " < 0)");
+    const drawing::StyledText name =
+        drawing::StyledText(is_going ? "going (" : "coming (") + drawing::symbol("V") + (is_going ? " > 0)" : " < 0)");
     return study.directions.size() == 1 ? name : lettered(direction, name);
 }
 
@@ -123,8 +123,8 @@ drawing::Scene diagram(const SweepResult& result, const std::vector<DiagramCell>
     STRIDOR_EXPECT(sweep::has_one_axis(study) && cells.size() == result.cells.size());
     const std::vector<Row> rows = rows_of(result, cells);
     drawing::Scene scene;
-    scene.title =
-        study.base.title.empty() ? drawing::Text("Diagram over one parameter") : drawing::Text(study.base.title);
+    scene.title = study.base.title.empty() ? drawing::StyledText("Diagram over one parameter")
+                                           : drawing::StyledText(study.base.title);
     scene.caption = {
         conditions(study.base, std::array<std::string_view, 1>{study.x.parameter}),
         "Points: the turns of the joint's motion, and the times between like changes of contact state, in the "

@@ -19,19 +19,19 @@ std::string spelled(std::string_view name) {
     return words;
 }
 
-drawing::Text value_of(const parameters::Case& c, const parameters::Field& field) {
+drawing::StyledText value_of(const parameters::Case& c, const parameters::Field& field) {
     if (const auto* quantity = std::get_if<parameters::Quantity>(&field.kind)) {
-        const drawing::Text unit = drawing::unit_text(quantity->unit);
-        const drawing::Text value = drawing::number_text(quantity->get(c));
+        const drawing::StyledText unit = drawing::unit_text(quantity->unit);
+        const drawing::StyledText value = drawing::number_text(quantity->get(c));
         if (drawing::is_empty(unit)) return value;
-        return value + (quantity->unit == "deg" ? drawing::Text() : drawing::Text(" ")) + unit;
+        return value + (quantity->unit == "deg" ? drawing::StyledText() : drawing::StyledText(" ")) + unit;
     }
-    return drawing::Text(spelled(parameters::value_text(c, field)));
+    return drawing::StyledText(spelled(parameters::value_text(c, field)));
 }
 
 // "k1i, μd over θ by table"
-drawing::Text followers(const parameters::Case& c) {
-    drawing::Text names;
+drawing::StyledText followers(const parameters::Case& c) {
+    drawing::StyledText names;
     for (const parameters::TemperatureColumn& column : c.temperature.columns)
         names = (drawing::is_empty(names) ? names : names + ", ") +
                 drawing::symbol(parameters::find_field(column.key)->symbol);
@@ -71,21 +71,22 @@ drawing::PanelAxis field_axis(const sweep::Axis& axis) {
     return result;
 }
 
-drawing::Text field_label(const parameters::Field& field) {
-    const drawing::Text name(spelled(parameters::short_name(field)));
+drawing::StyledText field_label(const parameters::Field& field) {
+    const drawing::StyledText name(spelled(parameters::short_name(field)));
     return field.symbol.empty() ? name : name + " " + drawing::symbol(field.symbol);
 }
 
-drawing::Text setting(const parameters::Case& c, std::string_view key) {
+drawing::StyledText setting(const parameters::Case& c, std::string_view key) {
     const parameters::Field* field = parameters::find_field(key);
     STRIDOR_EXPECT(field != nullptr);
-    const drawing::Text name =
-        field->symbol.empty() ? drawing::Text(spelled(parameters::short_name(*field))) : drawing::symbol(field->symbol);
+    const drawing::StyledText name = field->symbol.empty()
+                                         ? drawing::StyledText(spelled(parameters::short_name(*field)))
+                                         : drawing::symbol(field->symbol);
     return name + " = " + value_of(c, *field);
 }
 
-drawing::Text settings(const parameters::Case& c, std::span<const std::string_view> keys) {
-    drawing::Text row;
+drawing::StyledText settings(const parameters::Case& c, std::span<const std::string_view> keys) {
+    drawing::StyledText row;
     for (const std::string_view key : keys) {
         const parameters::Field* field = parameters::find_field(key);
         STRIDOR_EXPECT(field != nullptr);
@@ -94,7 +95,7 @@ drawing::Text settings(const parameters::Case& c, std::span<const std::string_vi
     return row;
 }
 
-drawing::Text conditions(const parameters::Case& c, std::span<const std::string_view> varied) {
+drawing::StyledText conditions(const parameters::Case& c, std::span<const std::string_view> varied) {
     constexpr std::array<std::string_view, 11> telling{"joint.incidence_angle",
                                                        "contact.preload",
                                                        "contact.static_friction",
@@ -120,14 +121,14 @@ drawing::Text conditions(const parameters::Case& c, std::span<const std::string_
         if (!is_of_one(key) && !varies(key) &&
             !(is_temperature_varied && parameters::temperature_column(c, key) != nullptr))
             kept.push_back(key);
-    const drawing::Text row = settings(c, kept);
+    const drawing::StyledText row = settings(c, kept);
     if (!is_temperature_varied || !parameters::has_temperature_table(c)) return row;
     return (drawing::is_empty(row) ? row : row + "; ") + followers(c);
 }
 
-drawing::Text lettered(std::size_t panel, const drawing::Text& title) {
+drawing::StyledText lettered(std::size_t panel, const drawing::StyledText& title) {
     const char letter = static_cast<char>('a' + panel % 26);
-    return drawing::Text(std::string(1, letter) + ")", drawing::TextStyle::bold) + " " + title;
+    return drawing::StyledText(std::string(1, letter) + ")", drawing::TextStyle::bold) + " " + title;
 }
 
 }  // namespace stridor::figures

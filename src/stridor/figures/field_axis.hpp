@@ -19,20 +19,20 @@ std::vector<double> cell_edges(const sweep::Axis& axis);
 drawing::PanelAxis field_axis(const sweep::Axis& axis);
 
 /// Name and symbol of a field: "kinetic friction μ_d".
-drawing::Text field_label(const parameters::Field& field);
+drawing::StyledText field_label(const parameters::Field& field);
 
 /// A field with its value: "α = 70°", "F = 20 N". Fields without a symbol are called by their name.
-drawing::Text setting(const parameters::Case& c, std::string_view key);
+drawing::StyledText setting(const parameters::Case& c, std::string_view key);
 
 /// Settings in a row, parted by commas; fields that mean nothing for the case are left out.
-drawing::Text settings(const parameters::Case& c, std::span<const std::string_view> keys);
+drawing::StyledText settings(const parameters::Case& c, std::span<const std::string_view> keys);
 
 /// What a reader must know to repeat a figure made from this case: the contact, the drive, the start and the time step,
 /// without the fields named in `varied`. Where the temperature varies, what follows it by table is
 /// named without a value.
-drawing::Text conditions(const parameters::Case& c, std::span<const std::string_view> varied = {});
+drawing::StyledText conditions(const parameters::Case& c, std::span<const std::string_view> varied = {});
 
 /// "a) ", "b) " ... before a panel's title.
-drawing::Text lettered(std::size_t panel, const drawing::Text& title);
+drawing::StyledText lettered(std::size_t panel, const drawing::StyledText& title);
 
 }  // namespace stridor::figures

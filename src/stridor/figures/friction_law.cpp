@@ -19,9 +19,10 @@ struct Branch {
     const char* sliding_symbol;
 };
 
-drawing::Text named(double sign, std::string_view name, double value) {
+drawing::StyledText named(double sign, std::string_view name, double value) {
     const char* const minus = sign < 0.0 ? "−" : "";
-    return drawing::Text(minus) + drawing::symbol(name) + " = " + drawing::Text(minus) + drawing::number_text(value);
+    return drawing::StyledText(minus) + drawing::symbol(name) + " = " + drawing::StyledText(minus) +
+           drawing::number_text(value);
 }
 
 void add_branch(drawing::Panel& panel, const Branch& branch, double top) {
@@ -49,10 +50,11 @@ drawing::Scene friction_law(const parameters::Contact& contact) {
     const double top = 1.3 * std::max({going.limit, coming.limit, going.sliding, coming.sliding, 1e-3});
     drawing::Panel panel;
     panel.grid = drawing::Grid::none;
-    panel.x.label = drawing::Text("relative velocity ") + drawing::symbol("V_rel") + " (any unit)";
+    panel.x.label = drawing::StyledText("relative velocity ") + drawing::symbol("V_rel") + " (any unit)";
     panel.x.range = {-1.0, 1.0};
     panel.x.ticks = {{0.0, "0", drawing::TickSize::major}};
-    panel.y.label = drawing::Text("friction over normal force ") + drawing::symbol("T") + " / " + drawing::symbol("N");
+    panel.y.label =
+        drawing::StyledText("friction over normal force ") + drawing::symbol("T") + " / " + drawing::symbol("N");
     panel.y.unit = "1";
     panel.y.range = {-top, top};
     panel.y.ticks = {{0.0, "0", drawing::TickSize::major}};

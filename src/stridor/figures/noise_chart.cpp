@@ -30,7 +30,7 @@ std::span<const sweep::CellVerdict> cells_of(const sweep::SweepResult& result, s
 }
 
 // "Each cell was run from rest, stuck and sliding; the loudest is shown."
-drawing::Text starts_caption(const sweep::Study& study) {
+drawing::StyledText starts_caption(const sweep::Study& study) {
     std::string names;
     for (std::size_t k = 0; k < study.starts.size(); ++k) {
         const bool is_last = k > 0 && k + 1 == study.starts.size();
@@ -39,10 +39,10 @@ drawing::Text starts_caption(const sweep::Study& study) {
                             : ", ") +
                  std::string(sweep::start_names()[static_cast<std::size_t>(study.starts[k])]);
     }
-    return drawing::Text("Each cell was run from " + names + "; the loudest is shown.");
+    return drawing::StyledText("Each cell was run from " + names + "; the loudest is shown.");
 }
 
-drawing::Scene empty_chart(const sweep::SweepResult& result, const drawing::Text& title) {
+drawing::Scene empty_chart(const sweep::SweepResult& result, const drawing::StyledText& title) {
     const sweep::Study& study = result.study;
     std::vector<std::string_view> varied{study.x.parameter, study.y.parameter};
     if (!study.starts.empty()) varied.emplace_back("run.initial");
@@ -54,8 +54,8 @@ drawing::Scene empty_chart(const sweep::SweepResult& result, const drawing::Text
     scene.height = study.directions.size() == 1 ? 110.0 : 92.0;
     for (std::size_t d = 0; d < study.directions.size(); ++d) {
         const bool is_going = study.directions[d] == parameters::Direction::going;
-        const drawing::Text name =
-            drawing::Text(is_going ? "going (" : "coming (") + drawing::symbol("V") + (is_going ? " > 0)" : " < 0)");
+        const drawing::StyledText name = drawing::StyledText(is_going ? "going (" : "coming (") + drawing::symbol("V") +
+                                         (is_going ? " > 0)" : " < 0)");
         drawing::Panel panel;
         panel.title = study.directions.size() == 1 ? name : lettered(d, name);
         panel.column = d;
@@ -69,7 +69,7 @@ drawing::Scene empty_chart(const sweep::SweepResult& result, const drawing::Text
 }
 
 // which values the colours of a figure begin and end with: a few odd cells do not wash out all others
-drawing::Range value_range(std::vector<double> values, const sweep::CellFigure& figure) {
+drawing::Extent value_range(std::vector<double> values, const sweep::CellFigure& figure) {
     constexpr double odd_share = 0.02;    // usual 0.02; 0 lets a single value take half of the colours
     constexpr double level_span = 100.0;  // [dB] what lies lower is rest, and would take all colours
     values.erase(std::remove_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); }),
@@ -78,12 +78,12 @@ drawing::Range value_range(std::vector<double> values, const sweep::CellFigure& 
     const bool is_share = figure.unit == "1" && (values.empty() || (values.front() >= 0.0 && values.back() <= 1.0));
     if (is_share || values.empty()) return {0.0, 1.0};
     const auto skipped = static_cast<std::size_t>(odd_share * static_cast<double>(values.size()));
-    drawing::Range range{values[skipped], values[values.size() - 1 - skipped]};
+    drawing::Extent range{values[skipped], values[values.size() - 1 - skipped]};
     if (figure.unit.substr(0, 2) == "dB") range.from = std::max(range.from, range.to - level_span);
-    return range.from < range.to ? range : drawing::Range{range.from - 0.5, range.from + 0.5};
+    return range.from < range.to ? range : drawing::Extent{range.from - 0.5, range.from + 0.5};
 }
 
-bool reaches_beyond(std::span<const double> values, const drawing::Range& range) {
+bool reaches_beyond(std::span<const double> values, const drawing::Extent& range) {
     return std::any_of(values.begin(), values.end(),
                        [&](double value) { return std::isfinite(value) && (value < range.from || value > range.to); });
 }
@@ -125,21 +125,22 @@ drawing::Points torn_points(const sweep::SweepResult& result, std::size_t direct
 }
 
 // "12 % of the cells were computed, ...": nothing for a complete chart
-std::vector<drawing::Text> refinement_caption(const sweep::SweepResult& result, const std::string& of_others) {
+std::vector<drawing::StyledText> refinement_caption(const sweep::SweepResult& result, const std::string& of_others) {
     const std::size_t computed = sweep::computed_count(result);
     if (computed == result.cells.size()) return {};
     const double share = 100.0 * static_cast<double>(computed) / static_cast<double>(result.cells.size());
-    return {
-        drawing::Text(base::shortest(std::round(share * 10.0) / 10.0) + " % of the cells were computed; " + of_others)};
+    return {drawing::StyledText(base::shortest(std::round(share * 10.0) / 10.0) + " % of the cells were computed; " +
+                                of_others)};
 }
 
 }  // namespace
 
 drawing::Scene noise_chart(const sweep::SweepResult& result) {
     const std::string& title = result.study.base.title;
-    drawing::Scene scene = empty_chart(result, title.empty() ? drawing::Text("Noise chart") : drawing::Text(title));
+    drawing::Scene scene =
+        empty_chart(result, title.empty() ? drawing::StyledText("Noise chart") : drawing::StyledText(title));
     const std::vector<drawing::Fill> fills = kind_fills();
-    const std::vector<drawing::Text> names = kind_names();
+    const std::vector<drawing::StyledText> names = kind_names();
     std::vector<drawing::CategoryCells> maps;
     for (std::size_t d = 0; d < scene.panels.size(); ++d) {
         drawing::CategoryCells map{cell_edges(result.study.x), cell_edges(result.study.y), {}, fills};
@@ -150,7 +151,7 @@ drawing::Scene noise_chart(const sweep::SweepResult& result) {
     add_kind_legend(scene, result);
     if (std::any_of(result.cells.begin(), result.cells.end(), is_torn))
         scene.legend.push_back({"quiet unless disturbed", drawing::Points{{}, {}, drawing::ink, 2.0, drawing::white}});
-    for (drawing::Text& text : refinement_caption(result, "the others lie among such that agree."))
+    for (drawing::StyledText& text : refinement_caption(result, "the others lie among such that agree."))
         scene.caption.push_back(std::move(text));
     const std::vector<sweep::Boundary> boundaries = sweep::boundaries(result);
     // names and marks need to know how large their regions and cells become on paper
@@ -191,7 +192,7 @@ drawing::Scene figure_chart(const sweep::SweepResult& result, std::string_view n
                                    ": a vibration, not a sound pressure.");
     if (reaches_beyond(values, colours.range))
         scene.caption.emplace_back("Values beyond the scale have the colour of its end.");
-    for (drawing::Text& text :
+    for (drawing::StyledText& text :
          refinement_caption(result, "the others have the value of the nearest corner of their block."))
         scene.caption.push_back(std::move(text));
     bool has_gap = false;

@@ -19,15 +19,15 @@ namespace {
 // long enough for a few dozen changes of state of a squeal
 constexpr double zoom_length = 20e-3;  // [s]
 
-std::optional<drawing::Range> zoom_range(const parameters::Case& c, std::span<const record::ContactHistory> histories,
-                                         const std::string& zoom) {
+std::optional<drawing::Extent> zoom_range(const parameters::Case& c, std::span<const record::ContactHistory> histories,
+                                          const std::string& zoom) {
     if (zoom.empty()) return busiest_stretch(c, histories, zoom_length);
     const std::size_t colon = zoom.find(':');
     if (colon == std::string::npos)
         throw Error(ErrorKind::input,
                     {"--zoom \"" + zoom + "\" cannot be read", "expected FROM:TO", "For example \"230 ms:250 ms\"."});
-    const drawing::Range range{base::parse_quantity(zoom.substr(0, colon), "s"),
-                               base::parse_quantity(zoom.substr(colon + 1), "s")};
+    const drawing::Extent range{base::parse_quantity(zoom.substr(0, colon), "s"),
+                                base::parse_quantity(zoom.substr(colon + 1), "s")};
     if (!(range.from < range.to))
         throw Error(ErrorKind::input,
                     {"--zoom \"" + zoom + "\" is empty", "its end must come after its beginning", ""});

@@ -46,9 +46,9 @@ bool is_refined(const sweep::SweepResult& result) {
 }
 
 // what tells one row from the next: the angle and the direction
-drawing::Text row_name(const sweep::Study& study, std::size_t direction) {
+drawing::StyledText row_name(const sweep::Study& study, std::size_t direction) {
     return setting(study.base, "joint.incidence_angle") + ", " +
-           drawing::Text(parameters::direction_names[static_cast<std::size_t>(study.directions[direction])]);
+           drawing::StyledText(parameters::direction_names[static_cast<std::size_t>(study.directions[direction])]);
 }
 
 // the axis below the lowest map of a column serves all that share it
@@ -79,7 +79,7 @@ drawing::Scene rate_map(std::span<const sweep::SweepResult> results) {
                 panel.row = scene.row_heights.size();
                 panel.column = column;
                 panel.title = column == 0 ? lettered(panel.row, row_name(result.study, d) + ": slip")
-                                          : drawing::Text(rates[column]);
+                                          : drawing::StyledText(rates[column]);
                 if (column > 0) panel.y.text = drawing::AxisText::hidden;
                 scene.panels.push_back(std::move(panel));
             }

@@ -140,9 +140,9 @@ drawing::Scene sensitivity(const Sensitivity& sensitivity) {
     std::string quantity = sensitivity.quantity;
     std::replace(quantity.begin(), quantity.end(), '_', ' ');
     scene.title = "Sensitivity to " + quantity;
-    scene.caption = {drawing::Text(fmt::format("Each mark is a record; {} in all.{}{}", sensitivity.records.size(),
-                                               words_on("Level", sensitivity.level),
-                                               words_on("Dominant frequency", sensitivity.frequency)))};
+    scene.caption = {drawing::StyledText(fmt::format("Each mark is a record; {} in all.{}{}",
+                                                     sensitivity.records.size(), words_on("Level", sensitivity.level),
+                                                     words_on("Dominant frequency", sensitivity.frequency)))};
     scene.panels.push_back(category_panel(sensitivity));
     scene.row_heights = {row_share * static_cast<double>(std::max<std::size_t>(2, sensitivity.categories.size()))};
     if (has_any(sensitivity.records, &Observation::level)) {

@@ -30,10 +30,10 @@ constexpr std::array<std::string_view, 7> told{"frequency",  "tonality", "regula
                                                "abruptness", "kurtosis", "impulse_interval"};
 
 // the text that fits, with dots where it was cut
-drawing::Text fitted(const std::string& text, double size, double width) {
-    if (drawing::text_width(drawing::Text(text), size) <= width) return text;
+drawing::StyledText fitted(const std::string& text, double size, double width) {
+    if (drawing::text_width(drawing::StyledText(text), size) <= width) return text;
     std::string cut = text;
-    while (!cut.empty() && drawing::text_width(drawing::Text(cut + "..."), size) > width) {
+    while (!cut.empty() && drawing::text_width(drawing::StyledText(cut + "..."), size) > width) {
         // a whole letter, however many bytes it has
         while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0U) == 0x80U)
             cut.pop_back();
@@ -86,7 +86,7 @@ void set_amplitude_axis(drawing::Panel& panel) {
                      {1.0, "1", drawing::TickSize::major}};
 }
 
-drawing::Range detail_range(const ComparedSound& sound) {
+drawing::Extent detail_range(const ComparedSound& sound) {
     const double length = sound.detail.signal.samples.empty() ? 0.0 : signal::duration(sound.detail.signal);
     return {sound.detail.from, sound.detail.from + std::max(length, 1e-6)};
 }
@@ -139,7 +139,7 @@ drawing::Panel category_panel(const ComparedSound& sound, std::size_t column) {
 drawing::Panel detail_panel(const ComparedSound& sound, std::size_t column) {
     drawing::Panel panel = panel_at(detail, column);
     set_amplitude_axis(panel);
-    const drawing::Range range = detail_range(sound);
+    const drawing::Extent range = detail_range(sound);
     panel.x.range = {0.0, 1e3 * (range.to - range.from)};
     drawing::Line line;
     line.stroke = {drawing::accent, 0.6, drawing::Dash::solid};
@@ -147,7 +147,7 @@ drawing::Panel detail_panel(const ComparedSound& sound, std::size_t column) {
     for (std::size_t k = 0; k < line.y.size(); ++k)
         line.x.push_back(1e3 * static_cast<double>(k) / sound.detail.signal.rate);
     panel.layers.emplace_back(scaled(std::move(line)));
-    panel.title = drawing::Text(fmt::format("from {:.3f} s", range.from));
+    panel.title = drawing::StyledText(fmt::format("from {:.3f} s", range.from));
     return panel;
 }
 
@@ -157,7 +157,7 @@ bool has_states(const ComparedSound& sound) {
 }
 
 drawing::Panel states_panel(const ComparedSound& sound, std::size_t column) {
-    const drawing::Range range = detail_range(sound);
+    const drawing::Extent range = detail_range(sound);
     std::vector<record::ContactHistory> histories = sound.contact.histories;
     for (record::ContactHistory& history : histories)
         for (record::ContactInterval& interval : history) {
@@ -207,7 +207,7 @@ drawing::Panel figures_panel(const ComparedSound& sound, std::size_t column) {
         head.anchor = drawing::Anchor::panel;
         head.colour = drawing::quiet_ink;
         drawing::Note value = head;
-        value.text = drawing::Text(lines[k].second, k < 2 ? drawing::TextStyle::bold : drawing::TextStyle::plain);
+        value.text = drawing::StyledText(lines[k].second, k < 2 ? drawing::TextStyle::bold : drawing::TextStyle::plain);
         value.x = 0.97;
         value.align = drawing::Align::right;
         value.colour = drawing::ink;
@@ -232,7 +232,7 @@ std::string caption_of(std::span<const ComparedSound> sounds) {
 drawing::Scene side_by_side(std::span<const ComparedSound> sounds) {
     drawing::Scene scene;
     scene.title = "Sounds side by side";
-    scene.caption = {drawing::Text(caption_of(sounds))};
+    scene.caption = {drawing::StyledText(caption_of(sounds))};
     scene.row_heights.assign(heights.begin(), heights.end());
     scene.column_widths.assign(sounds.size(), 1.0);
     double highest = 2000.0;

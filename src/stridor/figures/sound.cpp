@@ -55,7 +55,7 @@ drawing::Panel level_panel(const SoundAnalysis& analysis) {
         lowest = std::min(lowest, here);
     }
     const bool has_level = std::isfinite(highest);
-    panel.y.range = has_level ? air_around(lowest, highest) : drawing::Range{-1.0, 1.0};
+    panel.y.range = has_level ? air_around(lowest, highest) : drawing::Extent{-1.0, 1.0};
     if (has_level) panel.layers.emplace_back(std::move(line));
     return panel;
 }
@@ -92,10 +92,10 @@ drawing::Panel category_panel(const SoundAnalysis& analysis, const classificatio
 
 drawing::Scene sound(const SoundAnalysis& analysis, const classification::RecordingVerdict& verdict) {
     drawing::Scene scene;
-    scene.title = analysis.name.empty() ? drawing::Text("Recording") : drawing::Text(analysis.name);
-    scene.caption = {
-        drawing::Text(fmt::format("{:.4g} s at {:g} Hz; levels in {}; heard as {}", analysis.duration, analysis.rate,
-                                  signal::level_unit(analysis.unit), classification::name(verdict.category)))};
+    scene.title = analysis.name.empty() ? drawing::StyledText("Recording") : drawing::StyledText(analysis.name);
+    scene.caption = {drawing::StyledText(
+        fmt::format("{:.4g} s at {:g} Hz; levels in {}; heard as {}", analysis.duration, analysis.rate,
+                    signal::level_unit(analysis.unit), classification::name(verdict.category)))};
     scene.height = 150.0;
     scene.row_heights = {1.0, 0.8, 1.8, 0.22};
     scene.panels.push_back(waveform_panel(analysis));

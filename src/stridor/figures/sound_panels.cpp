@@ -24,7 +24,7 @@ bool occurs(Category category, const RecordingVerdict& verdict) {
 
 }  // namespace
 
-drawing::Range air_around(double low, double high) {
+drawing::Extent air_around(double low, double high) {
     const double air = high > low ? 0.06 * (high - low) : 1.0;
     return {low - air, high + air};
 }
@@ -101,7 +101,7 @@ std::vector<drawing::LegendEntry> category_legend(const std::vector<const Record
         if (std::none_of(verdicts.begin(), verdicts.end(), [&](const auto* each) { return occurs(category, *each); }))
             continue;
         drawing::LegendEntry entry;
-        entry.text = drawing::Text(classification::name(category));
+        entry.text = drawing::StyledText(classification::name(category));
         entry.sample = category_fill(category);
         legend.push_back(std::move(entry));
     }

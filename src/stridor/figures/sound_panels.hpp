@@ -28,6 +28,6 @@ std::vector<drawing::Layer> segment_layers(const classification::RecordingVerdic
 std::vector<drawing::LegendEntry> category_legend(const std::vector<const classification::RecordingVerdict*>& verdicts);
 
 /// An interval with some air at both ends.
-drawing::Range air_around(double low, double high);
+drawing::Extent air_around(double low, double high);
 
 }  // namespace stridor::figures

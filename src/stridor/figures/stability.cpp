@@ -50,8 +50,8 @@ std::vector<Branch> branches_of(const analysis::StabilityPath& path) {
 }
 
 // stretches of the quantity in which sliding is unstable
-std::vector<drawing::Range> unstable_stretches(const analysis::StabilityPath& path) {
-    std::vector<drawing::Range> stretches;
+std::vector<drawing::Extent> unstable_stretches(const analysis::StabilityPath& path) {
+    std::vector<drawing::Extent> stretches;
     if (path.points.empty()) return stretches;
     double from = path.points.front().value;
     analysis::StabilityKind kind = path.points.front().stability.kind;
@@ -67,8 +67,8 @@ std::vector<drawing::Range> unstable_stretches(const analysis::StabilityPath& pa
     return stretches;
 }
 
-drawing::Range extent(std::span<const StabilityCurve> curves, double Eigenmode::*member) {
-    drawing::Range range{0.0, 0.0};
+drawing::Extent extent(std::span<const StabilityCurve> curves, double Eigenmode::*member) {
+    drawing::Extent range{0.0, 0.0};
     for (const StabilityCurve& curve : curves)
         for (const analysis::StabilityPoint& point : curve.path.points)
             for (const Eigenmode& mode : point.stability.modes)
@@ -80,11 +80,11 @@ drawing::Range extent(std::span<const StabilityCurve> curves, double Eigenmode::
 constexpr drawing::Colour mode_colours[] = {
     {0x00, 0x66, 0x99}, {0xC4, 0x6A, 0x00}, {0x5A, 0x5A, 0x5A}, {0x7B, 0x3F, 0x8C}};
 
-drawing::Panel mode_panel(const StabilityCurve& curve, double Eigenmode::*member, const drawing::Range& y) {
+drawing::Panel mode_panel(const StabilityCurve& curve, double Eigenmode::*member, const drawing::Extent& y) {
     drawing::Panel panel;
     panel.grid = drawing::Grid::both;
     panel.y.range = y;
-    for (const drawing::Range& stretch : unstable_stretches(curve.path))
+    for (const drawing::Extent& stretch : unstable_stretches(curve.path))
         panel.layers.emplace_back(
             drawing::Boxes{{{stretch, y}}, {drawing::tint({0xBB, 0x55, 0x66}, 0.14), drawing::Texture::none, {}}});
     if (y.from < 0.0)
@@ -104,7 +104,7 @@ drawing::Panel mode_panel(const StabilityCurve& curve, double Eigenmode::*member
 }
 
 // lines through all panels of a column, named in one of them
-void mark_boundaries(drawing::Panel& panel, const analysis::StabilityPath& path, const drawing::Text& name) {
+void mark_boundaries(drawing::Panel& panel, const analysis::StabilityPath& path, const drawing::StyledText& name) {
     for (const analysis::StabilityBoundary& boundary : path.boundaries) {
         panel.layers.emplace_back(
             drawing::Rule{boundary.value, drawing::Orientation::vertical, {drawing::ink, 0.6, drawing::Dash::dashed}});
@@ -123,10 +123,10 @@ void mark_boundaries(drawing::Panel& panel, const analysis::StabilityPath& path,
 drawing::Scene stability(std::string_view quantity, std::span<const StabilityCurve> curves) {
     const parameters::Field* field = parameters::find_field(quantity);
     STRIDOR_EXPECT(field != nullptr && std::holds_alternative<parameters::Quantity>(field->kind));
-    const drawing::Text name = field->symbol.empty() ? field_label(*field) : drawing::symbol(field->symbol);
+    const drawing::StyledText name = field->symbol.empty() ? field_label(*field) : drawing::symbol(field->symbol);
     drawing::Scene scene;
     scene.title = "Stability of steady sliding";
-    scene.caption = {drawing::Text("Lines: the modes of the sliding contact. Tinted: sliding is unstable.")};
+    scene.caption = {drawing::StyledText("Lines: the modes of the sliding contact. Tinted: sliding is unstable.")};
     scene.height = 105.0;
     scene.column_widths.assign(std::max<std::size_t>(1, curves.size()), 1.0);
     scene.row_heights = {1.0, 1.0};
@@ -147,7 +147,7 @@ drawing::Scene stability(std::string_view quantity, std::span<const StabilityCur
                 panel.title = lettered(c, parameters::direction_names[static_cast<std::size_t>(curves[c].direction)]);
             }
             if (c > 0) panel.y.text = drawing::AxisText::hidden;
-            mark_boundaries(panel, curves[c].path, row == 0 ? name : drawing::Text());
+            mark_boundaries(panel, curves[c].path, row == 0 ? name : drawing::StyledText());
             scene.panels.push_back(std::move(panel));
         }
     return scene;

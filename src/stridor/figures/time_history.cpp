@@ -19,7 +19,7 @@ namespace {
 
 // one row of panels
 struct Curve {
-    drawing::Text label;
+    drawing::StyledText label;
     std::string unit;
     const std::vector<double>* values = nullptr;  // shape [sample]
     double cut = 0.0;                             // [1] share of the samples at either end that may lie beyond the axis
@@ -29,8 +29,9 @@ struct Curve {
 // The exact engine has none: its impacts take no time.
 constexpr double peak_share = 2e-3;
 
-drawing::Text body_symbol(std::string_view letter, std::string_view number) {
-    return drawing::Text(letter, drawing::TextStyle::italic) + drawing::Text(number, drawing::TextStyle::subscript);
+drawing::StyledText body_symbol(std::string_view letter, std::string_view number) {
+    return drawing::StyledText(letter, drawing::TextStyle::italic) +
+           drawing::StyledText(number, drawing::TextStyle::subscript);
 }
 
 // two degrees of freedom a joint, numbered as the contacts, then the plate's; their letters with as many dots as
@@ -47,9 +48,9 @@ void add_motion(std::vector<Curve>& curves, const std::vector<std::vector<double
 }
 
 // the only contact needs none
-drawing::Text contact_number(std::size_t contact, std::size_t contacts) {
+drawing::StyledText contact_number(std::size_t contact, std::size_t contacts) {
     if (contacts == 1) return {};
-    return drawing::Text(std::to_string(contact + 1), drawing::TextStyle::subscript);
+    return drawing::StyledText(std::to_string(contact + 1), drawing::TextStyle::subscript);
 }
 
 void add_curves(std::vector<Curve>& curves, const record::Trace& trace, ShownSignal signal, double cut) {
@@ -68,7 +69,7 @@ void add_curves(std::vector<Curve>& curves, const record::Trace& trace, ShownSig
             break;
         case ShownSignal::contact_forces:
             for (std::size_t k = 0; k < trace.contacts.size(); ++k) {
-                const drawing::Text number = contact_number(k, trace.contacts.size());
+                const drawing::StyledText number = contact_number(k, trace.contacts.size());
                 curves.push_back({drawing::symbol("N") + number, "N", &trace.contacts[k].normal_force, cut});
                 curves.push_back({drawing::symbol("T") + number, "N", &trace.contacts[k].friction_force, cut});
             }
@@ -77,7 +78,7 @@ void add_curves(std::vector<Curve>& curves, const record::Trace& trace, ShownSig
 }
 
 // the values within a stretch of time, without the share `cut` of them at either end, with a little air
-drawing::Range extent(const record::Trace& trace, const Curve& curve, const drawing::Range& stretch) {
+drawing::Extent extent(const record::Trace& trace, const Curve& curve, const drawing::Extent& stretch) {
     std::vector<double> values;
     for (std::size_t i = 0; i < std::min(trace.time.size(), curve.values->size()); ++i)
         if (trace.time[i] >= stretch.from && trace.time[i] <= stretch.to && std::isfinite((*curve.values)[i]))
@@ -95,7 +96,7 @@ drawing::Range extent(const record::Trace& trace, const Curve& curve, const draw
 }
 
 // the samples of a stretch and one more at either end; a zoom need not carry the whole trace
-drawing::Line line_within(const record::Trace& trace, const Curve& curve, const drawing::Range& stretch) {
+drawing::Line line_within(const record::Trace& trace, const Curve& curve, const drawing::Extent& stretch) {
     const auto begin = trace.time.begin();
     const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(std::min(trace.time.size(), curve.values->size()));
     const std::ptrdiff_t from = std::lower_bound(begin, begin + last, stretch.from) - begin;
@@ -106,7 +107,7 @@ drawing::Line line_within(const record::Trace& trace, const Curve& curve, const 
     return {{begin + first, begin + end}, {values + first, values + end}, {drawing::accent, 0.5, drawing::Dash::solid}};
 }
 
-drawing::Panel curve_panel(const record::Trace& trace, const Curve& curve, const drawing::Range& time) {
+drawing::Panel curve_panel(const record::Trace& trace, const Curve& curve, const drawing::Extent& time) {
     drawing::Panel panel;
     panel.grid = drawing::Grid::both;
     panel.x.range = time;
@@ -120,7 +121,7 @@ drawing::Panel curve_panel(const record::Trace& trace, const Curve& curve, const
 
 // one column of panels: the curves, then the states of each contact
 void add_column(drawing::Scene& scene, const record::Record& record, const std::vector<Curve>& curves,
-                const drawing::Range& time) {
+                const drawing::Extent& time) {
     const std::size_t column = scene.column_widths.size();
     scene.column_widths.push_back(column == 0 ? 1.35 : 1.0);
     for (std::size_t row = 0; row <= curves.size(); ++row) {
@@ -135,7 +136,7 @@ void add_column(drawing::Scene& scene, const record::Record& record, const std::
     }
 }
 
-void mark(drawing::Scene& scene, const drawing::Range& stretch) {
+void mark(drawing::Scene& scene, const drawing::Extent& stretch) {
     for (drawing::Panel& panel : scene.panels)
         if (panel.column == 0)
             panel.layers.insert(panel.layers.begin(), drawing::Boxes{{{stretch, panel.y.range}},
@@ -143,7 +144,7 @@ void mark(drawing::Scene& scene, const drawing::Range& stretch) {
 }
 
 // the time the trace covers, its last sample's interval included
-drawing::Range traced(const record::Record& record) {
+drawing::Extent traced(const record::Record& record) {
     const std::vector<double>& time = record.trace.time;
     const double last = time.size() > 1 ? 2.0 * time.back() - time[time.size() - 2] : time.back();
     const bool has_history = !record.histories.empty() && !record.histories.front().empty();
@@ -173,7 +174,7 @@ std::string times_text(std::size_t number) {
 
 // "In b) the contact separates 8 times and sticks twice."
 std::string changes_text(const record::ContactHistory& history, const std::string& contact,
-                         const drawing::Range& stretch) {
+                         const drawing::Extent& stretch) {
     std::array<std::size_t, model::contact_states> entries{};
     for (const record::ContactInterval& interval : history)
         if (interval.from > stretch.from && interval.from < stretch.to) ++entries[model::index_of(interval.state)];
@@ -191,7 +192,7 @@ std::string changes_text(const record::ContactHistory& history, const std::strin
     return "In b) " + contact + " " + (text.empty() ? "does not change its state" : text) + ".";
 }
 
-std::string phase_name(const parameters::Case& c, const drawing::Range& stretch) {
+std::string phase_name(const parameters::Case& c, const drawing::Extent& stretch) {
     for (const record::Span& span : record::schedule(c).spans)
         if (stretch.from >= span.from && stretch.to <= span.to && span.phase != record::Phase::all)
             return " (" + std::string(record::phase_names[static_cast<std::size_t>(span.phase)]) + ")";
@@ -200,10 +201,10 @@ std::string phase_name(const parameters::Case& c, const drawing::Range& stretch)
 
 // the stretch with the most changes of state so far
 struct Busiest {
-    drawing::Range stretch;
+    drawing::Extent stretch;
     std::size_t changes = 0;
 
-    void look_at(std::span<const record::ContactHistory> histories, const drawing::Range& within, double length) {
+    void look_at(std::span<const record::ContactHistory> histories, const drawing::Extent& within, double length) {
         std::vector<double> times;
         for (const record::ContactHistory& history : histories)
             for (std::size_t k = 1; k < history.size(); ++k)
@@ -235,10 +236,10 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
                            std::any_of(record.histories.begin(), record.histories.end(), has_impacts);
     for (const ShownSignal signal : options.signals)
         add_curves(curves, record.trace, signal, has_peaks ? peak_share : 0.0);
-    drawing::Range whole = options.whole;
+    drawing::Extent whole = options.whole;
     if (!(whole.from < whole.to)) whole = traced(record);
     drawing::Scene scene;
-    scene.title = c.title.empty() ? drawing::Text("Time history") : drawing::Text(c.title);
+    scene.title = c.title.empty() ? drawing::StyledText("Time history") : drawing::StyledText(c.title);
     scene.caption = {conditions(c)};
     scene.row_heights.assign(curves.size(), 1.0);
     scene.row_heights.push_back(0.75 * static_cast<double>(record.histories.size()));
@@ -264,8 +265,8 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
     return scene;
 }
 
-std::optional<drawing::Range> busiest_stretch(const parameters::Case& c,
-                                              std::span<const record::ContactHistory> histories, double length) {
+std::optional<drawing::Extent> busiest_stretch(const parameters::Case& c,
+                                               std::span<const record::ContactHistory> histories, double length) {
     Busiest judged;
     Busiest any;
     for (const record::Span& span : record::schedule(c).spans)
@@ -275,7 +276,7 @@ std::optional<drawing::Range> busiest_stretch(const parameters::Case& c,
     return best.changes > 0 ? std::optional(best.stretch) : std::nullopt;
 }
 
-drawing::Range telling_stretch(const parameters::Case& c, double length) {
+drawing::Extent telling_stretch(const parameters::Case& c, double length) {
     record::Span best;
     for (const record::Span& span : record::schedule(c).spans) {
         if (span.use == record::Use::closing) best.to = span.to;

@@ -20,8 +20,8 @@ enum class ShownSignal {
 
 struct TimeHistoryOptions {
     std::vector<ShownSignal> signals{ShownSignal::imposed_velocity, ShownSignal::acceleration};
-    drawing::Range whole{0.0, 0.0};      // [s] of the left column; empty: all of the trace
-    std::optional<drawing::Range> zoom;  // [s] of a second column beside it
+    drawing::Extent whole{0.0, 0.0};      // [s] of the left column; empty: all of the trace
+    std::optional<drawing::Extent> zoom;  // [s] of a second column beside it
 };
 
 /// Curves over time with the contact states below, and beside them a short stretch of the same, in which single slips,
@@ -35,11 +35,11 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
 /// The stretch of `length` seconds in which the contact changes its state most often, of equals the first: within
 /// the judged parts of the run if there are two changes or more in one of them, else anywhere. Nothing if the
 /// contact never changes.
-std::optional<drawing::Range> busiest_stretch(const parameters::Case& c,
-                                              std::span<const record::ContactHistory> histories, double length);
+std::optional<drawing::Extent> busiest_stretch(const parameters::Case& c,
+                                               std::span<const record::ContactHistory> histories, double length);
 
 /// A stretch of `length` seconds in which several cases can be held against each other: the middle of a going phase's
 /// judged part, or of the window where the drive is constant; cut to the run where that is shorter.
-drawing::Range telling_stretch(const parameters::Case& c, double length);
+drawing::Extent telling_stretch(const parameters::Case& c, double length);
 
 }  // namespace stridor::figures

@@ -12,9 +12,10 @@
 /// Which cells of a chart sound most like a recording.
 ///
 /// A chart of few cells is listened to whole. Of a larger one every n-th point of both axes is first, the ends
-/// included; then, with n halved again and again down to 1, the neighbours of the best cells so far, until those of all
-/// best ones are known. A small region between the points of the first grid may be missed: `Extent::every` listens to
-/// all. What is listened to follows from the chart and the recording alone, never from threads.
+/// included. Then n is halved again and again down to 1. Each time the neighbours of the best cells so far follow,
+/// until those of all best ones are known. A small region between the points of the first grid may be missed:
+/// `SearchExtent::every` listens to all. What is listened to follows from the chart and the recording alone, never from
+/// threads.
 namespace stridor::hearing {
 
 enum class SearchExtent { search, every };

@@ -64,17 +64,17 @@ std::string without_degree_sign(std::string text) {
     return text;
 }
 
-const Field* field_for(const std::string& key) {
+const EntryField* field_for(const std::string& key) {
     const auto synonym =
         std::find_if(synonyms.begin(), synonyms.end(), [&](const auto& each) { return each.first == key; });
-    const Field* field = find_field(synonym == synonyms.end() ? key : synonym->second);
+    const EntryField* field = find_field(synonym == synonyms.end() ? key : synonym->second);
     const bool is_ours = field != nullptr && field->writer == Writer::user && !is_document(*field);
     return is_ours ? field : nullptr;
 }
 
-bool is_known(const Entry& entry, const Field& field) {
-    return std::holds_alternative<Quantity>(field.kind) ? !std::isnan(quantity_in(entry, field))
-                                                        : !words_in(entry, field).empty();
+bool is_known(const Entry& entry, const EntryField& field) {
+    return std::holds_alternative<EntryQuantity>(field.kind) ? !std::isnan(quantity_in(entry, field))
+                                                             : !words_in(entry, field).empty();
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -88,7 +88,7 @@ std::string joined(const std::vector<std::string>& parts) {
 
 void EntryFiller::take(const std::string& name, const std::string& text) {
     const auto [key, value] = unit_at_value(name, text);
-    const Field* field = field_for(key_of(key));
+    const EntryField* field = field_for(key_of(key));
     if (field == nullptr || base::trimmed(value).empty() || is_known(*entry_, *field)) return;
     try {
         set_from_text(*entry_, *field, without_degree_sign(value));
@@ -101,7 +101,7 @@ void EntryFiller::take(const std::string& name, const std::string& text) {
 }
 
 void EntryFiller::take(const char* name, double value) {
-    const Field& field = *find_field(name);
+    const EntryField& field = *find_field(name);
     if (is_known(*entry_, field) || !std::isfinite(value)) return;
     set_quantity(*entry_, field, value);
     remember(field);
@@ -126,7 +126,7 @@ std::vector<std::string> EntryFiller::notes(const std::string& source) const {
     return notes;
 }
 
-void EntryFiller::remember(const Field& field) {
+void EntryFiller::remember(const EntryField& field) {
     taken_.push_back(std::string(field.name) + " " + value_text(*entry_, field));
 }
 

@@ -29,7 +29,7 @@ public:
     std::vector<std::string> notes(const std::string& source) const;
 
 private:
-    void remember(const Field& field);
+    void remember(const EntryField& field);
 
     Entry* entry_;
     std::vector<std::string> taken_{};

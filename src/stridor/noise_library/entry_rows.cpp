@@ -19,7 +19,7 @@ namespace {
 std::string insert_entry(bool has_id) {
     std::string columns = has_id ? "id, digest" : "digest";
     std::string values = has_id ? "?, ?" : "?";
-    for (const Field& field : fields()) {
+    for (const EntryField& field : fields()) {
         if (is_document(field)) continue;
         columns += ", " + column_of(field);
         values += ", ?";
@@ -34,7 +34,7 @@ void forget_parts(Database& database, std::int64_t id) {
 
 void write_documents(Database& database, std::int64_t id, const Entry& entry) {
     Statement document = database.prepare("INSERT INTO document(entry, name, text) VALUES(?, ?, ?)");
-    for (const Field& field : fields()) {
+    for (const EntryField& field : fields()) {
         if (!is_document(field) || words_in(entry, field).empty()) continue;
         document.bind(1, id);
         document.bind(2, field.name);
@@ -58,7 +58,7 @@ void write_figures(Database& database, std::int64_t id, const Entry& entry) {
 
 std::vector<std::string> table_statements() {
     std::string columns;
-    for (const Field& field : fields())
+    for (const EntryField& field : fields())
         if (!is_document(field)) columns += ", " + column_of(field);
     return {// ids are never used twice, so that a note about entry 12 stays true
             "CREATE TABLE entry(id INTEGER PRIMARY KEY AUTOINCREMENT, digest TEXT NOT NULL" + columns + ")",
@@ -92,12 +92,13 @@ KeptEntry read_entry(Database& database, std::int64_t id) {
     row.bind(1, id);
     if (!row.step()) return kept;
     kept.entry = entry_in(row);
-    const auto last = std::count_if(fields().begin(), fields().end(), [](const Field& f) { return !is_document(f); });
+    const auto last =
+        std::count_if(fields().begin(), fields().end(), [](const EntryField& f) { return !is_document(f); });
     kept.digest = row.text(static_cast<int>(last) + 1);
     Statement documents = database.prepare("SELECT name, text FROM document WHERE entry = ?");
     documents.bind(1, id);
     while (documents.step())
-        if (const Field* field = find_field(documents.text(0)); field != nullptr && is_document(*field))
+        if (const EntryField* field = find_field(documents.text(0)); field != nullptr && is_document(*field))
             words_in(kept.entry, *field) = documents.text(1);
     Statement figures = database.prepare("SELECT name, unit, value FROM figure WHERE entry = ? ORDER BY name");
     figures.bind(1, id);
@@ -117,10 +118,10 @@ std::int64_t write_entry(Database& database, const Entry& entry) {
     int parameter = 0;
     if (has_id) row.bind(++parameter, entry.id);
     row.bind(++parameter, std::string_view(text));
-    for (const Field& field : fields())
+    for (const EntryField& field : fields())
         if (is_document(field))
             continue;
-        else if (std::holds_alternative<Quantity>(field.kind))
+        else if (std::holds_alternative<EntryQuantity>(field.kind))
             row.bind(++parameter, quantity_in(entry, field));
         else
             row.bind(++parameter, std::string_view(words_in(entry, field)));

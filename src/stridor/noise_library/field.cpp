@@ -25,35 +25,40 @@ constexpr std::array<std::string_view, 22> systems{
 constexpr std::array<std::string_view, 3> places{"vehicle", "rig", "simulation"};
 
 const std::array table{
-    Field{"system", "vehicle system that makes the noise", Text{&Entry::system, Text::Shape::line, systems}},
-    Field{"parts", "parts in contact", Text{&Entry::parts}},
-    Field{"materials", "materials in contact", Text{&Entry::materials}},
-    Field{"operation", "how it was operated", Text{&Entry::operation}},
-    Field{"recorded", "where it was recorded", Choice{&Entry::recorded, places}},
-    Field{"denomination", "what the engineer calls the noise",
-          Text{&Entry::denomination, Text::Shape::line, classification::category_names}},
-    Field{"preload", "force that presses the surfaces together", Quantity{&Entry::preload, "N", 0.0}},
-    Field{"velocity", "relative velocity of the surfaces; of a motion to and fro its peak",
-          Quantity{&Entry::velocity, "m/s"}},
-    Field{"velocity_profile", "course of the velocity, such as constant or sinusoidal 5 Hz",
-          Text{&Entry::velocity_profile}},
-    Field{"temperature", "temperature of the surfaces or the room", Quantity{&Entry::temperature, "degC", -273.15}},
-    Field{"humidity", "relative humidity", Quantity{&Entry::humidity, "%", 0.0, 100.0}},
-    Field{"sensor", "microphone or accelerometer, and where it stood", Text{&Entry::sensor}},
-    Field{"calibration", "what full scale is", Text{&Entry::calibration}},
-    Field{"date", "when it was recorded, YYYY-MM-DD", Date{&Entry::date}},
-    Field{"author", "who recorded it", Text{&Entry::author}},
-    Field{"licence", "what others may do with it", Text{&Entry::licence}},
-    Field{"notes", "anything else", Text{&Entry::notes, Text::Shape::lines}},
-    Field{"case", "case file (TOML) that a simulated sound came from", Text{&Entry::case_text, Text::Shape::document}},
-    Field{"file", "name of the file before it was added", Text{&Entry::file}, Writer::stridor},
-    Field{"format", "kind of the file, its extension", Text{&Entry::format}, Writer::stridor},
-    Field{"duration", "how long it lasts", Quantity{&Entry::duration, "s", 0.0}, Writer::stridor},
-    Field{"rate", "samples per second", Quantity{&Entry::rate, "Hz", 0.0}, Writer::stridor},
-    Field{"channels", "number of channels", Quantity{&Entry::channels, "1", 0.0}, Writer::stridor},
-    Field{"audio", "SHA-256 of the file", Text{&Entry::audio}, Writer::stridor},
-    Field{"category", "Stridor's verdict", Choice{&Entry::category, classification::category_names}, Writer::stridor},
-    Field{"verdict", "Stridor's verdict in full (JSON)", Text{&Entry::verdict, Text::Shape::document}, Writer::stridor},
+    EntryField{"system", "vehicle system that makes the noise",
+               EntryText{&Entry::system, EntryText::Shape::line, systems}},
+    EntryField{"parts", "parts in contact", EntryText{&Entry::parts}},
+    EntryField{"materials", "materials in contact", EntryText{&Entry::materials}},
+    EntryField{"operation", "how it was operated", EntryText{&Entry::operation}},
+    EntryField{"recorded", "where it was recorded", EntryChoice{&Entry::recorded, places}},
+    EntryField{"denomination", "what the engineer calls the noise",
+               EntryText{&Entry::denomination, EntryText::Shape::line, classification::category_names}},
+    EntryField{"preload", "force that presses the surfaces together", EntryQuantity{&Entry::preload, "N", 0.0}},
+    EntryField{"velocity", "relative velocity of the surfaces; of a motion to and fro its peak",
+               EntryQuantity{&Entry::velocity, "m/s"}},
+    EntryField{"velocity_profile", "course of the velocity, such as constant or sinusoidal 5 Hz",
+               EntryText{&Entry::velocity_profile}},
+    EntryField{"temperature", "temperature of the surfaces or the room",
+               EntryQuantity{&Entry::temperature, "degC", -273.15}},
+    EntryField{"humidity", "relative humidity", EntryQuantity{&Entry::humidity, "%", 0.0, 100.0}},
+    EntryField{"sensor", "microphone or accelerometer, and where it stood", EntryText{&Entry::sensor}},
+    EntryField{"calibration", "what full scale is", EntryText{&Entry::calibration}},
+    EntryField{"date", "when it was recorded, YYYY-MM-DD", EntryDate{&Entry::date}},
+    EntryField{"author", "who recorded it", EntryText{&Entry::author}},
+    EntryField{"licence", "what others may do with it", EntryText{&Entry::licence}},
+    EntryField{"notes", "anything else", EntryText{&Entry::notes, EntryText::Shape::lines}},
+    EntryField{"case", "case file (TOML) that a simulated sound came from",
+               EntryText{&Entry::case_text, EntryText::Shape::document}},
+    EntryField{"file", "name of the file before it was added", EntryText{&Entry::file}, Writer::stridor},
+    EntryField{"format", "kind of the file, its extension", EntryText{&Entry::format}, Writer::stridor},
+    EntryField{"duration", "how long it lasts", EntryQuantity{&Entry::duration, "s", 0.0}, Writer::stridor},
+    EntryField{"rate", "samples per second", EntryQuantity{&Entry::rate, "Hz", 0.0}, Writer::stridor},
+    EntryField{"channels", "number of channels", EntryQuantity{&Entry::channels, "1", 0.0}, Writer::stridor},
+    EntryField{"audio", "SHA-256 of the file", EntryText{&Entry::audio}, Writer::stridor},
+    EntryField{"category", "Stridor's verdict", EntryChoice{&Entry::category, classification::category_names},
+               Writer::stridor},
+    EntryField{"verdict", "Stridor's verdict in full (JSON)", EntryText{&Entry::verdict, EntryText::Shape::document},
+               Writer::stridor},
 };
 
 bool is_unknown(std::string_view text) {
@@ -83,14 +88,15 @@ bool is_date(std::string_view text) {
     return day >= 1 && day <= days[static_cast<std::size_t>(month - 1)] + (month == 2 && is_leap ? 1 : 0);
 }
 
-void expect_text(const Field& field, const Text& kind, std::string_view text) {
+void expect_text(const EntryField& field, const EntryText& kind, std::string_view text) {
     const bool has_control = std::any_of(text.begin(), text.end(), [&](char c) {
         const bool is_break = c == '\n' || c == '\t' || c == '\r';
-        return static_cast<unsigned char>(c) < 0x20 && !(is_break && kind.shape != Text::Shape::line);
+        return static_cast<unsigned char>(c) < 0x20 && !(is_break && kind.shape != EntryText::Shape::line);
     });
     if (has_control)
-        throw Error(ErrorKind::input, {std::string(field.name) + " holds a control character",
-                                       kind.shape == Text::Shape::line ? "it is a single line" : "it is text", ""});
+        throw Error(ErrorKind::input,
+                    {std::string(field.name) + " holds a control character",
+                     kind.shape == EntryText::Shape::line ? "it is a single line" : "it is text", ""});
 }
 
 // a figure may have a unit that this program has no word for ("dB", "sone")
@@ -114,46 +120,46 @@ double celsius(std::string_view text) {
 
 }  // namespace
 
-std::span<const Field> fields() {
+std::span<const EntryField> fields() {
     return table;
 }
 
-const Field* find_field(std::string_view name) {
+const EntryField* find_field(std::string_view name) {
     return base::find_named(table, name);
 }
 
-std::string option_of(const Field& field) {
+std::string option_of(const EntryField& field) {
     std::string option = "--" + std::string(field.name);
     std::replace(option.begin(), option.end(), '_', '-');
     return option;
 }
 
-std::string_view unit_of(const Field& field) {
-    const auto* quantity = std::get_if<Quantity>(&field.kind);
+std::string_view unit_of(const EntryField& field) {
+    const auto* quantity = std::get_if<EntryQuantity>(&field.kind);
     return quantity == nullptr ? std::string_view() : quantity->unit;
 }
 
-bool is_document(const Field& field) {
-    const auto* text = std::get_if<Text>(&field.kind);
-    return text != nullptr && text->shape == Text::Shape::document;
+bool is_document(const EntryField& field) {
+    const auto* text = std::get_if<EntryText>(&field.kind);
+    return text != nullptr && text->shape == EntryText::Shape::document;
 }
 
-const std::string& words_in(const Entry& entry, const Field& field) {
-    if (const auto* text = std::get_if<Text>(&field.kind)) return entry.*(text->member);
-    if (const auto* choice = std::get_if<Choice>(&field.kind)) return entry.*(choice->member);
-    return entry.*(std::get<Date>(field.kind).member);
+const std::string& words_in(const Entry& entry, const EntryField& field) {
+    if (const auto* text = std::get_if<EntryText>(&field.kind)) return entry.*(text->member);
+    if (const auto* choice = std::get_if<EntryChoice>(&field.kind)) return entry.*(choice->member);
+    return entry.*(std::get<EntryDate>(field.kind).member);
 }
 
-std::string& words_in(Entry& entry, const Field& field) {
+std::string& words_in(Entry& entry, const EntryField& field) {
     return const_cast<std::string&>(words_in(std::as_const(entry), field));
 }
 
-double& quantity_in(Entry& entry, const Field& field) {
-    return entry.*(std::get<Quantity>(field.kind).member);
+double& quantity_in(Entry& entry, const EntryField& field) {
+    return entry.*(std::get<EntryQuantity>(field.kind).member);
 }
 
-double quantity_in(const Entry& entry, const Field& field) {
-    return entry.*(std::get<Quantity>(field.kind).member);
+double quantity_in(const Entry& entry, const EntryField& field) {
+    return entry.*(std::get<EntryQuantity>(field.kind).member);
 }
 
 double parse_value(std::string_view text, std::string_view unit) {
@@ -168,8 +174,8 @@ double parse_value(std::string_view text, std::string_view unit) {
     return base::parse_quantity(given, "1");
 }
 
-void set_quantity(Entry& entry, const Field& field, double value) {
-    const auto& quantity = std::get<Quantity>(field.kind);
+void set_quantity(Entry& entry, const EntryField& field, double value) {
+    const auto& quantity = std::get<EntryQuantity>(field.kind);
     const bool is_inside = std::isnan(value) || (value >= quantity.lowest && value <= quantity.highest);
     if (!is_inside || std::isinf(value))
         throw Error(ErrorKind::input,
@@ -178,9 +184,9 @@ void set_quantity(Entry& entry, const Field& field, double value) {
     quantity_in(entry, field) = value;
 }
 
-void set_from_text(Entry& entry, const Field& field, std::string_view text) {
+void set_from_text(Entry& entry, const EntryField& field, std::string_view text) {
     try {
-        if (std::holds_alternative<Quantity>(field.kind))
+        if (std::holds_alternative<EntryQuantity>(field.kind))
             return set_quantity(entry, field, parse_value(text, unit_of(field)));
     } catch (const Error& error) {
         const base::Problem& problem = error.problem();
@@ -191,22 +197,22 @@ void set_from_text(Entry& entry, const Field& field, std::string_view text) {
     const std::string_view given = is_document(field) ? text : base::trimmed(text);
     if (is_unknown(given)) {
         member.clear();
-    } else if (std::holds_alternative<Choice>(field.kind)) {
-        const auto& names = std::get<Choice>(field.kind).names;
+    } else if (std::holds_alternative<EntryChoice>(field.kind)) {
+        const auto& names = std::get<EntryChoice>(field.kind).names;
         member = names[base::place_of_choice(field.name, given, names)];
-    } else if (std::holds_alternative<Date>(field.kind)) {
+    } else if (std::holds_alternative<EntryDate>(field.kind)) {
         if (!is_date(given))
             throw Error(ErrorKind::input, {std::string(field.name) + " = \"" + std::string(given) + "\" is no date",
                                            "a date is YYYY-MM-DD, YYYY-MM or YYYY", ""});
         member = given;
     } else {
-        expect_text(field, std::get<Text>(field.kind), given);
+        expect_text(field, std::get<EntryText>(field.kind), given);
         member = given;
     }
 }
 
-std::string value_text(const Entry& entry, const Field& field) {
-    if (!std::holds_alternative<Quantity>(field.kind)) return words_in(entry, field);
+std::string value_text(const Entry& entry, const EntryField& field) {
+    if (!std::holds_alternative<EntryQuantity>(field.kind)) return words_in(entry, field);
     const double value = quantity_in(entry, field);
     if (std::isnan(value)) return {};
     return base::quantity_text(value, unit_of(field));
@@ -221,7 +227,7 @@ bool is_figure_name(std::string_view name) {
 Figure parse_figure(std::string_view text) {
     const std::size_t equals = text.find('=');
     const std::string name(base::trimmed(text.substr(0, equals)));
-    if (const Field* field = find_field(name))
+    if (const EntryField* field = find_field(name))
         throw Error(ErrorKind::input,
                     {"a figure cannot be called " + name, "that is a field of every entry",
                      field->writer == Writer::user ? "Write " + option_of(*field) + " instead." : ""});
@@ -251,16 +257,17 @@ void set_figure(Entry& entry, const Figure& figure) {
 }
 
 double number_of(const Entry& entry, std::string_view name) {
-    const Field* field = find_field(name);
-    if (field != nullptr) return std::holds_alternative<Quantity>(field->kind) ? quantity_in(entry, *field) : unknown;
+    const EntryField* field = find_field(name);
+    if (field != nullptr)
+        return std::holds_alternative<EntryQuantity>(field->kind) ? quantity_in(entry, *field) : unknown;
     for (const Figure& figure : entry.figures)
         if (figure.name == name) return figure.value;
     return unknown;
 }
 
-std::vector<std::string> field_names(bool (*wanted)(const Field&)) {
+std::vector<std::string> field_names(bool (*wanted)(const EntryField&)) {
     std::vector<std::string> names;
-    for (const Field& field : table)
+    for (const EntryField& field : table)
         if (wanted(field)) names.emplace_back(field.name);
     return names;
 }
@@ -272,7 +279,7 @@ std::string digest(const Entry& entry) {
         hash.add(std::to_string(piece.size()) + ":");
         hash.add(piece);
     };
-    for (const Field& field : table) {
+    for (const EntryField& field : table) {
         add(field.name);
         add(value_text(entry, field));
     }

@@ -14,25 +14,25 @@
 namespace stridor::noise_library {
 
 /// Words. A document is text of many lines that tables leave out.
-struct Text {
+struct EntryText {
     std::string Entry::*member;
     enum class Shape { line, lines, document } shape = Shape::line;
     std::span<const std::string_view> suggestions{};  // what others write here; anything else is as good
 };
 
 /// One word out of a list, or nothing.
-struct Choice {
+struct EntryChoice {
     std::string Entry::*member;
     std::span<const std::string_view> names;
 };
 
 /// A day, YYYY-MM-DD, or its month or year alone.
-struct Date {
+struct EntryDate {
     std::string Entry::*member;
 };
 
 /// A number with a unit.
-struct Quantity {
+struct EntryQuantity {
     double Entry::*member;
     std::string_view unit;  // "1" when dimensionless
     double lowest = -std::numeric_limits<double>::infinity();
@@ -42,33 +42,33 @@ struct Quantity {
 /// Who writes a field: whoever fills the library, or Stridor from the sound itself.
 enum class Writer { user, stridor };
 
-struct Field {
+struct EntryField {
     std::string_view name;      // "velocity_profile"; as an option --velocity-profile
     std::string_view sentence;  // what it is, one line
-    std::variant<Text, Choice, Date, Quantity> kind;
+    std::variant<EntryText, EntryChoice, EntryDate, EntryQuantity> kind;
     Writer writer = Writer::user;
 };
 
 /// All fields, in the order in which an entry is shown.
-std::span<const Field> fields();
+std::span<const EntryField> fields();
 
 /// The field of this name; nothing if there is none.
-const Field* find_field(std::string_view name);
+const EntryField* find_field(std::string_view name);
 
 /// "--velocity-profile"
-std::string option_of(const Field& field);
+std::string option_of(const EntryField& field);
 
 /// The unit of a field; empty for words.
-std::string_view unit_of(const Field& field);
+std::string_view unit_of(const EntryField& field);
 
 /// Is it text of many lines?
-bool is_document(const Field& field);
+bool is_document(const EntryField& field);
 
 /// The member behind a field of words, or of a quantity.
-std::string& words_in(Entry& entry, const Field& field);
-const std::string& words_in(const Entry& entry, const Field& field);
-double& quantity_in(Entry& entry, const Field& field);
-double quantity_in(const Entry& entry, const Field& field);
+std::string& words_in(Entry& entry, const EntryField& field);
+const std::string& words_in(const Entry& entry, const EntryField& field);
+double& quantity_in(Entry& entry, const EntryField& field);
+double quantity_in(const Entry& entry, const EntryField& field);
 
 /// What a quantity's text means in `unit`: "20 N", "0.02 kN", "-40 degF", "293 K"; "unknown" and nothing are `unknown`.
 ///
@@ -77,13 +77,13 @@ double parse_value(std::string_view text, std::string_view unit);
 
 /// Sets a field from what a user wrote; an empty text or "unknown" clears it. Throws `Error` (input)
 /// that names the field.
-void set_from_text(Entry& entry, const Field& field, std::string_view text);
+void set_from_text(Entry& entry, const EntryField& field, std::string_view text);
 
 /// Sets a quantity from a number in its unit; throws `Error` (input) if it is out of range.
-void set_quantity(Entry& entry, const Field& field, double value);
+void set_quantity(Entry& entry, const EntryField& field, double value);
 
 /// The value as a user would write it, with its unit; empty where it is unknown.
-std::string value_text(const Entry& entry, const Field& field);
+std::string value_text(const Entry& entry, const EntryField& field);
 
 /// May a figure be called so? Letters a-z, digits and _, at most 64, and not the name of a field.
 bool is_figure_name(std::string_view name);
@@ -104,7 +104,7 @@ void set_case(Entry& entry, std::string_view text);
 double number_of(const Entry& entry, std::string_view name);
 
 /// Names of all fields a predicate accepts.
-std::vector<std::string> field_names(bool (*wanted)(const Field&));
+std::vector<std::string> field_names(bool (*wanted)(const EntryField&));
 
 /// SHA-256 over all that an entry says but its id: equal for equal entries, in whatever library they stand.
 std::string digest(const Entry& entry);

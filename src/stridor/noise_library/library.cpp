@@ -127,7 +127,7 @@ std::vector<Entry> Library::read(const Query& query) {
         Statement documents = database_.prepare("SELECT entry, name, text FROM document" + of_these);
         bind(documents, selection);
         while (documents.step()) {
-            const Field* field = find_field(documents.text(1));
+            const EntryField* field = find_field(documents.text(1));
             const auto found = by_id.find(documents.integer(0));
             if (found != by_id.end() && field != nullptr && is_document(*field))
                 words_in(*found->second, *field) = documents.text(2);
@@ -282,9 +282,9 @@ std::vector<FigureKind> Library::figures() {
 }
 
 std::vector<std::string> Library::words(std::string_view field) {
-    const Field* found = find_field(field);
+    const EntryField* found = find_field(field);
     std::vector<std::string> words;
-    if (found == nullptr || std::holds_alternative<Quantity>(found->kind) || is_document(*found)) return words;
+    if (found == nullptr || std::holds_alternative<EntryQuantity>(found->kind) || is_document(*found)) return words;
     const std::string column = column_of(*found);
     Statement rows =
         database_.prepare("SELECT DISTINCT " + column + " FROM entry WHERE " + column + " <> '' ORDER BY 1");

@@ -20,10 +20,12 @@ std::vector<std::string> words_of(Library& library, const std::string& field) {
 }
 
 std::vector<std::string> usual_words(const std::string& name) {
-    const Field* field = find_field(name);
+    const EntryField* field = find_field(name);
     if (field == nullptr) return {};
-    if (const auto* text = std::get_if<Text>(&field->kind)) return {text->suggestions.begin(), text->suggestions.end()};
-    if (const auto* choice = std::get_if<Choice>(&field->kind)) return {choice->names.begin(), choice->names.end()};
+    if (const auto* text = std::get_if<EntryText>(&field->kind))
+        return {text->suggestions.begin(), text->suggestions.end()};
+    if (const auto* choice = std::get_if<EntryChoice>(&field->kind))
+        return {choice->names.begin(), choice->names.end()};
     return {};
 }
 
@@ -40,17 +42,17 @@ std::vector<std::string> parse_columns(const std::string& text) {
 EntryExtent extent_for(std::span<const std::string> columns) {
     EntryExtent extent = EntryExtent::summary;
     for (const std::string& name : columns) {
-        const Field* field = find_field(name);
+        const EntryField* field = find_field(name);
         if (field != nullptr && is_document(*field)) return EntryExtent::whole;
         if (field == nullptr && name != "id") extent = EntryExtent::figures;
     }
     return extent;
 }
 
-const Field& field_named(const std::string& name) {
-    if (const Field* field = find_field(name)) return *field;
+const EntryField& field_named(const std::string& name) {
+    if (const EntryField* field = find_field(name)) return *field;
     throw Error(ErrorKind::input, {"\"" + name + "\" is no field", "",
-                                   base::did_you_mean(name, field_names([](const Field&) { return true; }),
+                                   base::did_you_mean(name, field_names([](const EntryField&) { return true; }),
                                                       "`stridor library fields` lists them.")});
 }
 

@@ -23,7 +23,7 @@ std::vector<std::string> parse_columns(const std::string& text);
 EntryExtent extent_for(std::span<const std::string> columns);
 
 /// The field of this name; throws `Error` (input) with the nearest one.
-const Field& field_named(const std::string& name);
+const EntryField& field_named(const std::string& name);
 
 /// The words of a field that one would choose from: usual ones, then what this library adds to them. "id" is the
 /// numbers of the entries. A library that is not there adds nothing. Throws what opening it throws otherwise.

@@ -21,13 +21,13 @@ std::string in_quotes(std::string_view text) {
 // a name of a query: a column, a figure, or the id
 struct QueryTerm {
     std::string expression;
-    std::string unit;              // of a number
-    const Field* field = nullptr;  // of a field
+    std::string unit;                   // of a number
+    const EntryField* field = nullptr;  // of a field
     bool is_number = true;
 };
 
 [[noreturn]] void refuse_name(const std::string& name, std::span<const FigureKind> figures) {
-    std::vector<std::string> names = field_names([](const Field&) { return true; });
+    std::vector<std::string> names = field_names([](const EntryField&) { return true; });
     for (const FigureKind& figure : figures)
         names.push_back(figure.name);
     throw Error(ErrorKind::input, {in_quotes(name) + " is no field", "no entry has a figure of that name either",
@@ -37,11 +37,11 @@ struct QueryTerm {
 // figure names are [a-z0-9_], and this one is known: it may stand in the text
 QueryTerm target_of(const std::string& name, std::span<const FigureKind> figures) {
     if (name == "id") return {"e.id", "1", nullptr, true};
-    if (const Field* field = find_field(name))
+    if (const EntryField* field = find_field(name))
         return {is_document(*field)
                     ? "ifnull((SELECT text FROM document WHERE entry = e.id AND name = '" + name + "'), '')"
                     : "e." + column_of(*field),
-                std::string(unit_of(*field)), field, std::holds_alternative<Quantity>(field->kind)};
+                std::string(unit_of(*field)), field, std::holds_alternative<EntryQuantity>(field->kind)};
     for (const FigureKind& figure : figures)
         if (figure.name == name)
             return {"(SELECT value FROM figure WHERE entry = e.id AND name = '" + name + "')", figure.unit, nullptr,
@@ -70,15 +70,15 @@ std::string number_condition(const QueryTerm& target, const Condition& condition
     return target.expression + " " + std::string(sql_signs[static_cast<std::size_t>(condition.comparison)]) + " ?";
 }
 
-void expect_choice(const Field& field, const std::string& value) {
+void expect_choice(const EntryField& field, const std::string& value) {
     Entry probe;
-    if (std::holds_alternative<Choice>(field.kind)) set_from_text(probe, field, value);
+    if (std::holds_alternative<EntryChoice>(field.kind)) set_from_text(probe, field, value);
 }
 
 std::string word_condition(const QueryTerm& target, const Condition& condition, Selection& selection) {
     const bool is_order = condition.comparison != Comparison::equal && condition.comparison != Comparison::different &&
                           condition.comparison != Comparison::contains;
-    if (is_order && !std::holds_alternative<Date>(target.field->kind))
+    if (is_order && !std::holds_alternative<EntryDate>(target.field->kind))
         throw Error(ErrorKind::input, {condition.name + " is words", "words are not more or less than others",
                                        "Compare them with = != ~ (contains)."});
     const bool is_unknown = condition.value.empty() || condition.value == "unknown";
@@ -94,8 +94,8 @@ std::string word_condition(const QueryTerm& target, const Condition& condition, 
 // all that a search looks through
 std::string all_words() {
     std::string expression;
-    for (const Field& field : fields())
-        if (!std::holds_alternative<Quantity>(field.kind) && !is_document(field) && field.name != "audio")
+    for (const EntryField& field : fields())
+        if (!std::holds_alternative<EntryQuantity>(field.kind) && !is_document(field) && field.name != "audio")
             expression += (expression.empty() ? "" : " || char(10) || ") + ("e." + column_of(field));
     return expression;
 }
@@ -109,7 +109,7 @@ std::string id_list(std::span<const std::int64_t> ids) {
 
 }  // namespace
 
-std::string column_of(const Field& field) {
+std::string column_of(const EntryField& field) {
     return in_quotes(field.name);
 }
 
@@ -152,7 +152,7 @@ void bind(storage::Statement& statement, const Selection& selection) {
 
 std::string columns() {
     std::string columns = "e.id";
-    for (const Field& field : fields())
+    for (const EntryField& field : fields())
         if (!is_document(field)) columns += ", e." + column_of(field);
     return columns;
 }
@@ -161,9 +161,9 @@ Entry entry_in(const storage::Statement& row) {
     Entry entry;
     entry.id = row.integer(0);
     int column = 1;
-    for (const Field& field : fields()) {
+    for (const EntryField& field : fields()) {
         if (is_document(field)) continue;
-        if (std::holds_alternative<Quantity>(field.kind))
+        if (std::holds_alternative<EntryQuantity>(field.kind))
             quantity_in(entry, field) = row.number(column++);
         else
             words_in(entry, field) = row.text(column++);

@@ -36,7 +36,7 @@ Selection select(const Query& query, std::span<const FigureKind> figures);
 void bind(storage::Statement& statement, const Selection& selection);
 
 /// The name of the column of a field that is no document.
-std::string column_of(const Field& field);
+std::string column_of(const EntryField& field);
 
 /// The columns that `entry_in` reads.
 std::string columns();

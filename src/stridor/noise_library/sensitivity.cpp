@@ -231,10 +231,10 @@ Sensitivity sensitivity(std::span<const Entry> entries, const SensitivityOptions
 }
 
 std::string unit_over(Library& library, const std::string& name) {
-    const Field* field = find_field(name);
-    if (field != nullptr && std::holds_alternative<Quantity>(field->kind)) return std::string(unit_of(*field));
+    const EntryField* field = find_field(name);
+    if (field != nullptr && std::holds_alternative<EntryQuantity>(field->kind)) return std::string(unit_of(*field));
     std::vector<std::string> names =
-        field_names([](const Field& each) { return std::holds_alternative<Quantity>(each.kind); });
+        field_names([](const EntryField& each) { return std::holds_alternative<EntryQuantity>(each.kind); });
     for (const FigureKind& figure : library.figures()) {
         if (figure.name == name) return figure.unit;
         names.push_back(figure.name);

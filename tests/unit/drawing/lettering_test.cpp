@@ -13,15 +13,15 @@ namespace {
 using namespace std::string_literals;
 
 TEST(TextWidth, GrowsWithTheSizeAlone) {
-    const Text text = Text("friction ") + symbol("mu_d") + Text(" [N]");
+    const StyledText text = StyledText("friction ") + symbol("mu_d") + StyledText(" [N]");
     // letters are not fitted to dots: sizes are counted in 1/1024 pt
     EXPECT_NEAR(text_width(text, 80.0), 10.0 * text_width(text, 8.0), 0.05);
 }
 
 TEST(TextWidth, IsThatOfTheLetters) {
     EXPECT_GT(text_width("WWWW", 8.0), 2.0 * text_width("iiii", 8.0));
-    EXPECT_GT(text_width(Text("squeal", TextStyle::bold), 8.0), text_width("squeal", 8.0));
-    EXPECT_LT(text_width(Text("exc", TextStyle::subscript), 8.0), 0.8 * text_width("exc", 8.0));
+    EXPECT_GT(text_width(StyledText("squeal", TextStyle::bold), 8.0), text_width("squeal", 8.0));
+    EXPECT_LT(text_width(StyledText("exc", TextStyle::subscript), 8.0), 0.8 * text_width("exc", 8.0));
     EXPECT_EQ(text_width({}, 8.0), 0.0);
     EXPECT_NEAR(text_width("ẍ", 8.0), text_width("x", 8.0), 1e-9) << "an accent takes no room";
 }
@@ -53,7 +53,7 @@ RC_GTEST_PROP(Wrapped, LosesNothingAndBreaksOnlyAtBlanks, ()) {
         sentence += (sentence.empty() ? "" : " ") + word;
     const double width = *support::number_between(5.0, 60.0);
     std::string joined;
-    for (const Text& line : wrapped(sentence, 8.0, width)) {
+    for (const StyledText& line : wrapped(sentence, 8.0, width)) {
         const std::string characters = plain_text(line);
         const bool is_one_word = std::count(characters.begin(), characters.end(), ' ') <= 1;
         RC_ASSERT(text_width(line, 8.0) <= width || is_one_word);

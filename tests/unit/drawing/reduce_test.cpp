@@ -20,12 +20,12 @@ PanelAxis unit_axis() {
 }
 
 // lowest and highest y of each column, -1 and `columns` standing for what lies outside
-std::map<int, Range> extremes(const Line& line, int columns) {
-    std::map<int, Range> found;
+std::map<int, Extent> extremes(const Line& line, int columns) {
+    std::map<int, Extent> found;
     for (std::size_t i = 0; i < line.x.size(); ++i) {
         if (std::isnan(line.y[i])) continue;
         const int column = static_cast<int>(std::floor(std::clamp(line.x[i] * columns, -1.0, columns * 1.0)));
-        const auto [place, is_new] = found.try_emplace(column, Range{line.y[i], line.y[i]});
+        const auto [place, is_new] = found.try_emplace(column, Extent{line.y[i], line.y[i]});
         place->second = {std::min(place->second.from, line.y[i]), std::max(place->second.to, line.y[i])};
     }
     return found;

@@ -17,7 +17,7 @@ struct Example {
     CategoryCells cells;
     Panel panel;
     Rectangle area;
-    std::vector<Text> names{"none", "squeal"};
+    std::vector<StyledText> names{"none", "squeal"};
 };
 
 Example example(int columns, int rows) {

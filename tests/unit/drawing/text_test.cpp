@@ -5,13 +5,13 @@
 namespace stridor::drawing {
 namespace {
 
-const std::vector<TextRun>& runs(const Text& text) {
+const std::vector<TextRun>& runs(const StyledText& text) {
     return text.runs;
 }
 
-TEST(Text, WhatAUserWroteStaysOnePlainRun) {
+TEST(StyledText, WhatAUserWroteStaysOnePlainRun) {
     EXPECT_EQ(runs("mu_d^2 {x}"), (std::vector<TextRun>{{"mu_d^2 {x}", TextStyle::plain}}));
-    EXPECT_TRUE(is_empty(Text("")));
+    EXPECT_TRUE(is_empty(StyledText("")));
 }
 
 TEST(Symbol, SetsGreekLettersItalicAndIndicesLow) {

@@ -50,7 +50,7 @@ TEST(ContactStates, StackCasesOverOneTimeAxis) {
     EXPECT_EQ(drawing::plain_text(scene.panels[1].title), "b) squeak: α = 70°, μd = 0.6, μs = 0.8, F = 200 N");
     EXPECT_EQ(scene.panels[0].x.text, drawing::AxisText::hidden);
     EXPECT_EQ(scene.panels[1].x.text, drawing::AxisText::shown);
-    EXPECT_EQ(scene.panels[1].x.range, (drawing::Range{0.4, 0.5}));
+    EXPECT_EQ(scene.panels[1].x.range, (drawing::Extent{0.4, 0.5}));
     EXPECT_EQ(scene.panels[1].x.unit, "s");
 }
 

@@ -34,7 +34,7 @@ RC_GTEST_PROP(CellEdges, HoldTheirValueAndAreEquallyLong, ()) {
     const std::vector<double> edges = cell_edges(axis);
     const drawing::PanelAxis drawn = field_axis(axis);
     RC_ASSERT(edges.size() == static_cast<std::size_t>(points) + 1U);
-    RC_ASSERT(drawn.range == (drawing::Range{edges.front(), edges.back()}));
+    RC_ASSERT(drawn.range == (drawing::Extent{edges.front(), edges.back()}));
     const auto length = [&](std::size_t i) {
         return scale == Scale::linear ? edges[i + 1] - edges[i] : std::log(edges[i + 1] / edges[i]);
     };

@@ -40,7 +40,7 @@ TEST(NoiseChart, HasAPanelPerDirectionWithTheSameAxes) {
         const std::vector<drawing::CategoryCells> maps = layers_of<drawing::CategoryCells>(panel);
         ASSERT_EQ(maps.size(), 1U);
         EXPECT_EQ(maps[0].x_edges, cell_edges(quiet_sweep().study.x));
-        EXPECT_EQ(panel.x.range, (drawing::Range{maps[0].x_edges.front(), maps[0].x_edges.back()}));
+        EXPECT_EQ(panel.x.range, (drawing::Extent{maps[0].x_edges.front(), maps[0].x_edges.back()}));
     }
 }
 
@@ -182,12 +182,12 @@ TEST(FigureChart, ColoursValuesAndMarksWhatHasNone) {
     ASSERT_EQ(failed.size(), 1U);
     EXPECT_EQ(failed[0].fill, failed_fill());
     ASSERT_EQ(failed[0].boxes.size(), 1U);
-    EXPECT_EQ(failed[0].boxes[0].x, (drawing::Range{cells.x_edges[2], cells.x_edges[3]}));
+    EXPECT_EQ(failed[0].boxes[0].x, (drawing::Extent{cells.x_edges[2], cells.x_edges[3]}));
     EXPECT_EQ(legend_of(scene), (std::vector<std::string>{"no value", "failed (diverged)"}));
 }
 
 TEST(FigureChart, SharesAreDrawnFromZeroToOne) {
-    EXPECT_EQ(figure_chart(quiet_sweep(), "slip").colour_bar->colours.range, (drawing::Range{0.0, 1.0}));
+    EXPECT_EQ(figure_chart(quiet_sweep(), "slip").colour_bar->colours.range, (drawing::Extent{0.0, 1.0}));
 }
 
 TEST(FigureChart, ALevelOfRestDoesNotTakeAllColours) {
@@ -199,7 +199,7 @@ TEST(FigureChart, ALevelOfRestDoesNotTakeAllColours) {
     const drawing::Scene scene = figure_chart(sweep::complete(small_study(), quiet), "joint_level");
     EXPECT_EQ(drawing::plain_text(scene.caption.at(1)),
               "A velocity level of the joint: a vibration, not a sound pressure.");
-    EXPECT_EQ(scene.colour_bar->colours.range, (drawing::Range{50.0, 150.0}));
+    EXPECT_EQ(scene.colour_bar->colours.range, (drawing::Extent{50.0, 150.0}));
     EXPECT_TRUE(std::isnan(layers_of<drawing::ValueCells>(scene.panels[0]).at(0).values[1]));
 }
 

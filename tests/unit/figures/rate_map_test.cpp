@@ -36,7 +36,7 @@ TEST(RateMap, HasARowOfThreeMapsPerSweep) {
 TEST(RateMap, CountsInPercent) {
     const std::vector<sweep::SweepResult> results{at_angle(70.0)};
     const drawing::Scene scene = rate_map(results);
-    EXPECT_EQ(scene.colour_bar->colours.range, (drawing::Range{0.0, 100.0}));
+    EXPECT_EQ(scene.colour_bar->colours.range, (drawing::Extent{0.0, 100.0}));
     EXPECT_EQ(scene.colour_bar->unit, "%");
     EXPECT_EQ(layers_of<drawing::ValueCells>(scene.panels[0]).at(0).values[0], 100.0);
     EXPECT_EQ(layers_of<drawing::ValueCells>(scene.panels[1]).at(0).values[0], 0.0);

@@ -64,7 +64,7 @@ TEST(StabilityScene, NamesTheOnsetAndTintsWhatIsUnstable) {
     for (const drawing::Panel& panel : scene.panels) {
         const std::vector<drawing::Boxes> grounds = layers_of<drawing::Boxes>(panel);
         ASSERT_EQ(grounds.size(), 1U);
-        EXPECT_EQ(grounds[0].boxes.at(0).x, (drawing::Range{0.5, 1.0}));
+        EXPECT_EQ(grounds[0].boxes.at(0).x, (drawing::Extent{0.5, 1.0}));
     }
 }
 

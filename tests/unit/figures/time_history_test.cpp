@@ -40,7 +40,7 @@ TEST(TimeHistory, HasARowPerCurveAndTheContactStatesBelow) {
     EXPECT_EQ(scene.panels[3].y.unit, "m/s^2");
     EXPECT_EQ(layers_of<drawing::Strip>(scene.panels[4]).size(), 1U);
     for (const drawing::Panel& panel : scene.panels)
-        EXPECT_EQ(panel.x.range, (drawing::Range{0.0, 1.0}));
+        EXPECT_EQ(panel.x.range, (drawing::Extent{0.0, 1.0}));
 }
 
 TEST(TimeHistory, ImpactPeaksDoNotSetTheAxisButAreDrawn) {
@@ -79,7 +79,7 @@ TEST(TimeHistory, TheExactEngineHasNoPeaksThatFollowFromAStep) {
 TEST(TimeHistory, SaysWhatTheZoomShows) {
     record::Record record = example();
     TimeHistoryOptions options;
-    options.zoom = drawing::Range{0.2, 0.4};
+    options.zoom = drawing::Extent{0.2, 0.4};
     EXPECT_EQ(drawing::plain_text(time_history({}, record, options).caption.at(1)),
               "In b) the contact does not change its state.");
     record.histories.front() = {{model::ContactState::slip, 0.0, 0.25, 0.0, 0.0},
@@ -101,7 +101,7 @@ TEST(TimeHistory, PeaksOfVelocitiesSetTheirAxis) {
 
 TEST(TimeHistory, ZoomStandsBesideAndIsMarked) {
     TimeHistoryOptions options;
-    options.zoom = drawing::Range{0.2, 0.22};
+    options.zoom = drawing::Extent{0.2, 0.22};
     const drawing::Scene scene = time_history({}, example(), options);
     ASSERT_EQ(scene.panels.size(), 10U);
     EXPECT_EQ(scene.panels[5].x.range, *options.zoom);
@@ -133,7 +133,7 @@ TEST(BusiestStretch, IsWhereTheContactChangesMost) {
     c.run.duration = 1.0;
     c.run.window = 0.5;
     // slips at 0.6, then four close together from 0.8 s on
-    const std::optional<drawing::Range> stretch = busiest_stretch(c, sticks({0.6, 0.2, 2e-3, 2e-3, 2e-3, 0.1}), 0.02);
+    const std::optional<drawing::Extent> stretch = busiest_stretch(c, sticks({0.6, 0.2, 2e-3, 2e-3, 2e-3, 0.1}), 0.02);
     ASSERT_TRUE(stretch);
     EXPECT_LT(stretch->from, 0.801);
     EXPECT_GT(stretch->to, 0.811);
@@ -145,10 +145,10 @@ TEST(BusiestStretch, PrefersWhatIsJudged) {
     c.drive.kind = parameters::DriveKind::constant;
     c.run.duration = 1.0;
     c.run.window = 0.5;
-    const std::optional<drawing::Range> late = busiest_stretch(c, sticks({1e-3, 1e-3, 1e-3, 0.8, 2e-3}), 0.02);
+    const std::optional<drawing::Extent> late = busiest_stretch(c, sticks({1e-3, 1e-3, 1e-3, 0.8, 2e-3}), 0.02);
     ASSERT_TRUE(late);
     EXPECT_GT(late->from, 0.5);
-    const std::optional<drawing::Range> early = busiest_stretch(c, sticks({1e-3, 1e-3, 1e-3}), 0.02);
+    const std::optional<drawing::Extent> early = busiest_stretch(c, sticks({1e-3, 1e-3, 1e-3}), 0.02);
     ASSERT_TRUE(early);
     EXPECT_LT(early->from, 0.5);
 }
@@ -160,7 +160,7 @@ TEST(BusiestStretch, IsNoneWhereNothingHappens) {
 
 TEST(TellingStretch, LiesInAGoingPhase) {
     const parameters::Case c;
-    const drawing::Range stretch = telling_stretch(c, 0.01);
+    const drawing::Extent stretch = telling_stretch(c, 0.01);
     EXPECT_NEAR(stretch.to - stretch.from, 0.01, 1e-12);
     for (const double time : {stretch.from, stretch.to})
         EXPECT_GT(std::cos(2.0 * std::numbers::pi * c.drive.frequency * time), 0.0);
@@ -171,7 +171,7 @@ TEST(TellingStretch, IsTheMiddleOfAConstantDrivesWindow) {
     c.drive.kind = parameters::DriveKind::constant;
     c.run.duration = 2.0;
     c.run.window = 1.0;
-    const drawing::Range stretch = telling_stretch(c, 0.01);
+    const drawing::Extent stretch = telling_stretch(c, 0.01);
     EXPECT_NEAR(stretch.from, 1.495, 1e-12);
     EXPECT_NEAR(stretch.to, 1.505, 1e-12);
 }
@@ -179,7 +179,7 @@ TEST(TellingStretch, IsTheMiddleOfAConstantDrivesWindow) {
 TEST(TellingStretch, IsNeverLongerThanTheRun) {
     parameters::Case c;
     c.drive.kind = parameters::DriveKind::constant;
-    const drawing::Range stretch = telling_stretch(c, 10.0);
+    const drawing::Extent stretch = telling_stretch(c, 10.0);
     EXPECT_GE(stretch.from, 0.0);
     EXPECT_LE(stretch.to, c.run.duration);
 }

@@ -24,7 +24,7 @@ std::string refusal(std::string_view field, std::string_view text) {
 
 TEST(NoiseFields, HaveEachANameOfItsOwnAndAnOption) {
     std::set<std::string> options;
-    for (const Field& field : fields()) {
+    for (const EntryField& field : fields()) {
         EXPECT_EQ(find_field(field.name), &field);
         EXPECT_FALSE(field.sentence.empty());
         options.insert(option_of(field));
@@ -103,9 +103,9 @@ TEST(NoiseFigures, StandSortedAndOnce) {
 
 TEST(Digest, ChangesWithEveryFieldAndNotWithTheId) {
     std::set<std::string> digests{digest(Entry{})};
-    for (const Field& field : fields()) {
+    for (const EntryField& field : fields()) {
         Entry entry;
-        if (std::holds_alternative<Quantity>(field.kind))
+        if (std::holds_alternative<EntryQuantity>(field.kind))
             quantity_in(entry, field) = 1.0;
         else
             words_in(entry, field) = "1";

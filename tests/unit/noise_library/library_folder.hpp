@@ -81,10 +81,10 @@ inline Query whole(Query query = {}) {
 inline Entry full_entry() {
     Entry entry;
     double number = 0.5;
-    for (const Field& field : fields())
+    for (const EntryField& field : fields())
         if (field.writer == Writer::stridor)
             continue;
-        else if (std::holds_alternative<Quantity>(field.kind))
+        else if (std::holds_alternative<EntryQuantity>(field.kind))
             quantity_in(entry, field) = number += 1.25;
         else
             words_in(entry, field) = "words of " + std::string(field.name);

@@ -24,8 +24,8 @@ std::string lowered(std::string text) {
 
 // conditions, looked at by code of their own
 bool meets(const Entry& entry, const Condition& condition) {
-    const Field& field = *find_field(condition.name);
-    if (std::holds_alternative<Quantity>(field.kind)) {
+    const EntryField& field = *find_field(condition.name);
+    if (std::holds_alternative<EntryQuantity>(field.kind)) {
         const double value = quantity_in(entry, field);
         const double other = parse_value(condition.value, unit_of(field));
         switch (condition.comparison) {

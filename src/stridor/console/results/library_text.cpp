@@ -15,7 +15,7 @@
 namespace stridor::console {
 
 using noise_library::Entry;
-using noise_library::Field;
+using noise_library::EntryField;
 using noise_library::FigureKind;
 
 namespace {
@@ -41,11 +41,11 @@ std::string with_unit(double value, std::string_view unit) {
 }
 
 Column column_of(const std::string& name, const std::vector<Entry>& entries, const std::vector<FigureKind>& figures) {
-    const Field* field = noise_library::find_field(name);
+    const EntryField* field = noise_library::find_field(name);
     const auto figure =
         std::find_if(figures.begin(), figures.end(), [&](const FigureKind& each) { return each.name == name; });
     if (field == nullptr && figure == figures.end() && name != "id") {
-        std::vector<std::string> names = noise_library::field_names([](const Field&) { return true; });
+        std::vector<std::string> names = noise_library::field_names([](const EntryField&) { return true; });
         for (const FigureKind& each : figures)
             names.push_back(each.name);
         throw Error(ErrorKind::input, {"\"" + name + "\" is no field", "no entry has a figure of that name either",
@@ -60,7 +60,7 @@ Column column_of(const std::string& name, const std::vector<Entry>& entries, con
                 if (each.name == name && each.unit != unit) unit = unit.empty() ? each.unit : "mixed";
         return unit;
     };
-    const bool is_words = field != nullptr && !std::holds_alternative<noise_library::Quantity>(field->kind);
+    const bool is_words = field != nullptr && !std::holds_alternative<noise_library::EntryQuantity>(field->kind);
     column.is_number = !is_words;
     const std::string unit(field != nullptr ? noise_library::unit_of(*field) : name == "id" ? "" : unit_of_figure());
     column.cells = {name, unit == "1" ? "" : unit};
@@ -136,7 +136,7 @@ std::string entry_page(const noise_library::Library& library, const Entry& entry
     for (const noise_library::Figure& figure : entry.figures)
         width = std::max(width, figure.name.size() + 1);
     std::string text = styled(fmt::format("entry {}", entry.id), Style::bold, STDOUT_FILENO) + "\n";
-    for (const Field& field : noise_library::fields()) {
+    for (const EntryField& field : noise_library::fields()) {
         const std::string_view unit = noise_library::unit_of(field);
         std::string value = unit.empty() ? noise_library::words_in(entry, field)
                                          : with_unit(noise_library::quantity_in(entry, field), unit);
@@ -155,7 +155,7 @@ std::string entry_page(const noise_library::Library& library, const Entry& entry
 
 std::string fields_text(const std::vector<FigureKind>& figures) {
     std::string text;
-    for (const Field& field : noise_library::fields()) {
+    for (const EntryField& field : noise_library::fields()) {
         const std::string_view unit = unit_of(field);
         text += fmt::format("{:<17}{:<6}{}{}\n", field.name, unit, field.sentence,
                             field.writer == noise_library::Writer::user ? "" : " (written by Stridor)");

@@ -98,9 +98,9 @@ void take_field(Announced& announced, const std::string& name, const Json& value
     } else if (name == "figures") {
         for (const Json& each : value)
             noise_library::set_figure(entry, figure_of(each));
-    } else if (const noise_library::Field* field = noise_library::find_field(name); field == nullptr) {
+    } else if (const noise_library::EntryField* field = noise_library::find_field(name); field == nullptr) {
         throw Error(ErrorKind::input, {"\"" + name + "\" is no field of an entry", "", ""});
-    } else if (std::holds_alternative<noise_library::Quantity>(field->kind)) {
+    } else if (std::holds_alternative<noise_library::EntryQuantity>(field->kind)) {
         noise_library::set_quantity(entry, *field, value.get<double>());
     } else {
         noise_library::set_from_text(entry, *field, value.get<std::string>());

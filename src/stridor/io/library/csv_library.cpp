@@ -17,7 +17,7 @@ std::string library_csv(std::span<const Entry> entries) {
         for (const noise_library::Figure& figure : entry.figures)
             figures.emplace(figure.name, figure.unit);
     std::vector<TableColumn> columns{{"id"}};
-    for (const noise_library::Field& field : noise_library::fields()) {
+    for (const noise_library::EntryField& field : noise_library::fields()) {
         const std::string_view unit = noise_library::unit_of(field);
         if (!noise_library::is_document(field)) columns.push_back({std::string(field.name), std::string(unit)});
     }
@@ -27,9 +27,9 @@ std::string library_csv(std::span<const Entry> entries) {
     Table table(base::csv_text::origin("library"), columns);
     for (const Entry& entry : entries) {
         table.number(static_cast<double>(entry.id));
-        for (const noise_library::Field& field : noise_library::fields()) {
+        for (const noise_library::EntryField& field : noise_library::fields()) {
             if (noise_library::is_document(field)) continue;
-            if (std::holds_alternative<noise_library::Quantity>(field.kind))
+            if (std::holds_alternative<noise_library::EntryQuantity>(field.kind))
                 table.number(noise_library::quantity_in(entry, field));
             else
                 table.word(noise_library::words_in(entry, field));

@@ -13,9 +13,9 @@ namespace stridor::io::json_parts {
 inline Json entry_object(const noise_library::Entry& entry) {
     Json object = Json::object();
     if (entry.id != 0) object["id"] = entry.id;
-    for (const noise_library::Field& field : noise_library::fields()) {
+    for (const noise_library::EntryField& field : noise_library::fields()) {
         const std::string name(field.name);
-        if (std::holds_alternative<noise_library::Quantity>(field.kind)) {
+        if (std::holds_alternative<noise_library::EntryQuantity>(field.kind)) {
             const double value = noise_library::quantity_in(entry, field);
             if (!std::isnan(value)) object[name] = value;
         } else if (const std::string& words = noise_library::words_in(entry, field); !words.empty()) {

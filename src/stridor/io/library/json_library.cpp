@@ -89,7 +89,7 @@ std::string LibraryJson::entry(const Entry& entry) {
 
 std::string LibraryJson::closing(std::string_view more) const {
     Json units = Json::object();
-    for (const noise_library::Field& field : noise_library::fields())
+    for (const noise_library::EntryField& field : noise_library::fields())
         if (const std::string_view unit = noise_library::unit_of(field); !unit.empty())
             units[std::string(field.name)] = unit;
     for (const auto& [name, unit] : units_)

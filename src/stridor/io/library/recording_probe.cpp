@@ -71,7 +71,7 @@ std::uint64_t counted_frames(recordings::SignalFile& file) {
 
 }  // namespace
 
-void judge(const recordings::SignalInput& input, const HearingOptions& options, Entry& entry, const Heard& heard) {
+void judge(const recordings::SignalInput& input, const JudgingOptions& options, Entry& entry, const Heard& heard) {
     const std::unique_ptr<recordings::SignalFile> file =
         recordings::open_signal(input, open_options(entry.calibration, options.full_scales));
     const std::vector<std::size_t> places = channels_to_hear(file->layout(), options.channel, entry, options.note);
@@ -130,7 +130,7 @@ void measure_friction(const recordings::SignalInput& input, Entry& entry, const 
     }
 }
 
-noise_library::Probe probe_of(const HearingOptions& options, const Heard& heard) {
+noise_library::Probe probe_of(const JudgingOptions& options, const Heard& heard) {
     return [options, heard](const std::filesystem::path& path, Entry& entry) {
         const recordings::SignalInput input = recordings::open_input(path.string());
         const std::unique_ptr<recordings::SignalFile> file =
@@ -166,14 +166,14 @@ std::vector<std::int64_t> ids_to_judge(noise_library::Library& library, noise_li
 }
 
 // heard before the library is locked: others may write meanwhile
-Entry judge_again(noise_library::Library& library, std::int64_t id, const HearingOptions& options, const Heard& heard) {
+Entry judge_again(noise_library::Library& library, std::int64_t id, const JudgingOptions& options, const Heard& heard) {
     const std::array<std::int64_t, 1> only{id};
     Entry entry = library.get(only).front();
-    HearingOptions hearing = options;
+    JudgingOptions judging = options;
     if (const std::optional<KeptVerdict> kept = kept_verdict(entry.verdict);
-        hearing.channel.empty() && kept && kept->channel > 0)
-        hearing.channel = std::to_string(kept->channel);
-    judge(recordings::open_input(library.sound_file(entry).string()), hearing, entry, heard);
+        judging.channel.empty() && kept && kept->channel > 0)
+        judging.channel = std::to_string(kept->channel);
+    judge(recordings::open_input(library.sound_file(entry).string()), judging, entry, heard);
     const auto put = [&](Entry& each) {
         each.category = entry.category;
         each.verdict = entry.verdict;

@@ -15,8 +15,8 @@ namespace stridor::io {
 
 enum class Judging { by_ear, none };
 
-/// How recordings are listened to.
-struct HearingOptions {
+/// How recordings are listened to and judged.
+struct JudgingOptions {
     Judging judging = Judging::by_ear;
     std::string channel;                   // the sound: name or number; empty: by unit, the loudest
     std::vector<std::string> full_scales;  // "2 Pa"
@@ -31,14 +31,14 @@ using Heard = std::function<void(double share)>;
 ///
 /// Notes why, where nothing in it can be heard. Throws `Error` (input)
 /// for a damaged file or an unknown channel.
-void judge(const recordings::SignalInput& input, const HearingOptions& options, noise_library::Entry& entry,
+void judge(const recordings::SignalInput& input, const JudgingOptions& options, noise_library::Entry& entry,
            const Heard& heard = {});
 
 /// Friction coefficients and force drops as figures, where there is a friction force and the preload is known.
 void measure_friction(const recordings::SignalInput& input, noise_library::Entry& entry, const Notes& note);
 
 /// All of this for a file that is added.
-noise_library::Probe probe_of(const HearingOptions& options, const Heard& heard);
+noise_library::Probe probe_of(const JudgingOptions& options, const Heard& heard);
 
 /// Is there no verdict, or one that another version of this program made?
 bool has_outdated_verdict(const noise_library::Entry& entry);
@@ -50,7 +50,7 @@ enum class Rejudged { outdated, all };
 std::vector<std::int64_t> ids_to_judge(noise_library::Library& library, noise_library::Query query, Rejudged which);
 
 /// Listens again to an entry, on the channel of its verdict where none is named, and gives it back as it then is.
-noise_library::Entry judge_again(noise_library::Library& library, std::int64_t id, const HearingOptions& options,
+noise_library::Entry judge_again(noise_library::Library& library, std::int64_t id, const JudgingOptions& options,
                                  const Heard& heard);
 
 }  // namespace stridor::io
