@@ -64,8 +64,7 @@ RC_GTEST_PROP(EventPolynomial, FindsTheFirstOfManyZeros, ()) {
     const double first = *std::min_element(zeros.begin(), zeros.end());
     const auto times = std::count(zeros.begin(), zeros.end(), first);
     const double found = first_zero(polynomial_with(zeros), 0, 1.0);
-    // a zero of even order is a touch, which rounding may turn into none; one of order 3 is known to a third of its
-    // digits
+    // a zero of even order is a touch, which rounding may turn into none; of order 3 a third of its digits are known
     if (times == 1 && first < 1.0)
         RC_ASSERT(std::abs(found - first) < 1e-9);
     else if (first > 1.0)
