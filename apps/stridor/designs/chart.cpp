@@ -3,13 +3,13 @@
 #include "designs/chart_run.hpp"
 #include "stridor/console/results/chart_text.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/figures/picture_files.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/chart_csv.hpp"
 #include "stridor/io/chart/chart_tables.hpp"
 #include "stridor/io/chart/json_chart.hpp"
 #include "stridor/io/chart/toml_study.hpp"
+#include "stridor/pictures/picture_files.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -51,9 +51,9 @@ void chart(const ChartOptions& options) {
     if (is_diagram) {
         const std::vector<sweep::DiagramCell> cells = compute_diagram(result, out / "diagram.sqlite", options.threads);
         storage::write_file((out / "diagram.csv").string(), io::diagram_csv(study, cells));
-        figures::draw_diagram(result, cells, out);
+        pictures::draw_diagram(result, cells, out);
     } else {
-        figures::draw_charts(result, out);
+        pictures::draw_charts(result, out);
     }
     if (!sweep::holds_design(study)) console::say(console::outside_text(study));
     if (options.json) {

@@ -4,15 +4,15 @@
 #include "interrupt.hpp"
 #include "sounds/compare.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/figures/contact_states.hpp"
-#include "stridor/figures/friction_law.hpp"
-#include "stridor/figures/noise_chart.hpp"
-#include "stridor/figures/picture_files.hpp"
-#include "stridor/figures/rate_map.hpp"
-#include "stridor/figures/time_history.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
+#include "stridor/pictures/contact_states.hpp"
+#include "stridor/pictures/friction_law.hpp"
+#include "stridor/pictures/noise_chart.hpp"
+#include "stridor/pictures/picture_files.hpp"
+#include "stridor/pictures/rate_map.hpp"
+#include "stridor/pictures/time_history.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/paper_charts.hpp"
 
@@ -45,10 +45,10 @@ using NamedCase = std::pair<std::string, Case>;
 
 drawing::Scene states_scene(const std::vector<NamedCase>& cases, const drawing::Extent& time,
                             const std::stop_token& stop) {
-    std::vector<figures::StatesOfCase> states;
+    std::vector<pictures::StatesOfCase> states;
     for (const auto& [name, c] : cases)
         states.push_back({name, c, recorded(c, {}, stop).histories});
-    return figures::contact_states(states, time);
+    return pictures::contact_states(states, time);
 }
 
 struct PaperOptions {
@@ -60,17 +60,17 @@ void announce(const std::filesystem::path& stem, const char* what) {
     console::print(fmt::format("{0}.png {0}.svg  {1}\n", stem.string(), what));
 }
 
-// figures in the order of what they cost, so that something is there to look at soon
+// pictures in the order of what they cost, so that something is there to look at soon
 void draw_paper(const PaperOptions& options) {
     const std::filesystem::path out(options.out);
     storage::make_folder(out, "Choose another --out.");
     {
         const Interrupt interrupt;
         const Case squeal = parameters::paper_case(PaperCase::squeal);
-        figures::draw_both(figures::friction_law(squeal.contact), out / "figure-3");
+        pictures::draw_both(pictures::friction_law(squeal.contact), out / "figure-3");
         announce(out / "figure-3", "friction law");
-        figures::draw_both(
-            figures::time_history_scene(
+        pictures::draw_both(
+            pictures::time_history_scene(
                 squeal, recorded(squeal, {0.0, squeal.run.duration, trace_interval}, interrupt.token()), {}),
             out / "figure-5");
         announce(out / "figure-5", "time history of the squeal case with its contact states");
@@ -80,18 +80,18 @@ void draw_paper(const PaperOptions& options) {
                 which == PaperCase::quiet ? "no noise" : parameters::paper_case_names[static_cast<std::size_t>(which)],
                 parameters::paper_case(which));
         // long enough for ten slips of the creak, short enough to see single stays of the squeal
-        figures::draw_both(states_scene(cases, figures::telling_stretch(squeal, 40e-3), interrupt.token()),
-                           out / "figure-7");
+        pictures::draw_both(states_scene(cases, pictures::telling_stretch(squeal, 40e-3), interrupt.token()),
+                            out / "figure-7");
         announce(out / "figure-7", "contact states of the four cases of Table 1");
     }
     std::vector<sweep::SweepResult> maps;
     for (const double angle : {70.0, 150.0})
         maps.push_back(
             compute(sweep::figure_6(angle), out / fmt::format("figure-6-{:g}.sqlite", angle), options.threads));
-    figures::draw_both(figures::rate_map(maps), out / "figure-6");
+    pictures::draw_both(pictures::rate_map(maps), out / "figure-6");
     announce(out / "figure-6", "contact-state rates over velocity and preload, 70 and 150 deg");
     const sweep::SweepResult pair = compute(sweep::figure_8(), out / "figure-8.sqlite", options.threads);
-    figures::draw_both(figures::noise_chart(pair), out / "figure-8");
+    pictures::draw_both(pictures::noise_chart(pair), out / "figure-8");
     announce(out / "figure-8", "noise charts over preload and kinetic friction");
 }
 
@@ -109,13 +109,13 @@ CLI::App* add_one(CLI::App& figure, const char* name, const char* description,
 }
 
 void draw_law(const OneFigureOptions& options) {
-    figures::draw(figures::friction_law(load_case(options.input).contact), options.output);
+    pictures::draw(pictures::friction_law(load_case(options.input).contact), options.output);
 }
 
 void draw_states(const OneFigureOptions& options) {
     const Case c = load_case(options.input);
     const Interrupt interrupt;
-    figures::draw(
+    pictures::draw(
         states_scene({{c.title.empty() ? options.input.file : c.title, c}}, {0.0, c.run.duration}, interrupt.token()),
         options.output);
 }

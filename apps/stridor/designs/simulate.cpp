@@ -7,12 +7,12 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/console/results/simulation_text.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/figures/picture_files.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/io/simulation/motion_csv.hpp"
 #include "stridor/io/simulation/motion_netcdf.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/pictures/picture_files.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -89,7 +89,7 @@ void write_records(const SimulateOptions& options, const parameters::Case& c, co
     else if (!options.trace.empty())
         console::write_output(options.trace, io::trace_csv(c, motion.record.trace, interval));
     if (!options.figure.empty())
-        figures::draw(figures::time_history_scene(c, motion.record, options.zoom), options.figure);
+        pictures::draw(pictures::time_history_scene(c, motion.record, options.zoom), options.figure);
 }
 
 void simulate(const SimulateOptions& options) {

@@ -3,9 +3,9 @@
 #include "stridor/base/text.hpp"
 #include "stridor/console/results/stability_text.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/figures/picture_files.hpp"
 #include "stridor/io/chart/scan_range.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
+#include "stridor/pictures/picture_files.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ analysis::StabilityScan scan_over(const parameters::Case& c, const std::string& 
 void stability(const StabilityOptions& options) {
     const parameters::Case c = load_case(options.input);
     const analysis::StabilityScan scan = scan_over(c, options.over);
-    if (!options.figure.empty()) figures::draw_stability(scan, options.figure);
+    if (!options.figure.empty()) pictures::draw_stability(scan, options.figure);
     console::print(options.json ? io::stability_json(scan) + "\n" : console::stability_text(scan));
 }
 

@@ -4,8 +4,8 @@
 #include "stridor/console/results/analysis_text.hpp"
 #include "stridor/console/results/verdict_text.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/figures/picture_files.hpp"
-#include "stridor/figures/sound.hpp"
+#include "stridor/pictures/picture_files.hpp"
+#include "stridor/pictures/sound.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,9 +29,9 @@ void analyse(const AnalyseOptions& options) {
     const auto field = options.field == "diffuse" ? sound::SoundField::diffuse : sound::SoundField::free;
     const io::SoundReport report = listen_to(options.input, field);
     if (!options.figure.empty()) {
-        drawing::Scene scene = figures::sound(report.channels[report.loudest], report.verdicts[report.loudest]);
+        drawing::Scene scene = pictures::sound(report.channels[report.loudest], report.verdicts[report.loudest]);
         scene.title = drawing::StyledText(console::channel_title(report, report.loudest));
-        figures::draw(scene, options.figure);
+        pictures::draw(scene, options.figure);
     }
     console::print(options.json ? io::analyse_json(report) + "\n"
                                 : console::analysis_text(report, options.weighted ? console::Weighting::of_all

@@ -5,9 +5,9 @@
 #include "sounds/compare_options.hpp"
 #include "stridor/console/results/comparison_text.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/figures/picture_files.hpp"
-#include "stridor/figures/side_by_side.hpp"
 #include "stridor/io/sound/json_compare.hpp"
+#include "stridor/pictures/picture_files.hpp"
+#include "stridor/pictures/side_by_side.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -71,7 +71,7 @@ void add_figure_compare(CLI::App& figure) {
                     "\nExample:\n  stridor figure compare vehicle.wav rig.uff squeal.toml --label vehicle --label rig "
                     "--label model -o figure-4.png");
     command->callback(
-        [options] { figures::draw(figures::side_by_side(load_sounds(options->input)), options->output); });
+        [options] { pictures::draw(pictures::side_by_side(load_sounds(options->input)), options->output); });
 }
 
 }  // namespace stridor::app

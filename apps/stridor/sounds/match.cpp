@@ -7,13 +7,13 @@
 #include "stridor/console/results/match_text.hpp"
 #include "stridor/console/sound_progress.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/figures/picture_files.hpp"
-#include "stridor/figures/side_by_side.hpp"
 #include "stridor/hearing/matching.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/sound/json_compare.hpp"
+#include "stridor/pictures/picture_files.hpp"
+#include "stridor/pictures/side_by_side.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/storage/command_cache.hpp"
@@ -110,7 +110,7 @@ void write_folder(const MatchOptions& options, const io::MatchReport& report) {
         sounds.push_back(load_sound({name, fmt::format("match {}", k + 1), "simulation at " + name, cell},
                                     {pickup_of(options.motion), report.rate}));
     }
-    figures::draw_both(figures::side_by_side(sounds), folder / "match");
+    pictures::draw_both(pictures::side_by_side(sounds), folder / "match");
 }
 
 void match(const MatchOptions& options) {

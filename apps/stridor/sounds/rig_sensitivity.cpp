@@ -4,10 +4,10 @@
 #include "sounds/rig.hpp"
 #include "stridor/console/results/sensitivity_text.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/figures/picture_files.hpp"
-#include "stridor/figures/sensitivity.hpp"
 #include "stridor/io/library/json_library.hpp"
 #include "stridor/noise_library/sensitivity.hpp"
+#include "stridor/pictures/picture_files.hpp"
+#include "stridor/pictures/sensitivity.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -37,7 +37,7 @@ void run_sensitivity(const SensitivityCommand& command) {
     options.bins = command.bins;
     options.judge = command.by == "category" ? noise_library::Judge::stridor : noise_library::Judge::engineer;
     const Sensitivity result = noise_library::sensitivity_in(library, query_of(command.selection), options);
-    if (!command.figure.empty()) figures::draw(figures::sensitivity(result), command.figure);
+    if (!command.figure.empty()) pictures::draw(pictures::sensitivity(result), command.figure);
     console::print(command.json ? io::sensitivity_json(library.file(), result) + "\n"
                                 : console::sensitivity_text(result, command.records ? console::SensitivityRows::records
                                                                                     : console::SensitivityRows::bins));

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-/// Less data that look the same: what a figure of limited resolution needs of a long simulation.
+/// Less data that look the same: what a picture of limited resolution needs of a long simulation.
 namespace stridor::drawing {
 
 /// A line with at most four points for each stay in a pixel column: the first, the last, the lowest and the highest,

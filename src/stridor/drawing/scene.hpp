@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-/// A scene says what a figure shows, in data units, and knows neither where the data came from nor who draws it.
+/// A scene says what a picture shows, in data units. It knows neither where the data came from nor who draws it.
 ///
-/// A figure is one function that builds a scene. Panels stand in a grid of rows and columns; their layers are drawn in
+/// A picture is one function that builds a scene. Panels stand in a grid of rows and columns; their layers are drawn in
 /// order, later ones over earlier ones. Lengths on paper are in mm, text sizes and line widths in pt.
 namespace stridor::drawing {
 
@@ -24,7 +24,7 @@ struct Colour {
     bool operator==(const Colour&) const = default;
 };
 
-/// A pattern over a fill: the second channel beside colour, so that a figure can be read in grey.
+/// A pattern over a fill: the second channel beside colour, so that a picture can be read in grey.
 enum class Texture { none, dots, rising, falling, crossed };
 
 /// How an area is filled. A texture is drawn in `ink` over the colour.

@@ -5,12 +5,12 @@
 #include "stridor/classification/category.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/text.hpp"
-#include "stridor/figures/category_colours.hpp"
-#include "stridor/figures/cell_kinds.hpp"
 #include "stridor/integration/outcome.hpp"
 #include "stridor/model/contact_state.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/pictures/category_colours.hpp"
+#include "stridor/pictures/cell_kinds.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/starts.hpp"
@@ -84,8 +84,8 @@ std::string_view name_of(drawing::Texture texture) {
 }
 
 std::string fill_lines() {
-    const std::vector<drawing::Fill> fills = figures::kind_fills();
-    const std::vector<drawing::StyledText> names = figures::kind_names();
+    const std::vector<drawing::Fill> fills = pictures::kind_fills();
+    const std::vector<drawing::StyledText> names = pictures::kind_names();
     std::string lines;
     for (std::size_t k = 0; k < fills.size(); ++k) {
         const drawing::Fill& fill = fills[k];
@@ -104,7 +104,7 @@ std::string palette() {
          {model::ContactState::slip, model::ContactState::stick, model::ContactState::separation})
         states +=
             fmt::format("{}{}: \"{}\"", states.empty() ? "" : ", ", model::contact_state_names[model::index_of(state)],
-                        drawing::hex(figures::state_colour(state)));
+                        drawing::hex(pictures::state_colour(state)));
     WordList stops;
     for (const drawing::Colour stop : drawing::sequential_stops())
         stops.push_back(drawing::hex(stop));
@@ -125,7 +125,7 @@ std::string palette() {
 WordList chart_kinds() {
     sweep::CellVerdict stuck{sweep::Status::done, classification::Category::none, classification::Quiet::sticks};
     WordList kinds = words_of(classification::category_names);
-    kinds.push_back(drawing::plain_text(figures::kind_names()[figures::kind_of(stuck)]));
+    kinds.push_back(drawing::plain_text(pictures::kind_names()[pictures::kind_of(stuck)]));
     return kinds;
 }
 

@@ -3,13 +3,13 @@
 #include "stridor/base/version.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/picture.hpp"
-#include "stridor/figures/category_colours.hpp"
-#include "stridor/figures/design_mark.hpp"
-#include "stridor/figures/noise_chart.hpp"
-#include "stridor/figures/stability.hpp"
-#include "stridor/figures/time_history.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/pictures/category_colours.hpp"
+#include "stridor/pictures/design_mark.hpp"
+#include "stridor/pictures/noise_chart.hpp"
+#include "stridor/pictures/stability.hpp"
+#include "stridor/pictures/time_history.hpp"
 #include "stridor/report/sketch.hpp"
 #include "stridor/report/verdict_words.hpp"
 
@@ -81,18 +81,18 @@ Section sound_section(const std::vector<DesignSound>& sounds) {
 
 Section motion_section(const DesignResults& results) {
     constexpr double zoom = 0.02;  // [s]
-    figures::TimeHistoryOptions options;
-    options.zoom = figures::busiest_stretch(results.design, results.motion.record.histories, zoom);
+    pictures::TimeHistoryOptions options;
+    options.zoom = pictures::busiest_stretch(results.design, results.motion.record.histories, zoom);
     return {
         "Motion",
         {},
-        drawing::render(figures::time_history(results.design, results.motion.record, options), drawing::Format::svg),
+        drawing::render(pictures::time_history(results.design, results.motion.record, options), drawing::Format::svg),
         "Imposed velocity, accelerations and contact states over time, and a short stretch of them beside."};
 }
 
 Section chart_section(const sweep::SweepResult& result) {
-    drawing::Scene scene = figures::noise_chart(result);
-    figures::mark_design(scene, result.study);
+    drawing::Scene scene = pictures::noise_chart(result);
+    pictures::mark_design(scene, result.study);
     return {
         "Where it is quiet",
         {},
@@ -104,12 +104,12 @@ Section chart_section(const sweep::SweepResult& result) {
 }
 
 Section stability_section(const analysis::StabilityScan& scan) {
-    std::vector<figures::StabilityCurve> curves;
+    std::vector<pictures::StabilityCurve> curves;
     for (const analysis::DirectionScan& direction : scan.directions)
         curves.push_back({direction.direction, direction.path});
     return {"Stability of steady sliding",
             {},
-            drawing::render(figures::stability(scan.key, curves), drawing::Format::svg),
+            drawing::render(pictures::stability(scan.key, curves), drawing::Format::svg),
             "Frequencies and growth rates of the sliding modes over " + scan.key + "."};
 }
 
@@ -195,7 +195,7 @@ Section parameter_section(const parameters::Case& c) {
 std::vector<Badge> badges(const std::vector<Verdict>& verdicts) {
     std::vector<Badge> badges;
     for (const Verdict& verdict : verdicts) {
-        const drawing::Fill fill = figures::category_fill(verdict.category);
+        const drawing::Fill fill = pictures::category_fill(verdict.category);
         badges.push_back({phase_name(verdict), std::string(classification::name(verdict.category)),
                           drawing::hex(fill.colour), drawing::hex(drawing::text_colour_on(fill.colour))});
     }

@@ -8,7 +8,7 @@ namespace stridor::report {
 /// Verdict, sound, chart, what to change, motion, stability, the case, and how to get it all again; what was not
 /// computed is left out.
 ///
-/// Throws `Error` (io) where a figure cannot be drawn: no font is installed.
+/// Throws `Error` (io) where a picture cannot be drawn: no font is installed.
 Report design_report(const DesignResults& results);
 
 }  // namespace stridor::report

@@ -21,7 +21,7 @@ namespace {
 using parameters::Case;
 using parameters::Direction;
 
-constexpr double trace_samples = 5e4;    // [1] of the figure's trace
+constexpr double trace_samples = 5e4;    // [1] of the picture's trace
 constexpr double normal_peak = 0.89125;  // [1] of full scale, where the largest sample of a sound lies: -1 dB
 
 std::vector<Direction> directions_of(const Case& c) {

@@ -26,7 +26,7 @@ struct DesignSound {
 struct DesignResults {
     parameters::Case design;
     std::string command{};                            // that makes the report, or prints the verdict, again
-    integration::Motion motion{};                     // with trace and history for the figure
+    integration::Motion motion{};                     // with trace and history for the picture
     std::vector<classification::Verdict> verdicts{};  // by phase
     std::vector<DesignSound> sounds{};                // by direction
     std::string without_sound{};                      // why there is none

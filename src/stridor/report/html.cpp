@@ -74,7 +74,7 @@ std::string data_address(std::string_view media_type, std::string_view bytes) {
     return "data:" + std::string(media_type) + ";base64," + base::base64(bytes);
 }
 
-// as an image: the names inside of it stay apart from those of the other figures
+// as an image: the names inside of it stay apart from those of the other pictures
 std::string figure(const Section& section) {
     return "<figure><div class=\"frame\" tabindex=\"0\"><img alt=\"" + markup_text(section.caption) + "\" src=\"" +
            data_address("image/svg+xml", section.svg) + "\"></div><figcaption>" + markup_text(section.caption) +

@@ -38,8 +38,8 @@ struct TextFile {
 struct Section {
     std::string heading;
     std::vector<std::string> paragraphs{};
-    std::string svg{};      // a figure, as a file
-    std::string caption{};  // of the figure, and what it shows to who cannot see it
+    std::string svg{};      // a picture, as a file
+    std::string caption{};  // of the picture, and what it shows to who cannot see it
     HtmlTable table{};
     std::vector<Sound> sounds{};
     std::string code{};  // commands, as they stand

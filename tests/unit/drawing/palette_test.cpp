@@ -1,6 +1,6 @@
 #include "stridor/drawing/palette.hpp"
 
-#include "stridor/figures/category_colours.hpp"
+#include "stridor/pictures/category_colours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -99,8 +99,8 @@ TEST(ColourDistance, AgreesWithThePublishedTestData) {
 TEST(Palette, CategoriesDifferForEveryKindOfEyes) {
     for (std::size_t i = 0; i < categories.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            EXPECT_GE(least_distance(figures::category_fill(categories[i]).colour,
-                                     figures::category_fill(categories[j]).colour),
+            EXPECT_GE(least_distance(pictures::category_fill(categories[i]).colour,
+                                     pictures::category_fill(categories[j]).colour),
                       21.0)
                 << i << " " << j;
 }
@@ -108,8 +108,8 @@ TEST(Palette, CategoriesDifferForEveryKindOfEyes) {
 TEST(Palette, CategoriesDifferInGrey) {
     for (std::size_t i = 0; i < categories.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            EXPECT_GE(std::abs(lightness(figures::category_fill(categories[i]).colour) -
-                               lightness(figures::category_fill(categories[j]).colour)),
+            EXPECT_GE(std::abs(lightness(pictures::category_fill(categories[i]).colour) -
+                               lightness(pictures::category_fill(categories[j]).colour)),
                       18.5)
                 << i << " " << j;
 }
@@ -117,23 +117,23 @@ TEST(Palette, CategoriesDifferInGrey) {
 TEST(Palette, ContactStatesDifferAmongThemselvesAndFromCategories) {
     for (std::size_t i = 0; i < states.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-            EXPECT_GE(least_distance(figures::state_colour(states[i]), figures::state_colour(states[j])), 30.0)
+            EXPECT_GE(least_distance(pictures::state_colour(states[i]), pictures::state_colour(states[j])), 30.0)
                 << i << " " << j;
             EXPECT_GE(
-                std::abs(lightness(figures::state_colour(states[i])) - lightness(figures::state_colour(states[j]))),
+                std::abs(lightness(pictures::state_colour(states[i])) - lightness(pictures::state_colour(states[j]))),
                 25.0);
         }
         for (const Category category : categories)
-            EXPECT_GE(least_distance(figures::state_colour(states[i]), figures::category_fill(category).colour), 14.5)
+            EXPECT_GE(least_distance(pictures::state_colour(states[i]), pictures::category_fill(category).colour), 14.5)
                 << i;
     }
 }
 
 TEST(Palette, EveryKindOfCellButNoneHasItsOwnLookWithoutColour) {
-    EXPECT_EQ(figures::category_fill(Category::none).texture, Texture::none);
-    const std::vector<Fill> fills{figures::category_fill(Category::squeak), figures::category_fill(Category::squeal),
-                                  figures::category_fill(Category::creak), figures::category_fill(Category::undecided),
-                                  figures::failed_fill()};
+    EXPECT_EQ(pictures::category_fill(Category::none).texture, Texture::none);
+    const std::vector<Fill> fills{pictures::category_fill(Category::squeak), pictures::category_fill(Category::squeal),
+                                  pictures::category_fill(Category::creak),
+                                  pictures::category_fill(Category::undecided), pictures::failed_fill()};
     for (std::size_t i = 0; i < fills.size(); ++i) {
         EXPECT_NE(fills[i].texture, Texture::none) << i;
         // the strokes can be seen on their ground
@@ -145,8 +145,8 @@ TEST(Palette, EveryKindOfCellButNoneHasItsOwnLookWithoutColour) {
 
 TEST(Palette, NoVerdictLooksLikeAFailure) {
     for (const Category category : categories) {
-        EXPECT_NE(figures::category_fill(category).colour, figures::failed_fill().colour);
-        EXPECT_NE(figures::category_fill(category).colour, figures::category_fill(Category::undecided).colour);
+        EXPECT_NE(pictures::category_fill(category).colour, pictures::failed_fill().colour);
+        EXPECT_NE(pictures::category_fill(category).colour, pictures::category_fill(Category::undecided).colour);
     }
 }
 
@@ -164,7 +164,7 @@ TEST(Sequential, GrowsEvenlyLighter) {
 
 TEST(TextColour, CanBeReadOnEveryFill) {
     for (const Category category : categories) {
-        const Colour ground = figures::category_fill(category).colour;
+        const Colour ground = pictures::category_fill(category).colour;
         EXPECT_GE(std::abs(lightness(text_colour_on(ground)) - lightness(ground)), 45.0);
     }
 }

@@ -3,9 +3,9 @@
 #include "drawn_image.hpp"
 #include "stridor/drawing/layout.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/figures/noise_chart.hpp"
+#include "stridor/pictures/noise_chart.hpp"
 #include "support/error_text.hpp"
-#include "unit/figures/figures_support.hpp"
+#include "unit/pictures/pictures_support.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ private:
 };
 
 TEST(Picture, IsAPngOfTheScenesSize) {
-    const Scene scene = figures::noise_chart(figures::quiet_sweep());
+    const Scene scene = pictures::noise_chart(pictures::quiet_sweep());
     const std::string bytes = render(scene, Format::png);
     EXPECT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n");
     EXPECT_NEAR(DrawnImage(bytes).width(), scene.width / 25.4 * png_resolution, 0.5);
@@ -67,7 +67,7 @@ TEST(Picture, IsAPngOfTheScenesSize) {
 }
 
 TEST(Picture, IsAnSvgThatHoldsItsWords) {
-    Scene scene = figures::noise_chart(figures::quiet_sweep());
+    Scene scene = pictures::noise_chart(pictures::quiet_sweep());
     scene.title = "mu_d 'a' @b {c} <d> & ^e ~f \\g %h\n\x01";
     const std::string text = render(scene, Format::svg);
     EXPECT_EQ(text.substr(0, 5), "<?xml");
@@ -87,7 +87,7 @@ TEST(Picture, IsAPdfWithItsTitle) {
 }
 
 TEST(Picture, OfTheSameSceneIsTheSameFile) {
-    const Scene scene = figures::noise_chart(figures::quiet_sweep());
+    const Scene scene = pictures::noise_chart(pictures::quiet_sweep());
     for (const Format format : {Format::png, Format::svg, Format::pdf})
         EXPECT_EQ(render(scene, format), render(scene, format));
 }

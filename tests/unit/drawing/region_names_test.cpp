@@ -2,7 +2,7 @@
 
 #include "stridor/drawing/lettering.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/figures/category_colours.hpp"
+#include "stridor/pictures/category_colours.hpp"
 #include "support/property.hpp"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ Example example(int columns, int rows) {
     for (int i = 0; i <= rows; ++i)
         map.cells.y_edges.push_back(i);
     map.cells.kinds.assign(static_cast<std::size_t>(columns * rows), 0);
-    map.cells.fills = {figures::category_fill(classification::Category::none),
-                       figures::category_fill(classification::Category::squeal)};
+    map.cells.fills = {pictures::category_fill(classification::Category::none),
+                       pictures::category_fill(classification::Category::squeal)};
     map.panel.x.range = {0.0, columns * 1.0};
     map.panel.y.range = {0.0, rows * 1.0};
     map.area = {10.0, 10.0 + 5.0 * columns, 20.0, 20.0 + 5.0 * rows};

@@ -1,7 +1,7 @@
 #include "stridor/explorer/typescript.hpp"
 
 #include "stridor/drawing/palette.hpp"
-#include "stridor/figures/category_colours.hpp"
+#include "stridor/pictures/category_colours.hpp"
 #include "stridor/sweep/cell.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ TEST(Typescript, HasTheFillOfEveryCategory) {
     const std::string palette = typescript("palette");
     for (const Category category :
          {Category::none, Category::squeal, Category::squeak, Category::creak, Category::undecided}) {
-        const std::string ground = stridor::drawing::hex(stridor::figures::category_fill(category).colour);
+        const std::string ground = stridor::drawing::hex(stridor::pictures::category_fill(category).colour);
         const std::string name(stridor::classification::name(category));
         EXPECT_TRUE(holds(palette, "  \"" + name + "\": { ground: \"" + ground + "\"")) << name;
     }

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "stridor/classification/category.hpp"
+#include "stridor/drawing/scene.hpp"
+#include "stridor/model/contact_state.hpp"
+
+/// The one place of the colours of categories and contact states.
+///
+/// Categories keep a CIEDE2000 distance of 21 for normal, protanopic, deuteranopic and tritanopic eyes and 18.5 L* in
+/// grey; contact states keep 30 among themselves and 14.5 from every category, so that a reader never takes a state for
+/// a verdict. Colour is never alone: every category but `none` has its own texture.
+namespace stridor::pictures {
+
+/// Fill of a category; `undecided` is white with dots, for it is no verdict.
+drawing::Fill category_fill(classification::Category category);
+
+/// Fill of a contact that is quiet because it sticks: the second, darker shade of `none`.
+drawing::Fill stuck_fill();
+
+/// Fill of a cell that has no result: white and crossed, never the colour of a category.
+drawing::Fill failed_fill();
+
+drawing::Colour state_colour(model::ContactState state);
+
+}  // namespace stridor::pictures

@@ -1,0 +1,83 @@
+#include "stridor/pictures/friction_law.hpp"
+
+#include "stridor/drawing/palette.hpp"
+#include "stridor/model/friction/law.hpp"
+#include "stridor/pictures/category_colours.hpp"
+
+#include <algorithm>
+
+namespace stridor::pictures {
+
+namespace {
+
+// of one way to slip, as drawn: V_rel > 0 is a plate that goes
+struct Branch {
+    double sign;
+    double limit;    // [1] of the stick
+    double sliding;  // [1] while it slips
+    const char* limit_symbol;
+    const char* sliding_symbol;
+};
+
+drawing::StyledText named(double sign, std::string_view name, double value) {
+    const char* const minus = sign < 0.0 ? "−" : "";
+    return drawing::StyledText(minus) + drawing::symbol(name) + " = " + drawing::StyledText(minus) +
+           drawing::number_text(value);
+}
+
+void add_branch(drawing::Panel& panel, const Branch& branch, double top) {
+    const double x = branch.sign, s = branch.sign * branch.limit, d = branch.sign * branch.sliding;
+    if (branch.limit > branch.sliding)
+        panel.y.ticks.push_back({s, named(x, branch.limit_symbol, branch.limit), drawing::TickSize::major});
+    panel.y.ticks.push_back({d, named(x, branch.sliding_symbol, branch.sliding), drawing::TickSize::major});
+    panel.layers.emplace_back(
+        drawing::Line{{std::min(x, 0.0), std::max(x, 0.0)}, {d, d}, {drawing::accent, 1.6, drawing::Dash::solid}});
+    panel.layers.emplace_back(drawing::Note{"slip", 0.5 * x, d - 0.1 * x * top, drawing::Anchor::data,
+                                            drawing::Align::centre, drawing::ink, 0.0, std::nullopt});
+}
+
+}  // namespace
+
+drawing::Scene friction_law(const parameters::Contact& contact) {
+    const model::FrictionLaw law = model::friction_law(contact);
+    const bool is_the_same = contact.friction == parameters::FrictionKind::coulomb;
+    const auto branch = [&](model::Slip way, double sign, const char* limit, const char* sliding) {
+        return Branch{sign, stick_limit(law, way), sign * slip_ratio(law, way), limit, sliding};
+    };
+    const Branch going = branch(model::Slip::backward, 1.0, "mu_s", "mu_d");
+    const Branch coming =
+        branch(model::Slip::forward, -1.0, is_the_same ? "mu_s" : "mu_sc", is_the_same ? "mu_d" : "mu_dc");
+    const double top = 1.3 * std::max({going.limit, coming.limit, going.sliding, coming.sliding, 1e-3});
+    drawing::Panel panel;
+    panel.grid = drawing::Grid::none;
+    panel.x.label = drawing::StyledText("relative velocity ") + drawing::symbol("V_rel") + " (any unit)";
+    panel.x.range = {-1.0, 1.0};
+    panel.x.ticks = {{0.0, "0", drawing::TickSize::major}};
+    panel.y.label =
+        drawing::StyledText("friction over normal force ") + drawing::symbol("T") + " / " + drawing::symbol("N");
+    panel.y.unit = "1";
+    panel.y.range = {-top, top};
+    panel.y.ticks = {{0.0, "0", drawing::TickSize::major}};
+    const drawing::Stroke axis{drawing::grid_ink, 0.5, drawing::Dash::solid};
+    const drawing::Stroke helper{drawing::quiet_ink, 0.4, drawing::Dash::dotted};
+    panel.layers.emplace_back(drawing::Rule{0.0, drawing::Orientation::vertical, axis});
+    panel.layers.emplace_back(drawing::Rule{0.0, drawing::Orientation::horizontal, axis});
+    for (const double level : {going.limit, going.sliding, -coming.limit})
+        panel.layers.emplace_back(drawing::Line{{-1.0, 0.0}, {level, level}, helper});
+    add_branch(panel, coming, top);
+    panel.layers.emplace_back(drawing::Line{{0.0, 0.0},
+                                            {-coming.limit, going.limit},
+                                            {state_colour(model::ContactState::stick), 1.6, drawing::Dash::solid}});
+    add_branch(panel, going, top);
+    panel.layers.emplace_back(drawing::Note{"stick", 0.06, 0.5 * going.sliding, drawing::Anchor::data,
+                                            drawing::Align::left, drawing::ink, 0.0, std::nullopt});
+
+    drawing::Scene scene;
+    scene.title = "Friction law";
+    scene.width = 85.0;
+    scene.height = 62.0;
+    scene.panels.push_back(std::move(panel));
+    return scene;
+}
+
+}  // namespace stridor::pictures

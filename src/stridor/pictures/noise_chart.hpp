@@ -1,0 +1,26 @@
+#pragma once
+
+#include "stridor/drawing/scene.hpp"
+#include "stridor/sweep/cell.hpp"
+
+#include <string_view>
+
+namespace stridor::pictures {
+
+/// The noise chart: which category each cell falls into, a panel per direction (Elmaian et al. 2012, Figure 8).
+///
+/// Cells are rectangles between the midpoints of their values in the axis' own scale. Cells without a result are white
+/// and crossed, undecided ones white and dotted; neither ever takes a category's colour. Lines part what differs
+/// (`sweep::boundaries`); a disc marks a cell that is quiet from one start and noisy from another.
+drawing::Scene noise_chart(const sweep::SweepResult& result);
+
+/// One figure of the cells as colours of a sequential map, in the same layout. Cells without a number for it (no period
+/// where nothing alternates) are grey, cells without a result white and crossed; inferred cells have the colour of the
+/// computed one they take after, and the caption says so.
+/// Throws `Error` (input) for a name that is not in `sweep::cell_figures`.
+drawing::Scene figure_chart(const sweep::SweepResult& result, std::string_view figure);
+
+/// `noise_chart` for "category", else `figure_chart`: draws what a study's `quantities` ask for.
+drawing::Scene quantity_chart(const sweep::SweepResult& result, std::string_view quantity);
+
+}  // namespace stridor::pictures

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "stridor/analysis/stability_scan.hpp"
+#include "stridor/drawing/scene.hpp"
+#include "stridor/parameters/case.hpp"
+#include "stridor/record/recorder.hpp"
+#include "stridor/sweep/cell.hpp"
+#include "stridor/sweep/diagram.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Results to picture files: which scene goes where.
+namespace stridor::pictures {
+
+/// Draws a scene into a PNG, SVG or PDF file, by its extension; whoever looks sees the old file or the whole new one.
+void draw(const drawing::Scene& scene, const std::filesystem::path& path);
+
+/// Draws a scene as STEM.png and STEM.svg.
+void draw_both(const drawing::Scene& scene, const std::filesystem::path& stem);
+
+/// Figure 5: motion over time with the contact states, and a zoom ("from:to" with units; empty: chosen).
+drawing::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom);
+
+/// Frequencies and growth rates of the sliding modes along a parameter.
+void draw_stability(const analysis::StabilityScan& scan, const std::string& path);
+
+/// chart.png and chart.svg of the first quantity the study asks for, chart-QUANTITY.png and .svg of each further one.
+void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& folder);
+
+/// chart.png and chart.svg of a study over one axis.
+void draw_diagram(const sweep::SweepResult& result, const std::vector<sweep::DiagramCell>& cells,
+                  const std::filesystem::path& folder);
+
+}  // namespace stridor::pictures

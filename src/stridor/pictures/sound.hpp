@@ -1,0 +1,15 @@
+#pragma once
+
+#include "stridor/classification/sound_verdict.hpp"
+#include "stridor/drawing/scene.hpp"
+#include "stridor/sound/analysis.hpp"
+
+namespace stridor::pictures {
+
+/// One channel of a recording over time: its waveform, fast level, spectrogram and the category of each segment.
+///
+/// The spectrogram is drawn up to the frequency below which 99.9 % of the power lies, doubled, and 70 dB down from its
+/// strongest cell.
+drawing::Scene sound(const sound::SoundAnalysis& analysis, const classification::RecordingVerdict& verdict);
+
+}  // namespace stridor::pictures
