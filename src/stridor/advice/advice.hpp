@@ -28,6 +28,7 @@ struct AdviceProgress {
         0.0;  // [1] of the work done, never falling: an estimate, for each stage asks what the one before found
 };
 
+/// What advice is asked for, and how it is computed.
 struct AdviceOptions {
     std::vector<AskedRange> over{};            // what may be changed; empty: all with a usual range
     std::vector<AskedTolerance> tolerances{};  // empty: no chance of noise is computed

@@ -50,6 +50,7 @@ public:
     /// The verdicts of designs, in their order, whatever the number of threads.
     /// Throws `Error` (interrupted) when stopped.
     std::vector<DesignVerdict> judge(const DesignSpace& space, std::span<const Shares> designs);
+    /// The same for designs that are given as cases.
     std::vector<DesignVerdict> judge(const DesignSpace& space, std::span<const parameters::Case> cases);
 
     /// Called from the caller's thread after every few runs, with their number so far.

@@ -68,6 +68,7 @@ inline constexpr double confidence = 0.95;
 /// which are not spread more evenly; where all means are equal, that of Wilson (1927).
 Estimate estimate(std::span<const std::size_t> hits, std::size_t samples);
 
+/// How the chance of noise is sampled. The same seed gives the same samples.
 struct ChanceOptions {
     std::size_t samples = 2048;  // [1] rounded up to `replicates` times a power of two
     std::uint64_t seed = 1;

@@ -24,8 +24,10 @@ struct Evidence {
     Levels levels;  // of the bodies, judged part; of a contact that slides or sticks for ever its closing part
 };
 
-/// Is it proven, or plain from all of the judged time, that the contact sticks for ever? Likewise that it slides.
+/// Is it proven, or plain from all of the judged time, that the contact sticks for ever?
 bool sticks_for_good(const Evidence& evidence);
+
+/// Likewise, that it slides for ever.
 bool slides_for_good(const Evidence& evidence);
 
 /// From what a phase left behind of contact number `contact`.

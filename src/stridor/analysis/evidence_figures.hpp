@@ -16,8 +16,10 @@ struct EvidenceFigure {
     std::string_view unit;      // "1", "Hz", "dB re 1e-9 m/s"
     std::string_view sentence;  // for attributes and colour bars
     double (*value)(const Evidence&);
+    /// Is the value a whole number?
     enum class Holds : std::uint8_t { number, count } holds = Holds::number;
-    enum class Kept : std::uint8_t { in_cells, in_verdicts } kept = Kept::in_cells;  // each is in verdicts
+    /// Where the figure is told: every one in verdicts, most in cells, too.
+    enum class Kept : std::uint8_t { in_cells, in_verdicts } kept = Kept::in_cells;
 };
 
 /// All of them, in the order of files.

@@ -31,6 +31,12 @@ struct Release {
     double resolution = 0.0;  // [unit of r] what r climbs within one sample before
     double kinetic = 0.0;     // [unit of r] mean while it slid
 };
+
+/// Measures a fall of r, shape [sample], in the unit of r.
+///
+/// The peak is where the climb before the fall would be half a sample after its onset: a line fitted to the last
+/// quarter of the climb says it, or the last two samples of a short one. The kinetic value is the mean between peak
+/// and valley, both left out; half their sum where no sample lies between.
 Release release_of(const Fall& fall, std::span<const double> r);
 
 }  // namespace stridor::analysis

@@ -19,6 +19,7 @@
 /// Source: Hoffmann et al. 2002 for mode coupling; docs/methods/stability.md.
 namespace stridor::analysis {
 
+/// What a small disturbance of steady sliding does.
 enum class StabilityKind {
     stable,
     flutter,     // a growing oscillation: mode coupling
@@ -34,6 +35,7 @@ struct Eigenmode {
     double frequency = 0.0;  // [Hz] imaginary part / 2 pi, zero for a real eigenvalue
 };
 
+/// Stability of steady sliding, and the modes it was judged by.
 struct SlidingStability {
     StabilityKind kind = StabilityKind::stable;
     double growth = 0.0;           // [1/s] largest real part
@@ -42,6 +44,10 @@ struct SlidingStability {
     std::vector<Eigenmode> modes;  // by rising frequency, then growth
 };
 
+/// Judges steady sliding by its eigenvalues [1/s] and the normal force [N] at its equilibrium.
+///
+/// It is locked without a normal force above zero. It is unstable where a growth exceeds rounding, relative to the
+/// largest eigenvalue. No eigenvalues give `stable`.
 SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenvalues, double normal_force);
 
 /// The motion near steady sliding, M u'' + C u' + K u = b N with n.u = 0.

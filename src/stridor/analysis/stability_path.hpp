@@ -21,6 +21,7 @@ struct StabilityBoundary {
     double frequency = 0.0;  // [Hz] of the mode with the largest growth there
 };
 
+/// Stability of sliding along a parameter.
 struct StabilityPath {
     std::vector<StabilityPoint> points;         // evenly spaced, both ends included
     std::vector<StabilityBoundary> boundaries;  // by rising value

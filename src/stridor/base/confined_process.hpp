@@ -31,6 +31,7 @@ public:
     /// The confined end of the channel.
     class Channel {
     public:
+        /// Takes an open descriptor, which stays the caller's.
         explicit Channel(int descriptor) : descriptor_(descriptor) {}
         /// Fills the bytes; false where there are none any more.
         bool receive(std::span<std::byte> into) const;

@@ -21,6 +21,7 @@ inline constexpr std::string_view fact_mark = " | ";
 using Fact = std::pair<std::string, std::string>;
 using Facts = std::vector<Fact>;
 
+/// The heading of a column.
 struct TableColumn {
     std::string name;
     std::string unit{};  // empty or "1": words, or a number without dimension
@@ -39,11 +40,14 @@ std::string quoted(std::string_view words);
 /// Rows of fields behind the first line and the names.
 class Table {
 public:
+    /// Begins with the first line, of facts, and the headings.
     Table(const Facts& facts, const std::vector<TableColumn>& columns);
 
+    /// Adds a field of words, quoted where it must be.
     void word(std::string_view word) { field(quoted(word)); }
     /// NaN is an empty field.
     void number(double value);
+    /// Ends the row; the next field begins another one.
     void end_row();
 
     /// What was written since it was taken last.

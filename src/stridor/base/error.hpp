@@ -43,16 +43,20 @@ struct Complaint {
 /// `what()` reads *problem (why). suggestion? [file:line:column]*, a line per complaint.
 class Error : public std::runtime_error {
 public:
+    /// One complaint, with its place in a file if it has one.
     Error(ErrorKind kind, Problem problem, std::optional<Place> place = std::nullopt);
 
     /// Several complaints of one kind, in the order in which they are told; one at least.
     static Error of(ErrorKind kind, std::vector<Complaint> complaints) { return {std::move(complaints), kind}; }
 
+    /// Decides the exit code.
     ErrorKind kind() const { return kind_; }
+    /// All complaints, one at least.
     const std::vector<Complaint>& complaints() const { return complaints_; }
 
     /// Of the first complaint.
     const Problem& problem() const { return complaints_.front().problem; }
+    /// Likewise; nothing where it has no place in a file.
     const std::optional<Place>& place() const { return complaints_.front().place; }
 
 private:

@@ -24,6 +24,8 @@ auto find_named(const Rows& rows, std::string_view name) -> decltype(&*std::begi
 
 /// "Did you mean \"preload\"?" for a misspelt name, if one of the names is near; else `otherwise`.
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> names, std::string otherwise = {});
+
+/// The same for names that are made while the program runs.
 std::string did_you_mean(std::string_view name, std::span<const std::string> names, std::string otherwise = {});
 
 /// The place of a choice among its names.

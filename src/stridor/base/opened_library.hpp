@@ -9,6 +9,7 @@ namespace stridor::base {
 struct FoundFunction {
     void* address = nullptr;  // null: not there
 
+    /// The pointer, null where the library lacks the function. Its type is not checked.
     template <typename Function>
     operator Function*() const {
         static_assert(std::is_function_v<Function>);

@@ -8,12 +8,17 @@
 /// bit but for the payload of a NaN.
 namespace stridor::base {
 
+/// Puts numbers and words in.
 class Packing {
 public:
+    /// Adds a number, as its shortest text that reads back alike.
     void add(double value);
+    /// Adds a count.
     void add(std::uint64_t value);
+    /// Adds words; any bytes will do.
     void add(std::string_view words);
 
+    /// Hands out the text.
     std::string take();
 
 private:
@@ -23,10 +28,14 @@ private:
 /// Takes them out again, in their order.
 class Unpacking {
 public:
+    /// The text must outlive this.
     explicit Unpacking(std::string_view text) : rest_(text) {}
 
+    /// Takes a number.
     double number();
+    /// Takes a count.
     std::uint64_t count();
+    /// Takes words.
     std::string words();
 
     /// Was everything there that was asked for, of the kind it was asked for, and nothing else?

@@ -12,6 +12,7 @@ namespace stridor::base {
 /// Names content: nobody knows two different files with one digest, which cannot be said of `fnv1a`.
 class Sha256 {
 public:
+    /// Adds the next piece.
     void add(std::string_view bytes);
 
     /// The digest as 64 lower-case hexadecimal digits; nothing may be added afterwards.

@@ -22,6 +22,8 @@ struct Wrapping {
     std::size_t first = 0;
     std::size_t indent = 0;
 };
+
+/// The text in such lines, without a line end behind the last. Line ends in the text stay.
 std::string wrapped(std::string_view text, const Wrapping& wrapping);
 
 /// How many characters a UTF-8 text has [1].

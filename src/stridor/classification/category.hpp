@@ -13,6 +13,7 @@ enum class Category : std::uint8_t { none, squeal, squeak, creak, undecided };
 
 inline constexpr std::array<std::string_view, 5> category_names{"none", "squeal", "squeak", "creak", "undecided"};
 
+/// The word of a category in files and messages: "squeal".
 constexpr std::string_view name(Category category) {
     return category_names[static_cast<std::size_t>(category)];
 }
@@ -28,6 +29,7 @@ enum class Quiet : std::uint8_t { no, slides, sticks };
 
 inline constexpr std::array<std::string_view, 3> quiet_names{"no", "slides", "sticks"};
 
+/// The word of it: "slides"; "no" for a contact that is not quiet.
 constexpr std::string_view name(Quiet quiet) {
     return quiet_names[static_cast<std::size_t>(quiet)];
 }

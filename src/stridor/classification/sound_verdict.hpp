@@ -36,7 +36,8 @@ struct RecordingVerdict {
     std::array<double, category_names.size()> shares{};  // [1] of the energy, by category
     std::vector<SoundSegment> segments{};                // one after the other, in time
     std::vector<std::string> reasons{};
-    const SoundSegment* loudest() const;  // of the recording's category; null where there is none
+    /// The loudest segment of the recording's category; null where there is none.
+    const SoundSegment* loudest() const;
 };
 
 }  // namespace stridor::classification

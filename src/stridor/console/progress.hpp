@@ -19,6 +19,7 @@ std::string counts_text(const sweep::Counts& counts);
 /// Shows a sweep's progress on stderr: a line that is redrawn in a terminal, a line per 10 % anywhere else.
 class ProgressDisplay {
 public:
+    /// Shows how far the sweep is. Says nothing where nothing new is to be said.
     void show(const sweep::Progress& progress);
 
     /// Leaves the last state on the screen and moves to a fresh line.

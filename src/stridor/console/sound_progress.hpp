@@ -34,7 +34,9 @@ public:
     /// `frames` of a recording of this rate [Hz], where they are known.
     AnalysisDisplay(std::optional<std::uint64_t> frames, double rate);
 
+    /// Is the recording long enough that anybody wants to know? From five minutes on.
     bool is_shown() const { return is_shown_; }
+    /// `frames` [1] are analysed.
     void show(std::uint64_t frames);
 
 private:
@@ -46,6 +48,7 @@ private:
 /// How far a search by sound is.
 class SearchDisplay {
 public:
+    /// Shows how far it is. Without a terminal a search of fewer than 50 cells is not shown.
     void show(const hearing::SearchProgress& progress);
 
 private:
@@ -55,11 +58,14 @@ private:
 /// How far a row of recordings is by their bytes: "2 of 8: squeak.wav".
 class HeardFilesDisplay {
 public:
+    /// The files that will be heard; their sizes are read now.
     explicit HeardFilesDisplay(const std::vector<std::string>& files);
 
+    /// The next file is begun.
     void begin(const std::string& file);
     /// `share` [1] of the file that was begun is heard.
     void show(double share);
+    /// The file that was begun is heard.
     void end() { done_ += size_; }
 
 private:
@@ -75,12 +81,18 @@ private:
 /// How far a row of recordings is by their number: the whole ones, and the share of the one that is heard.
 class RowDisplay {
 public:
+    /// `what` is done to each, as in "listened to"; `total` [1] recordings.
     RowDisplay(std::string what, std::size_t total) : display_(std::move(what)), total_(total) {}
 
+    /// The next recording is begun. It is shown if it takes long.
     void begin(const std::filesystem::path& file);
+    /// `share` [1] of the recording that was begun is heard.
     void show(double share);
+    /// The recording that was begun is done.
     void end();
+    /// Takes the line away, so that other text can stand there.
     void clear() { display_.clear(); }
+    /// Whole recordings so far [1].
     std::size_t done() const { return done_; }
 
 private:

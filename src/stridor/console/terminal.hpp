@@ -46,6 +46,7 @@ bool has_terminal();
 /// where neither does.
 int terminal_columns(int file_descriptor = 2);
 
+/// How text stands out.
 enum class Style { plain, bold, dim, red };
 
 /// The text in a style for stdout or stderr, plain where it is no terminal or NO_COLOR is set.

@@ -115,8 +115,10 @@ struct Pango {
     decltype(&::pango_layout_set_text) layout_set_text = library.function("pango_layout_set_text");
 };
 
-/// The libraries, each opened once for the process. Throw `Error` (io) where this machine lacks them.
+/// Cairo, opened once for the process. Throws `Error` (io) where this machine lacks it.
 const Cairo& cairo();
+
+/// Likewise, Pango with GLib.
 const Pango& pango();
 
 }  // namespace stridor::drawing

@@ -16,9 +16,12 @@ struct Rectangle {
     double top = 0.0;
 };
 
+/// Width of an area, in its unit.
 inline double width_of(const Rectangle& area) {
     return area.right - area.left;
 }
+
+/// Height of an area, in its unit.
 inline double height_of(const Rectangle& area) {
     return area.top - area.bottom;
 }
@@ -31,6 +34,7 @@ struct PlacedText {
     Align align = Align::left;
     double size = 8.0;  // [pt]
     Colour colour;
+    /// A quarter turn: read from below to above.
     enum class Turn { none, quarter } turn = Turn::none;
 };
 

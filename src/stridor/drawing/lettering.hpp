@@ -24,6 +24,8 @@ struct TextExtent {
     double width = 0.0;
     double height = 0.0;
 };
+
+/// The room of a note of `size` [pt].
 TextExtent note_extent(const StyledText& text, double size);
 
 /// How letters are drawn: each where the raster of an image has room for it, or as the curves of its shape.

@@ -9,11 +9,13 @@
 
 namespace stridor::drawing {
 
+/// The kind of a picture's file.
 enum class Format { png, svg, pdf };
 
 /// Dots per inch of PNG files; SVG and PDF have none.
 inline constexpr double png_resolution = 200.0;
 
+/// How a solid line ends; dashes and dots always end butt.
 enum class LineEnd { butt, round };
 
 /// A sheet of paper that takes ink, by cairo. Places are in mm from its lower left corner, widths of lines and marks in
@@ -26,19 +28,26 @@ public:
     Page(const Page&) = delete;
     Page& operator=(const Page&) = delete;
 
+    /// Fills areas with a colour.
     void fill(std::span<const Rectangle> areas, Colour colour);
+    /// Fills one area with a colour.
     void fill(const Rectangle& area, Colour colour) { fill({&area, 1}, colour); }
+    /// Draws one line through all points.
     void curve(std::span<const Dot> points, const Stroke& stroke, LineEnd end = LineEnd::round);
+    /// Draws straight lines, each by itself.
     void segments(std::span<const Segment> lines, const Stroke& stroke);
+    /// Draws the edges of an area.
     void outline(const Rectangle& area, const Stroke& stroke);
 
     /// Marks of one diameter [pt], all in one colour.
     void marks(std::span<const Dot> middles, Mark mark, double diameter, Colour colour);
 
+    /// Letters a text at its place.
     void text(const PlacedText& placed);
 
     /// Until the matching `end_clip` nothing is drawn outside of the area.
     void begin_clip(const Rectangle& area);
+    /// Ends the last clip that was begun.
     void end_clip();
 
     /// The bytes of the file; nothing is drawn after it. The same drawing gives the same bytes.

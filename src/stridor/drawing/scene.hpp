@@ -17,6 +17,7 @@ namespace stridor::drawing {
 
 inline constexpr double millimetres_per_point = 25.4 / 72.0;
 
+/// A colour in sRGB, eight bits each.
 struct Colour {
     std::uint8_t red = 0;
     std::uint8_t green = 0;
@@ -35,8 +36,10 @@ struct Fill {
     bool operator==(const Fill&) const = default;
 };
 
+/// The pattern of a line.
 enum class Dash { solid, dashed, dotted };
 
+/// How a line is drawn.
 struct Stroke {
     Colour colour;
     double width = 0.8;  // [pt]
@@ -50,10 +53,13 @@ struct Extent {
     bool operator==(const Extent&) const = default;
 };
 
+/// How values lie along an axis.
 enum class AxisScale { linear, logarithmic };
 
+/// Ticks of the major size carry the labels.
 enum class TickSize { major, minor };
 
+/// A mark on an axis at a value in data units.
 struct Tick {
     double value = 0.0;
     StyledText label;
@@ -63,6 +69,7 @@ struct Tick {
 /// Do an axis' numbers and title stand beside it, or does a neighbour panel carry them?
 enum class AxisText { shown, hidden };
 
+/// One axis of a panel: what it shows, and over which values.
 struct PanelAxis {
     StyledText label;  // "preload F", without its unit
     std::string unit;  // as in the field table: "m/s^2", "1"
@@ -99,6 +106,7 @@ struct Points {
 /// Where intervals are shorter than a pixel column the shade tells the share of time spent in the state; however short,
 /// an interval never vanishes.
 struct Strip {
+    /// A stay in one state, in units of x.
     struct Interval {
         double from = 0.0;
         double to = 0.0;
@@ -145,6 +153,8 @@ struct ValueCells {
 
 /// Where a note's position is counted: in data units, or as shares of the panel from its lower left corner.
 enum class Anchor { data, panel };
+
+/// Which end of a text its position is.
 enum class Align { left, centre, right };
 
 /// A piece of text in a panel, over all other layers.
@@ -159,6 +169,7 @@ struct Note {
     std::optional<Colour> ground;  // of a patch under the letters, to keep textures away from them
 };
 
+/// The way of a line across a panel.
 enum class Orientation { vertical, horizontal };
 
 /// A straight line across the whole panel at one value.
@@ -172,8 +183,11 @@ using Layer = std::variant<Line, Points, Strip, Boxes, CategoryCells, ValueCells
 
 /// What surrounds a panel: two axis lines for curves, a closed frame for maps and strips.
 enum class Frame { open, closed };
+
+/// Which faint lines run from the ticks across a panel.
 enum class Grid { none, vertical, both };
 
+/// One plot, at its place among the others.
 struct Panel {
     StyledText title;
     std::size_t row = 0;     // from the top
@@ -199,6 +213,7 @@ struct ColourBar {
     std::optional<std::size_t> row{};  // beside this row of panels only
 };
 
+/// A whole picture.
 struct Scene {
     StyledText title;
     std::vector<StyledText> caption;         // paragraphs below the title, each wrapped to the width

@@ -22,15 +22,21 @@ struct StyledText {
     std::vector<TextRun> runs;
 
     StyledText() = default;
+    /// In the plain style.
     StyledText(const char* literal);
+    /// In the plain style.
     StyledText(std::string_view literal);
+    /// In the plain style.
     StyledText(const std::string& literal);
+    /// In one style.
     StyledText(std::string_view literal, TextStyle style);
     bool operator==(const StyledText&) const = default;
 };
 
+/// One text behind the other.
 StyledText operator+(StyledText left, const StyledText& right);
 
+/// Has it no characters?
 bool is_empty(const StyledText& text);
 
 /// The characters alone, without styles.

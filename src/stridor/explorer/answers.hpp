@@ -28,10 +28,20 @@ std::string error_document(const Error& error);
 /// A run that has a result; what went wrong with any other is an `Error`.
 integration::Motion run_case(const parameters::Case& c, const record::Request& request, const std::stop_token& stop);
 
+/// "stridor.explorer.start/1": presets, fields and figures, what the page begins with.
 Response start(const World& world);
+
+/// The verdict and figures of a case, as `simulate --json` has them.
 Response simulate(const World& world, const Json& body, const std::stop_token& stop);
+
+/// Trace and contact histories of a case in bytes: the length of a JSON header, the header, then the columns as it
+/// says.
 Response motion(const World& world, const Json& body, const std::stop_token& stop);
+
+/// Stability of sliding at the case, or over a quantity at most 2000 values, as JSON.
 Response stability(const World& world, const Json& body, const std::stop_token& stop);
+
+/// The case, or the chart where the body has one, as a TOML file.
 Response toml(const World& world, const Json& body, const std::stop_token& stop);
 
 // answers_share.cpp
@@ -44,13 +54,18 @@ Response value(const World& world, const Json& body, const std::stop_token& stop
 Response share(const World& world, const Json& body, const std::stop_token& stop);
 
 // answers_chart.cpp
+/// A chart as it is refined: a line of JSON after each round, streamed.
 Response chart(const World& world, const Json& body, const std::stop_token& stop);
 
 // answers_sound.cpp
 
 /// "stridor.explorer.analysis/1" of a source's loudest channel; reads it to its end.
 Response analysis_of(signal::Source& source);
+
+/// The sound of a case as a WAV file.
 Response sound(const World& world, const Json& body, const std::stop_token& stop);
+
+/// "stridor.explorer.analysis/1" of that sound.
 Response analysis(const World& world, const Json& body, const std::stop_token& stop);
 
 // answers_library.cpp
@@ -59,7 +74,10 @@ Response analysis(const World& world, const Json& body, const std::stop_token& s
 std::optional<Response> library(const World& world, std::string_view path);
 
 // answers_advice.cpp
+/// Advice on a case, as `advise --json` has it.
 Response advice(const World& world, const Json& body, const std::stop_token& stop);
+
+/// The report on a design as an HTML file.
 Response report(const World& world, const Json& body, const std::stop_token& stop);
 
 }  // namespace stridor::explorer

@@ -21,11 +21,20 @@ inline constexpr int most_chart_points = 256;
 /// Throws `Error` (input) for text that is no JSON object.
 Json parse_body(const std::string& text);
 
-/// Members of an object. Each throws `Error` (input) where the member is of another type, or missing without a default.
+/// A member of an object that is text. This and the next four throw `Error` (input) where the member is of another
+/// type, or missing without a default.
 std::string text_in(const Json& object, const std::string& name, std::optional<std::string> otherwise = std::nullopt);
+
+/// A member that is a number.
 double number_in(const Json& object, const std::string& name, std::optional<double> otherwise = std::nullopt);
+
+/// A member that is a whole number of at most 1e9 in size.
 int whole_in(const Json& object, const std::string& name, std::optional<int> otherwise = std::nullopt);
-bool flag_in(const Json& object, const std::string& name);  // false where it is missing
+
+/// A member that is true or false; false where it is missing.
+bool flag_in(const Json& object, const std::string& name);
+
+/// A member that is an object; it lives as long as the outer one.
 const Json& object_in(const Json& object, const std::string& name);
 
 /// The "set" of a request: overrides as the command line's `--set` takes them. A file is never named by a request.

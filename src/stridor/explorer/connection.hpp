@@ -24,10 +24,12 @@ namespace http = boost::beast::http;
 using boost::system::error_code;
 using Stream = asio::generic::stream_protocol;  // TCP or a socket in the file system: one copy of all that follows
 
+/// A view of a library's own as text.
 inline std::string text(beast::string_view view) {
     return {view.data(), view.size()};
 }
 
+/// What answers need to know of a request.
 inline HttpRequest request_of(http::request<http::string_body>&& message) {
     HttpRequest request;
     request.method = text(message.method_string());
@@ -46,7 +48,7 @@ inline HttpRequest request_of(http::request<http::string_body>&& message) {
     return request;
 }
 
-// takes no more header lines than its limit, each of which needs memory of its own
+/// Takes no more header lines than its limit, each of which needs memory of its own.
 class Parser : public http::request_parser<http::string_body> {
 public:
     explicit Parser(const Limits& limits) : most_(limits.header_lines) {
@@ -54,7 +56,7 @@ public:
         body_limit(limits.body);
     }
 
-    // of whoever set any for this host: many, and long
+    /// Cookies of whoever set any for this host: many, and long. They are gone afterwards.
     std::string take_cookies() { return std::move(cookies_); }
 
 private:
@@ -74,7 +76,7 @@ private:
     std::string cookies_;
 };
 
-// one client: reads a request, has it answered, sends the answer, and so on
+/// One client: reads a request, has it answered, sends the answer, and so on.
 class Connection : public std::enable_shared_from_this<Connection> {
     // the action, keeping this connection alive until it is done
     template <typename Action>
@@ -93,10 +95,10 @@ public:
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
 
-    // makes room for somebody else
+    /// Makes room for somebody else.
     void close() { drop(); }
 
-    // the first byte may take its time, the rest of the request may not
+    /// Reads the next request. Its first byte may take its time, the rest may not.
     void read() {
         parser_.emplace(shared_.limits);
         if (buffer_.size() > 0) return receive();

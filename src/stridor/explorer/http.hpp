@@ -27,6 +27,7 @@ struct HttpRequest {
 /// Sends a part of a streamed body; waits while the client is slow to take the parts before it.
 using Send = std::function<void(std::string part)>;
 
+/// An answer to a request, whole or streamed.
 struct Response {
     int status = 200;
     std::string content_type = "text/plain; charset=utf-8";

@@ -25,17 +25,20 @@ class Connection;
 
 /// An answer being made: stopped with the server, by its deadline or when its client goes away.
 struct Work {
+    /// It is stopped with `server`.
     Work(boost::asio::io_context& io, const std::stop_token& server)
         : deadline(io),
           look(io),
           patience(io),
           relay(server, [this] { source.request_stop(); }) {}
 
+    /// Stopped when the answer is no longer wanted.
     std::stop_token token() const { return source.get_token(); }
 
     boost::asio::steady_timer deadline;  // when it is stopped
     boost::asio::steady_timer look;      // when its client is looked after
     boost::asio::steady_timer patience;  // when it is given up
+    /// How far it is.
     enum class State { waiting, making, given_up, done } state = State::waiting;
     std::stop_source source;
     std::stop_callback<std::function<void()>> relay;

@@ -19,6 +19,7 @@ public:
         if (changed_.wait(lock, stop, [&] { return parts_.size() < 2; })) parts_.push_back(std::move(part));
     }
 
+    /// Takes the front part away; there must be one.
     void pop() {
         const std::lock_guard lock(mutex_);
         parts_.pop_front();
@@ -33,6 +34,7 @@ public:
 
     /// No more will come; told and asked by the sending thread.
     void end() { has_ended_ = true; }
+    /// Likewise: will no more come?
     bool has_ended() const { return has_ended_; }
 
 private:

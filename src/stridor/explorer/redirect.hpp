@@ -16,6 +16,7 @@ public:
     Redirect(const Redirect&) = delete;
     Redirect& operator=(const Redirect&) = delete;
 
+    /// The file that a browser is to open.
     std::filesystem::path file() const { return folder_ / "open.html"; }
 
 private:

@@ -13,6 +13,7 @@
 
 namespace stridor::hearing {
 
+/// How the cells of a study are heard.
 struct HearingOptions {
     HearingSettings settings{};
     std::size_t perturb_every = 7;  // [1] every so many runs' sounds are perturbed too; 0: none are

@@ -18,6 +18,7 @@ namespace stridor::hearing {
 /// temporary file without a name, so that hours of it never stand in memory.
 class RenderedSound final : public signal::Source {
 public:
+    /// An empty sound of a rate [Hz]; `unit` is that of its samples.
     RenderedSound(double rate, std::string unit);
 
     /// Adds samples [unit] at the end. Throws `Error` (io) where the disk is full.
@@ -28,6 +29,7 @@ public:
 
     double peak() const { return peak_; }  // [unit] largest magnitude
     double mean_square() const;            // [unit^2]
+    /// Samples so far [1].
     std::uint64_t frames() const { return *layout_.frames; }
 
     const signal::ChannelLayout& layout() const override { return layout_; }
@@ -55,6 +57,8 @@ struct Rendering {
 /// Throws `Error` for a run that has no result or was stopped, and for a beta_2 step too long to be heard.
 Rendering render(const parameters::Case& c, const sound::AuralisationSettings& settings, record::KeepHistory history,
                  const std::stop_token& stop, const RenderProgress& progress);
+
+/// The sound alone.
 std::unique_ptr<RenderedSound> render(const parameters::Case& c, const sound::AuralisationSettings& settings,
                                       const std::stop_token& stop, const RenderProgress& progress);
 

@@ -18,6 +18,7 @@
 /// threads.
 namespace stridor::hearing {
 
+/// Are the best cells searched for, or is every cell listened to?
 enum class SearchExtent { search, every };
 
 /// How far a search is.
@@ -27,6 +28,7 @@ struct SearchProgress {
     std::size_t known = 0;   // [1] cells asked for so far: more follow from what they sound like
 };
 
+/// How a chart is searched.
 struct SoundSearch {
     SearchExtent extent = SearchExtent::search;
     std::size_t keep = 5;          // [1] of the best cells
@@ -45,6 +47,7 @@ struct SoundMatch {
     classification::Likeness likeness{};
 };
 
+/// What a search has found.
 struct SoundSearchResult {
     std::vector<SoundMatch> best{};  // nearest first, of equals the one with the lower index
     std::size_t heard = 0;           // [1] cells listened to

@@ -6,6 +6,7 @@ namespace stridor::integration {
 enum class ContactMode { open, stick, slip_forward, slip_backward };  // forward: w > 0
 inline constexpr int modes = 4;
 
+/// Does the contact slip, whichever way?
 constexpr bool is_slip(ContactMode mode) {
     return mode == ContactMode::slip_forward || mode == ContactMode::slip_backward;
 }

@@ -14,6 +14,7 @@ namespace stridor::integration {
 /// the same run has the same bits however it is cut into blocks.
 class ImposedMotion {
 public:
+    /// `step` [s] is h; `increment` alone needs it.
     ImposedMotion(const parameters::Drive& drive, double step);
 
     /// Velocity and acceleration at time t [s].

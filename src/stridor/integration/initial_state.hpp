@@ -11,6 +11,7 @@ struct Start {
     double perturbation = 0.0;  // [m/s] sliding only: added to the tangential velocity
 };
 
+/// Where a motion is at t = 0.
 struct InitialState {
     Eigen::VectorXd displacement;  // [m], shape [dof]
     Eigen::VectorXd velocity;      // [m/s], shape [dof]

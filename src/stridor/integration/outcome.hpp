@@ -20,11 +20,13 @@ enum class Reason {
 inline constexpr std::array<std::string_view, 8> reason_names{"completed", "settled",    "diverged",   "step_limit",
                                                               "cancelled", "chattering", "unbalanced", "no_forces"};
 
+/// How a run ended, and when.
 struct Outcome {
     Reason reason = Reason::completed;
     double time = 0.0;  // [s] up to which the motion is known
 };
 
+/// Did it end with a verdict: completed or settled?
 constexpr bool has_result(const Outcome& outcome) {
     return outcome.reason == Reason::completed || outcome.reason == Reason::settled;
 }

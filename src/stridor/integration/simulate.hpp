@@ -16,6 +16,8 @@ struct Cost {
     double step_limit = 0.0;  // [s] largest stable time step; exact: infinite
 };
 
+/// The cost of a case, from the fastest natural frequency of its system while separated.
+/// The case must have no `parameters::findings`.
 Cost cost(const parameters::Case& c);
 
 /// What runs of many cases, one after the other, may share: it saves time and changes nothing.
@@ -29,6 +31,8 @@ struct Workspace {
 ///
 /// The case must have no `parameters::findings`. Returns and throws what the engine does.
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace);
+
+/// The same without a workspace to share.
 Motion simulate(const parameters::Case& c, const record::Request& request = {}, std::stop_token stop = {});
 
 }  // namespace stridor::integration

@@ -20,12 +20,13 @@ namespace stridor::io::json_parts {
 
 using base::Json;
 
+/// The word of an enumerator: `names` are in the order of the enumeration.
 template <typename Enumeration>
 std::string_view name_of(std::span<const std::string_view> names, Enumeration value) {
     return names[static_cast<std::size_t>(value)];
 }
 
-// why a contact is quiet; null if it is not
+/// Why a contact is quiet; null if it is not.
 inline Json quiet_word(classification::Quiet quiet) {
     return quiet == classification::Quiet::no ? Json() : Json(classification::name(quiet));
 }
@@ -61,6 +62,8 @@ inline Json joints_array(const parameters::Case& c) {
     return joints;
 }
 
+/// A case by sections and names: quantities as numbers in their units, all else as text. Fields without a meaning for
+/// the case are left out.
 inline Json case_object(const parameters::Case& c) {
     Json object = Json::object();
     if (c.further_joints.empty()) {
@@ -81,7 +84,7 @@ inline Json case_object(const parameters::Case& c) {
     return object;
 }
 
-// units by where they stand in the document: "case.joint.mass": "kg"
+/// Units of a case by where they stand in a document: "case.joint.mass": "kg".
 inline Json case_units(const parameters::Case& c) {
     Json units = Json::object();
     for (const parameters::Field& field : parameters::fields())
@@ -95,7 +98,7 @@ inline Json case_units(const parameters::Case& c) {
     return units;
 }
 
-// each figure beside its threshold
+/// Margins, each figure beside its threshold.
 inline Json margins_array(std::span<const classification::Margin> margins) {
     Json array = Json::array();
     for (const classification::Margin& margin : margins)
@@ -107,6 +110,7 @@ inline Json margins_array(std::span<const classification::Margin> margins) {
     return array;
 }
 
+/// Thresholds by ear, by their names.
 inline Json thresholds_object(const parameters::SoundThresholds& thresholds) {
     Json object = Json::object();
     for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
@@ -114,6 +118,7 @@ inline Json thresholds_object(const parameters::SoundThresholds& thresholds) {
     return object;
 }
 
+/// An axis with its unit and all its values.
 inline Json axis_object(const sweep::Axis& axis) {
     Json values = Json::array();
     for (int index = 0; index < axis.points; ++index)
@@ -124,6 +129,7 @@ inline Json axis_object(const sweep::Axis& axis) {
             {"values", std::move(values)}};
 }
 
+/// What every document about a case begins with: schema, version, commit, case.
 inline Json opening(std::string_view what, const parameters::Case& c) {
     return {{"schema", "stridor." + std::string(what) + "/1"},
             {"version", base::version()},

@@ -35,7 +35,9 @@ public:
     NetcdfDataset& operator=(const NetcdfDataset&) = delete;
     ~NetcdfDataset();
 
+    /// Adds a dimension of `size` values and returns its number.
     int dimension(const std::string& name, std::size_t size);
+    /// Adds an attribute of the file.
     void attribute(const std::string& name, const std::string& text);
 
     /// Each returns the variable's number.
@@ -47,12 +49,14 @@ public:
     /// Puts values into the box of a variable that begins at `start` and is `count` wide, each of shape [dimension].
     void put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
              std::span<const double> values);
+    /// Words, one of each place. Returns the variable's number.
     int words(const std::string& name, std::span<const int> dimensions, const std::vector<std::string>& values,
               const Description& description);
     /// Numbers of names (CF flags); -1 stands for `none`, the last of them, where `none` is not empty. No number is
     /// called missing: readers would make floating-point numbers of all of them.
     int flags(const std::string& name, std::span<const int> dimensions, std::span<const signed char> values,
               std::span<const std::string_view> names, const Description& description, std::string_view none = {});
+    /// Adds an attribute of a variable.
     void attribute(int variable, const std::string& name, const std::string& text);
 
     /// Ends the file; nothing may be added after it.

@@ -21,6 +21,7 @@ struct SizedStructure {
     Vector normal;     // [1]
     Vector tangent;    // [1]
 
+    /// The structure must have `dofs` degrees of freedom.
     SizedStructure(const Structure& structure, const ContactPoint& contact)
         : mass(structure.mass),
           damping(structure.damping),

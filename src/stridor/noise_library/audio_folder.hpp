@@ -77,6 +77,7 @@ struct Staged {
 /// Brings audio in. What is staged and not placed is gone with it.
 class Intake {
 public:
+    /// Brings it into this folder.
     explicit Intake(std::filesystem::path audio_folder);
 
     /// Copies audio and hashes it. Throws `Error` (io) where there is no room.
@@ -106,11 +107,13 @@ void clear_leftovers(const std::filesystem::path& audio_folder, const std::funct
 /// The bytes of a file in pieces; throws `Error` (io) with what the user calls it.
 class FilePieces {
 public:
+    /// Opens the file.
     explicit FilePieces(const std::filesystem::path& file);
     ~FilePieces();
     FilePieces(const FilePieces&) = delete;
     FilePieces& operator=(const FilePieces&) = delete;
 
+    /// The next piece, valid until the next call; empty at the end.
     std::string_view operator()();
 
 private:

@@ -43,6 +43,7 @@ struct Findings {
     std::vector<DamagedSound> damaged_sounds;
 };
 
+/// Was nothing found damaged or lost?
 bool is_sound(const Findings& findings);
 
 /// Looks at each page, each entry and each sound of a library. Changes nothing. Throws `Error` where it is none, or in

@@ -16,6 +16,7 @@ namespace stridor::noise_library {
 /// Words. A document is text of many lines that tables leave out.
 struct EntryText {
     std::string Entry::*member;
+    /// How many lines it has, and whether tables show it.
     enum class Shape { line, lines, document } shape = Shape::line;
     std::span<const std::string_view> suggestions{};  // what others write here; anything else is as good
 };
@@ -42,6 +43,7 @@ struct EntryQuantity {
 /// Who writes a field: whoever fills the library, or Stridor from the sound itself.
 enum class Writer { user, stridor };
 
+/// One thing that an entry says.
 struct EntryField {
     std::string_view name;      // "velocity_profile"; as an option --velocity-profile
     std::string_view sentence;  // what it is, one line

@@ -39,9 +39,12 @@ enum class Twins { refuse_same_audio, skip_equal, accept };
 /// damaged: each page has a checksum, each entry a digest, and audio is called by its hash.
 class Library {
 public:
+    /// Opens the library, or makes it where it is to be filled and is not there.
     explicit Library(const std::filesystem::path& file, const LibraryOptions& options = {});
 
+    /// The database.
     const std::filesystem::path& file() const { return database_.file(); }
+    /// The folder of the audio, beside the database.
     const std::filesystem::path& audio_folder() const { return audio_folder_; }
 
     /// Where the audio of an entry lies.

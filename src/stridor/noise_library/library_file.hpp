@@ -19,6 +19,7 @@ inline constexpr storage::Identity library_identity{0x5354524C, 2};
 /// Is the library to be read, or filled, too? Only then is one made where there is none.
 enum class Access { read, fill };
 
+/// How a library is opened.
 struct LibraryOptions {
     Access access = Access::read;
     std::chrono::milliseconds wait{10000};  // for another process that writes

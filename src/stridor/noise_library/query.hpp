@@ -22,6 +22,7 @@ struct Condition {
 /// How much of each entry is read: `summary` leaves documents and figures empty, `figures` the documents.
 enum class EntryExtent { summary, figures, whole };
 
+/// Which end of an order comes first.
 enum class SortOrder { rising, falling };
 
 /// Which entries, and in which order. What is unknown meets no condition but "= unknown", and comes last.

@@ -63,6 +63,7 @@ struct CategoryRange {
     double highest = unknown;
 };
 
+/// How category, level and frequency of records move over a quantity.
 struct Sensitivity {
     std::string quantity;
     std::string unit;
@@ -75,6 +76,7 @@ struct Sensitivity {
     RankCorrelation frequency;
 };
 
+/// Which quantity, in which unit, in how many bins, and by whose verdict.
 struct SensitivityOptions {
     std::string quantity = "preload";  // a quantity of the field table or a figure
     std::string unit = "N";

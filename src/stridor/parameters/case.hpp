@@ -40,6 +40,7 @@ struct DampingRatios {
 
 /// One property by table over the temperature.
 struct TemperatureColumn {
+    /// What the values are: the quantity, or a damping as a share of critical.
     enum class Holds { quantity, damping_ratio };
     std::string key;             // of its field: "joint.axial_stiffness"
     std::vector<double> values;  // at the nodes, in the field's unit or a share of critical [1], shape [node]
@@ -80,6 +81,7 @@ struct Contact {
     double restitution = 0.5;  // [1] impact = restitution: velocity after over velocity before an impact
 };
 
+/// How the plate's velocity V follows time.
 enum class DriveKind { sinusoidal, constant, sampled };
 
 /// Which way the plate moves under the joint: going is V > 0, coming V < 0.
@@ -98,12 +100,14 @@ struct Drive {
     std::vector<double> velocities;  // [m/s] sampled: V at them, linear in between, shape [sample]
 };
 
+/// Where a motion begins.
 enum class Initial {
     rest,     // the preloaded rest position, mass 1 not moving; the plate moves under it
     stuck,    // the preloaded rest position, mass 1 moving with the plate
     sliding,  // the steady-sliding equilibrium, with mass 1 pushed by `perturbation`
 };
 
+/// What computes a motion.
 enum class Engine {
     exact,   // from event to event, without time-discretisation error
     beta_2,  // the paper's time stepping

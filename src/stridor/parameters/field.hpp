@@ -19,9 +19,11 @@ namespace stridor::parameters {
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
+    /// Does the lower end belong to it?
     enum class Low { closed, open } low_end = Low::closed;
 };
 
+/// How the values of an axis are spaced.
 enum class Scale { linear, logarithmic };
 
 inline constexpr std::array<std::string_view, 2> scale_names{"linear", "log"};
@@ -90,6 +92,7 @@ std::string nearest_key(std::string_view key);
 
 /// The unit of a quantity; "1" for a field without one, and for a key that is no field's.
 std::string_view unit_of(const Field& field);
+/// The same by key.
 std::string_view unit_of(std::string_view key);
 
 /// The choices that would give a field a meaning: "drive.kind = "sinusoidal" or drive.kind = "sampled""; empty if none
@@ -99,6 +102,7 @@ std::string home_of(const Case& c, const Field& field);
 /// Is its value the name of a file that is opened?
 bool names_file(const Field& field);
 
+/// The value of a quantity in its unit. The field must be a quantity.
 double get_quantity(const Case& c, const Field& field);
 
 /// What a quantity may be in this case: the field's range; for a temperature that has a table, the table's.

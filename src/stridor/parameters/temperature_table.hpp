@@ -45,8 +45,9 @@ void set_temperature_table(Case& c, std::vector<double> at, std::vector<Temperat
 /// critical are not yet numbers then (`keep_damping_ratios`).
 void keep_temperature_table(Case& c);
 
-/// Nodes and values as a user would write them: "-30 degC", "60000 N/m", "damping ratio 0.15".
+/// The nodes as a user would write them: "-30 degC".
 std::vector<std::string> node_texts(const Case& c);
+/// Likewise the values of a column: "60000 N/m", "damping ratio 0.15".
 std::vector<std::string> value_texts(const TemperatureColumn& column);
 
 }  // namespace stridor::parameters

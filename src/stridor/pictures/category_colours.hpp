@@ -20,6 +20,7 @@ drawing::Fill stuck_fill();
 /// Fill of a cell that has no result: white and crossed, never the colour of a category.
 drawing::Fill failed_fill();
 
+/// Colour of a contact state.
 drawing::Colour state_colour(model::ContactState state);
 
 }  // namespace stridor::pictures

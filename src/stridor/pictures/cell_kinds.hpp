@@ -14,7 +14,10 @@ namespace stridor::pictures {
 /// The kind of a cell, into `kind_fills` and `kind_names`.
 std::size_t kind_of(const sweep::CellVerdict& cell);
 
+/// The fill of each kind.
 std::vector<drawing::Fill> kind_fills();
+
+/// The name of each kind, as legends have it.
 std::vector<drawing::StyledText> kind_names();
 
 /// "failed (invalid, diverged)": which ways to fail occur; empty if none does.

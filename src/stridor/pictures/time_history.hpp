@@ -18,6 +18,7 @@ enum class ShownSignal {
     contact_forces,  // N and T
 };
 
+/// Which curves a time history shows, and over which times.
 struct TimeHistoryOptions {
     std::vector<ShownSignal> signals{ShownSignal::imposed_velocity, ShownSignal::acceleration};
     drawing::Extent whole{0.0, 0.0};      // [s] of the left column; empty: all of the trace

@@ -10,6 +10,7 @@
 
 namespace stridor::record {
 
+/// Are all changes of contact state kept?
 enum class KeepHistory { no, yes };
 
 /// What to keep of a run besides the tallies, which are always kept.
@@ -34,9 +35,12 @@ struct Record {
 /// boundaries, `sample` for each sample of a trace and `finish` once. The times of a contact never decrease.
 class Recorder {
 public:
+    /// `request` may ask for a trace; `dofs` and `contacts` are those of the structure.
     Recorder(Schedule schedule, Request request, int dofs, int contacts = 1);
 
+    /// The schedule of the run.
     const Schedule& schedule() const { return schedule_; }
+    /// What was asked for.
     const Request& request() const { return request_; }
 
     /// A contact enters a state at its `from`; `to` is ignored.

@@ -21,6 +21,7 @@ enum class Use {
     closing,  // judged, too: its last part under a constant drive, where a motion that dies away has died away most
 };
 
+/// Is the verdict made from it? The closing part counts too.
 constexpr bool is_judged(Use use) {
     return use >= Use::judged;
 }
@@ -43,6 +44,9 @@ struct Schedule {
     std::vector<Phase> phases;  // those that occur, going before coming
 };
 
+/// The plan of a case's run, from t = 0 to its duration.
+///
+/// A constant drive has one phase, `all`. Any other is cut at its reversals into going and coming phases.
 Schedule schedule(const parameters::Case& c);
 
 }  // namespace stridor::record

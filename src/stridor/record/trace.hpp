@@ -50,6 +50,7 @@ struct Sample {
 /// A trace without samples of so many degrees of freedom and contacts.
 Trace empty_trace(int dofs, int contacts = 1);
 
+/// Adds an instant at the end. It must have as many degrees of freedom and contacts as the trace.
 void append(Trace& trace, const Sample& sample);
 
 /// Takes the samples away; the memory stays.

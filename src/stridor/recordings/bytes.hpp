@@ -19,6 +19,7 @@ class Bytes {
 public:
     virtual ~Bytes() = default;
 
+    /// How many there are [bytes].
     virtual std::uint64_t size() const = 0;
 
     /// Fills `into` from `offset` on and returns how many bytes there were: fewer only at the end.
@@ -50,11 +51,13 @@ std::string text_at(const Bytes& bytes, std::uint64_t offset, std::size_t length
 /// A nameless temporary file: what is appended can be read again, and is gone with it.
 class Spool final : public Bytes {
 public:
+    /// Begins an empty file. Throws `Error` (io) where none can be made.
     Spool();
     ~Spool() override;
     Spool(const Spool&) = delete;
     Spool& operator=(const Spool&) = delete;
 
+    /// Adds bytes at the end. Throws `Error` (io) where the disk is full.
     void append(std::string_view bytes);
     std::uint64_t size() const override { return size_; }
     std::size_t read_at(std::uint64_t offset, std::span<char> into) const override;

@@ -35,10 +35,12 @@ public:
     /// The next line; nothing at the end. Throws `Error` (input) for a line that is too long.
     std::optional<TextLine> next();
 
-    /// Where the next line begins, and its number.
+    /// Where the next line begins [bytes].
     std::uint64_t offset() const { return start_ + begin_; }
+    /// The number of the next line.
     int number() const { return number_; }
 
+    /// What messages call the text.
     const std::string& name() const { return name_; }
 
 private:

@@ -42,11 +42,13 @@ std::string given_calibration(const SignalFacts& facts);
 /// A recording on a disk: samples in SI units, read in blocks.
 class SignalFile final : public signal::Source {
 public:
+    /// `channel` counts from 1; nothing for all.
     SignalFile(RawSignal raw, signal::ChannelLayout layout, SignalFacts facts, std::optional<std::size_t> channel);
 
     const signal::ChannelLayout& layout() const override { return layout_; }
     std::size_t read(std::span<double> frames) override;
 
+    /// What the file and its sidecar say beside the samples.
     const SignalFacts& facts() const { return facts_; }
 
 private:
@@ -73,6 +75,8 @@ std::unique_ptr<SignalFile> open_signal(const std::string& path, const OpenOptio
 
 /// The same in two steps: what is open can be read twice, even standard input; and bytes in memory can be read.
 SignalInput open_input(const std::string& path);
+
+/// Likewise, of what is open.
 std::unique_ptr<SignalFile> open_signal(const SignalInput& input, const OpenOptions& options = {});
 
 }  // namespace stridor::recordings

@@ -24,6 +24,7 @@ struct Forces {
     std::vector<std::size_t> pressing{};
 };
 
+/// The channels in N, by their names.
 Forces forces_of(const signal::ChannelLayout& layout);
 
 /// The imposed velocity: the channel that says "surface", or the only one in m/s.

@@ -17,8 +17,10 @@ struct Precision {
     int digits = 1;       // most significant digits
 };
 
-/// The precision of one numeral (with a decimal point), and that of a table that has both.
+/// The precision of one numeral, with a decimal point.
 Precision precision_of(std::string_view numeral);
+
+/// The finer of two, in decimals and in digits: that of a table that has both.
 Precision finer(Precision a, Precision b);
 
 /// By how much a time printed so may be off, in the unit it is printed in.

@@ -46,6 +46,7 @@ struct Section {
     TextFile file{};
 };
 
+/// A report as its reader sees it, from top to bottom.
 struct Report {
     std::string title;
     std::vector<Badge> badges{};

@@ -16,6 +16,7 @@ struct Band {
     double mean_square = 0.0;  // [unit²]
 };
 
+/// How wide a band is.
 enum class BandWidth { octave, third_octave };
 
 /// Octave or third-octave bands of a spectrum, base-ten centres and edges (IEC 61260-1: G = 10^0.3), from 12.5 Hz

@@ -18,6 +18,8 @@ struct Biquad {
 /// Butterworth filters of even order as sections, by the bilinear transform with the corner put right: -3.01 dB at
 /// `corner` [Hz], which lies between 0 and rate / 2. Source: Oppenheim and Schafer, Discrete-Time Signal Processing.
 std::vector<Biquad> low_pass(double corner, double rate, int order = 4);
+
+/// Likewise, for what lies above the corner.
 std::vector<Biquad> high_pass(double corner, double rate, int order = 4);
 
 /// A signal through sections, one after the other, from rest; shape [sample].

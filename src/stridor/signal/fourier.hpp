@@ -20,6 +20,7 @@ public:
     Fourier(Fourier&&) noexcept;
     Fourier& operator=(Fourier&&) noexcept;
 
+    /// Samples of a frame [1].
     std::size_t size() const;
 
     /// The spectrum of a frame, shape [size / 2 + 1]; a frame shorter than `size` is filled with zeros.

@@ -35,8 +35,10 @@ public:
     /// Keeps a value every 50 ms; a long recording keeps ever fewer, never more than 8192.
     LevelMeter(double rate, double reference, double time_constant = fast);
 
+    /// Takes the next samples.
     void push(std::span<const double> samples);
 
+    /// The level so far.
     LevelHistory history() const;
 
 private:

@@ -35,6 +35,7 @@ LowPass low_pass_for(RateRatio ratio);
 /// delayed. The input is taken as zero before its beginning and after its end. The blocks never show in the result.
 class Resampler {
 public:
+    /// With the low pass that the ratio asks for.
     explicit Resampler(RateRatio ratio) : Resampler(ratio, low_pass_for(ratio)) {}
 
     /// With a low pass of one's own; its frequencies are shares of `up` times the old rate.

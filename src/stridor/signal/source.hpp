@@ -30,6 +30,7 @@ class Source {
 public:
     virtual ~Source() = default;
 
+    /// Rate and channels.
     virtual const ChannelLayout& layout() const = 0;
 
     /// Fills `frames` with the next samples in the channels' units, shape [frame][channel], and returns how many frames

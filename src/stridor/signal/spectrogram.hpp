@@ -17,6 +17,7 @@ struct Spectrogram {
     std::size_t rows = 0;
     std::string unit = full_scale;  // of the samples
     std::vector<double> density{};  // [unit²/Hz] shape [column][row]
+    /// How many columns there are [1].
     std::size_t columns() const { return rows == 0 ? 0 : density.size() / rows; }
 };
 
@@ -24,10 +25,13 @@ struct Spectrogram {
 /// rows, and whenever there are too many columns, neighbours are averaged and columns become twice as long.
 class Spectrograph {
 public:
-    Spectrograph(double spacing, double hop, std::size_t lines);  // [Hz], [s], [1]
+    /// Frames of `lines` lines, `spacing` [Hz] apart, one each `hop` [s].
+    Spectrograph(double spacing, double hop, std::size_t lines);
 
-    void push(std::span<const double> density);  // shape [line]
+    /// Takes the next frame's density [unit²/Hz], shape [line].
+    void push(std::span<const double> density);
 
+    /// What was gathered so far.
     Spectrogram spectrogram() const;
 
     static constexpr std::size_t most_rows = 512;

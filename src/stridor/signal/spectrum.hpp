@@ -38,14 +38,18 @@ public:
     /// Called with the one-sided density of each frame [unit²/Hz], shape [line].
     using Listener = std::function<void(std::span<const double>)>;
 
+    /// `rate` [Hz] of the samples; the listener may be empty.
     Welch(double rate, WelchOptions options = {}, Listener listener = {});
 
+    /// Takes the next samples.
     void push(std::span<const double> samples);
 
     /// Averaged so far. Fewer samples than a frame give one frame filled up with zeros; none give no frame.
     Spectrum spectrum();
 
+    /// From one frame to the next [1] samples.
     std::size_t hop() const { return options_.size / 2; }
+    /// From one line to the next [Hz].
     double spacing() const { return rate_ / static_cast<double>(options_.size); }
 
 private:

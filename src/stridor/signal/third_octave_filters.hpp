@@ -26,6 +26,7 @@ inline constexpr double third_octave_rate = 48000.0;
 /// 2/(3 f) at a band's centre f up to 1 kHz and 2/3 ms above (ISO 532-1, 6.3).
 class ThirdOctaveFilters {
 public:
+    /// At rest.
     ThirdOctaveFilters();
 
     /// Takes samples at 48 kHz and hands on the smoothed powers [unit²] of the first of them and of each 24th after it:

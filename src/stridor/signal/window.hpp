@@ -21,6 +21,7 @@ std::vector<double> window(Window kind, std::size_t size);
 /// Windows of one kind, each made once: the many stretches of a long recording have few sizes.
 class Windows {
 public:
+    /// None is made yet.
     explicit Windows(Window kind) : kind_(kind) {}
 
     /// Stays good until the next call.

@@ -49,11 +49,13 @@ struct SoundAnalysis {
 /// Describes one channel as a whole as its samples come: levels, spectra, waveform. What it keeps does not grow.
 class ChannelOverview {
 public:
+    /// `rate` [Hz] of the samples; the channel says their unit.
     ChannelOverview(double rate, signal::Channel channel);
     ~ChannelOverview();
     ChannelOverview(ChannelOverview&&) noexcept;
     ChannelOverview& operator=(ChannelOverview&&) noexcept;
 
+    /// Takes the next samples in the channel's unit.
     void push(std::span<const double> samples);
 
     /// Ends the recording; the stretches are left to `StretchFinder`.

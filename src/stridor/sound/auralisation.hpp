@@ -55,6 +55,7 @@ std::string unit_of(signal::MotionQuantity quantity);
 /// The sound is the motion itself in m/s or m/s^2, never a sound pressure: that needs a model of radiation.
 class Auralisation {
 public:
+    /// The rate must be above zero and more than twice the high pass.
     explicit Auralisation(AuralisationSettings settings);
 
     /// The trace that is needed of a run that lasts `duration` [s]; `taker` is handed each block of the sound. Call

@@ -15,6 +15,7 @@ struct Moments {
     double peak = 0.0;    // [unit] greatest magnitude
 };
 
+/// The moments of samples, one at least. Their mean stays in.
 Moments moments_of(std::span<const double> samples);
 
 /// Largest share of samples within a band of so much width, wherever the band lies, to an eighth of its width; 1 where

@@ -9,6 +9,7 @@ namespace stridor::sound {
 /// keeps does not grow.
 class Exceedance {
 public:
+    /// Counts a value; what lies beyond the ends counts as the end.
     void count(double value);
 
     /// How many values were counted.

@@ -54,6 +54,7 @@ struct SoundStretch {
 /// Finds the features of stretches of one rate. It keeps tables and buffers; each thread needs its own.
 class FeatureFinder {
 public:
+    /// `rate` [Hz] of the samples.
     explicit FeatureFinder(double rate);
 
     /// The features of a stretch, at least `least_duration` long; `from` stays 0.

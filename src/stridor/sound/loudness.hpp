@@ -39,6 +39,7 @@ double sharpness(const SpecificLoudness& specific);
 /// weighted in time.
 class LoudnessOverTime {
 public:
+    /// `field` says whether the sound comes from the front or from all sides.
     explicit LoudnessOverTime(SoundField field) : field_(field) {}
 
     /// Takes smoothed powers over (20 uPa)² [1], each half a millisecond after the last.

@@ -30,6 +30,7 @@ public:
     SoundQualityMeter(SoundQualityMeter&&) noexcept;
     SoundQualityMeter& operator=(SoundQualityMeter&&) noexcept;
 
+    /// Takes the next sound pressures.
     void push(std::span<const double> pressures);  // [Pa]
 
     /// Ends the sound.

@@ -17,6 +17,7 @@ namespace stridor::sound {
 /// It looks at 200 ms each 100 ms. The sound comes from the front; there is no other form of the model.
 class RoughnessMeter {
 public:
+    /// Before the first sample.
     RoughnessMeter();
 
     /// Takes sound pressures [Pa] at 48 kHz.

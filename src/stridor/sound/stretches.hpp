@@ -19,11 +19,13 @@ inline constexpr double longest_stretch = 0.5;
 /// to; the going and coming phases of a rig fall into stretches of their own.
 class StretchFinder {
 public:
+    /// `rate` [Hz] of the samples.
     explicit StretchFinder(double rate);
     ~StretchFinder();
     StretchFinder(StretchFinder&&) noexcept;
     StretchFinder& operator=(StretchFinder&&) noexcept;
 
+    /// Takes the next samples.
     void push(std::span<const double> samples);
 
     /// Ends the recording: all stretches, in time. A rest too short to be described is left out.

@@ -28,6 +28,7 @@ enum class Damage {
 /// Pages that come back from a rollback journal are looked at like those of the database.
 class CheckedFiles {
 public:
+    /// What the files are, and what becomes of a damaged page.
     CheckedFiles(const Identity& identity, Damage damage);
     ~CheckedFiles();
     CheckedFiles(const CheckedFiles&) = delete;

@@ -38,6 +38,7 @@ enum class Ownership { alone, shared };
 /// What becomes of a file that is not there.
 enum class MissingFile { create, refuse };
 
+/// How a database is opened.
 struct DatabaseOptions {
     Words words{};
     Identity identity{};
@@ -60,7 +61,9 @@ public:
     /// Opens the file, or makes an empty one; nothing is read yet.
     explicit Database(const std::filesystem::path& file, const DatabaseOptions& options);
 
+    /// Where it stands.
     const std::filesystem::path& file() const { return file_; }
+    /// May others use it meanwhile?
     Ownership ownership() const { return ownership_; }
 
     /// May this process only read it?
@@ -92,7 +95,9 @@ public:
     /// The key of the row that was inserted last.
     std::int64_t last_row() const;
 
+    /// Runs statements that give no rows.
     void execute(const std::string& sql);
+    /// Makes one statement ready to be run, many times if need be.
     Statement prepare(const std::string& sql);
 
     /// The single integer that a query such as "PRAGMA user_version" gives.
@@ -123,9 +128,13 @@ private:
 /// Must end before its database. A NaN is kept as NULL, every other number bit for bit.
 class Statement {
 public:
+    /// Puts a number in place of a parameter, counted from 1.
     void bind(int parameter, double value);
+    /// Likewise, a whole number.
     void bind(int parameter, std::int64_t value);
+    /// Likewise, text.
     void bind(int parameter, std::string_view text);  // must live until the next `reset`
+    /// Likewise, nothing.
     void bind_null(int parameter);
 
     /// Goes to the next row; false when there is none.
@@ -137,8 +146,11 @@ public:
     /// Ends the rows, whether all were seen or not, and makes it ready for the next values.
     void reset();
 
+    /// The number in a column of the row, counted from 0; NaN for NULL.
     double number(int column) const;
+    /// Likewise, a whole number; 0 for NULL.
     std::int64_t integer(int column) const;
+    /// Likewise, text.
     std::string text(int column) const;  // empty for NULL
 
 private:
@@ -160,13 +172,16 @@ private:
 /// Both kinds see one state of the database from their first statement on; only one process at a time may write.
 class Transaction {
 public:
+    /// Does it write, or only read?
     enum class Purpose { write, read };
 
+    /// Begins. Throws `Error` (io) where another process keeps the lock for too long.
     explicit Transaction(Database& database, Purpose purpose = Purpose::write);
     ~Transaction();
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
 
+    /// Keeps what was written. Throws `Error` (io) where that fails.
     void commit();
 
 private:

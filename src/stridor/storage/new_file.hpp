@@ -24,9 +24,12 @@ public:
     NewFile(NewFile&& other) noexcept;
     NewFile& operator=(NewFile&&) = delete;
 
+    /// Adds bytes at the end.
     void write(std::string_view bytes);
 
+    /// The descriptor, for what writes by itself.
     int number() const { return descriptor_.number(); }
+    /// The name it stands under until `keep`.
     const std::filesystem::path& temporary() const { return temporary_; }
 
     /// Brings everything to the disk and closes the file; nothing may be written afterwards.
@@ -35,6 +38,7 @@ public:
     /// Renames the finished file, over another one if need be, and brings the folder to the disk.
     void keep(const std::filesystem::path& name);
 
+    /// What was written so far.
     std::uint64_t size() const { return size_; }  // [bytes]
 
 private:

@@ -13,6 +13,7 @@ namespace stridor::storage {
 /// An open file, closed on the way out.
 class Descriptor {
 public:
+    /// Takes it over; a negative one is none.
     explicit Descriptor(int number) : number_(number) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
@@ -20,7 +21,9 @@ public:
     Descriptor& operator=(Descriptor&&) = delete;
     ~Descriptor();
 
+    /// The descriptor itself; negative: none.
     int number() const { return number_; }
+    /// Is there one?
     bool is_open() const { return number_ >= 0; }
 
     /// Throws `Error` (io) where closing reports a write that failed late; the descriptor is gone either way.

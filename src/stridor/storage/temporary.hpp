@@ -42,6 +42,7 @@ public:
     PrivateFolder(const PrivateFolder&) = delete;
     PrivateFolder& operator=(const PrivateFolder&) = delete;
 
+    /// Where it stands.
     const std::filesystem::path& path() const { return path_; }
 
 private:

@@ -33,6 +33,7 @@ struct BoundaryVertex {
     Crossing crossing = Crossing::amid;
 };
 
+/// Does a line return to its beginning?
 enum class LineForm {
     open,    // ends at the chart's edge, or where three verdicts meet
     closed,  // its last vertex is joined to its first one, which is not repeated

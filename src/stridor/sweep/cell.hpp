@@ -58,8 +58,11 @@ struct Cell {
 
 /// A figure of a cell, in its unit; `Cell::unknown` where it has none.
 double figure_of(const Cell& cell, const CellFigure& figure);
+
+/// Likewise, by its name, which must be that of a figure.
 double figure_of(const Cell& cell, std::string_view name);
 
+/// Puts a figure into a cell, in its unit.
 void set_figure(Cell& cell, const CellFigure& figure, double value);
 
 /// A computed cell with its index in the study.
@@ -89,6 +92,7 @@ struct CellVerdict {
     std::uint8_t shown_start = 0;  // the start of which it is, into study.starts; 0 if there are none
 };
 
+/// What a chart shows of a cell.
 CellVerdict verdict_of(const Cell& cell);
 
 /// A finished sweep; cells in index order (see `place_of`).

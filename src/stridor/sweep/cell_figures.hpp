@@ -25,6 +25,7 @@ struct CellFigure {
     std::size_t place = 0;      // in `Cell::figures`
 };
 
+/// All figures, in the order of files.
 std::span<const CellFigure> cell_figures();
 
 /// The figure with this name; nothing if there is none.

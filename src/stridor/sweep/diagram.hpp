@@ -18,12 +18,14 @@ namespace stridor::sweep {
 /// Values closer than this share [1] of what a cell's values span are one: they cannot be told apart on paper.
 inline constexpr double diagram_resolution = 0.01;
 
+/// One column of points of a bifurcation diagram.
 struct DiagramCell {
     std::vector<double> extremes;  // [m] local extremes of the joint's x1 in the judged time, rising; none if it sticks
     std::vector<double>
         intervals;  // [s] between the beats of the verdict (analysis::Alternation), rising; may be empty
 };
 
+/// How a diagram is computed.
 struct DiagramOptions {
     int threads = 0;  // [1] 0: one per processor this process may use
     std::stop_token stop{};
@@ -39,7 +41,10 @@ std::vector<DiagramCell> diagram(const SweepResult& result, const DiagramOptions
 /// All that decides a diagram, as text: for what is kept of it.
 std::string diagram_text(const Study& study);
 
+/// A cell as text, to be kept.
 std::string packed(const DiagramCell& cell);
+
+/// The cell of such a text, bit for bit; nothing for text that is none.
 std::optional<DiagramCell> unpacked_diagram_cell(std::string_view text);
 
 }  // namespace stridor::sweep

@@ -13,19 +13,23 @@ namespace stridor::sweep {
 /// race. Made before the loop; each task holds a `Task`; the caller calls `join()` after the loop.
 class ForkJoin {
 public:
+    /// Stands in each task of the loop.
     class Task {
     public:
+        /// The task begins.
         Task() { order(); }
         ~Task() { order(); }
         Task(const Task&) = delete;
         Task& operator=(const Task&) = delete;
     };
 
+    /// Before the loop.
     ForkJoin() { order(); }
     ~ForkJoin() = default;
     ForkJoin(const ForkJoin&) = delete;
     ForkJoin& operator=(const ForkJoin&) = delete;
 
+    /// After the loop.
     void join() const { order(); }
 
 private:

@@ -19,6 +19,7 @@ struct Counts {
     std::array<std::size_t, classification::category_names.size()> categories{};  // [1] by Category, done cells only
 };
 
+/// Adds a finished cell.
 void count(Counts& counts, const CellVerdict& cell);
 
 /// The computed cells of a sweep while it runs: it begins with those that are there and hands over what it computes.
@@ -30,6 +31,7 @@ public:
     /// Which cells are there; shape [cell].
     virtual std::vector<bool> stored() = 0;
 
+    /// How many cells are there, by status and category.
     virtual Counts counts() = 0;
 
     /// Keeps cells, none of which is there yet, all or none of them.
@@ -39,6 +41,7 @@ public:
 /// Keeps the cells of a small sweep in memory, for one who only looks at it and needs no file.
 class MemoryKeeper final : public CellKeeper {
 public:
+    /// Without cells.
     explicit MemoryKeeper(const Study& study) : places_(cell_count(study), nowhere) {}
 
     std::string name() const override { return "the chart in memory"; }

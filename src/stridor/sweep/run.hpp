@@ -17,6 +17,7 @@ struct Progress {
     double rate = 0.0;      // [1/s] cells finished per second over the last minute of this run
 };
 
+/// How a sweep is computed.
 struct RunOptions {
     int threads = 0;                                // [1] 0: one per processor this process may use
     std::stop_token stop;                           // asks for an early end
@@ -26,6 +27,7 @@ struct RunOptions {
     double seconds_per_commit = 0.5;     // [s] so much time, may be lost to a kill
 };
 
+/// How a sweep ended.
 enum class SweepEnding {
     completed,  // every cell that has to be computed is kept
     stopped,    // on request; the finished cells are kept, and the next run goes on

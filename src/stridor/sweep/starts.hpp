@@ -41,6 +41,7 @@ std::string_view word(const StartVerdict& verdict);
 /// The first of the loudest verdicts.
 std::size_t loudest(std::span<const StartVerdict> verdicts);
 
+/// How the verdicts of one cell, one at least, stand to each other.
 Agreement agreement(std::span<const StartVerdict> verdicts);
 
 /// The start of which a cell has its figures: an index into study.starts, 0 if it has none.

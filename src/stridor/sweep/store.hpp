@@ -44,6 +44,7 @@ public:
     /// another process has it open or the file cannot be read or written.
     Store(const std::filesystem::path& file, const Study& study);
 
+    /// Where it stands.
     const std::filesystem::path& file() const { return database_.file(); }
 
     std::string name() const override { return "the store " + file().string(); }

@@ -71,7 +71,11 @@ struct CellPlace {
     int ix = 0;
     std::size_t start = 0;  // into study.starts, if it has any; no part of the index
 };
+
+/// The place of a cell by its index, below `cell_count`; its start is 0.
 CellPlace place_of(const Study& study, std::size_t index);
+
+/// The index of a place.
 std::size_t index_of(const Study& study, const CellPlace& place);
 
 /// The case of one cell: the base case with the axes' values, the direction and the start put in.

@@ -8,8 +8,11 @@
 /// lambda = w0 D / V it sticks for 2 lambda / w0 and slips for 2 (pi - atan lambda) / w0.
 namespace stridor::verification {
 
+/// How long it sticks in each period, from lambda [1] and w0 [rad/s].
 double belt_stick_time(double lambda, double w0);  // [s]
-double belt_slip_time(double lambda, double w0);   // [s]
+
+/// Likewise, how long it slips.
+double belt_slip_time(double lambda, double w0);  // [s]
 
 /// [s] the sum of both.
 double belt_period(double lambda, double w0);

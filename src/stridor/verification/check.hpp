@@ -14,6 +14,7 @@ struct Check {
     double expected = 0.0;
     double computed = 0.0;
     double tolerance = 0.0;  // absolute
+    /// Does computed lie within the tolerance of expected?
     bool passes() const;
 };
 

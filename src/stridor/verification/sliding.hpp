@@ -31,7 +31,10 @@ inline constexpr double squeal_frequency = 592.0;  // [Hz]
 inline constexpr std::array<std::pair<double, double>, 5> flutter_onsets{
     {{60, .641}, {65, .5385}, {75, .378}, {80, .337}, {85, .404}}};
 
+/// Natural frequencies of the paper's squeal case in each contact state, within 1e-4 of themselves.
 std::vector<Check> natural_frequency_checks();
+
+/// Onsets, growth and frequency of flutter, and what follows it, for the same case.
 std::vector<Check> stability_checks();
 
 }  // namespace stridor::verification

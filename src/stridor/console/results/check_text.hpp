@@ -6,8 +6,10 @@
 
 namespace stridor::console {
 
-/// The head of the table of checks, and a row of it.
+/// The head of the table of checks.
 std::string check_heading();
+
+/// A row of it: name, expected and computed number, their difference, tolerance, and whether it passes.
 std::string check_row(const verification::Check& check);
 
 }  // namespace stridor::console

@@ -6,6 +6,7 @@
 
 namespace stridor::console {
 
+/// What the rows of the table are: bins of the quantity, or single records.
 enum class SensitivityRows { bins, records };
 
 /// How category, level and frequency move over a quantity: bins or single records, ranges, rank correlations.

@@ -19,6 +19,7 @@ struct Totals {
     double drive_work = 0.0;                 // [J]
 };
 
+/// The integrals of what was added up.
 Totals totals(const Flows& flows, const Account& account);
 
 /// Adds a multiple of the integrals; of peaks the larger counts.

@@ -54,6 +54,7 @@ struct SharedFlows {
     SizedFlows<2> of_2;
     SizedFlows<3> of_3;
 
+    /// Those of one size.
     template <int dofs>
     SizedFlows<dofs>& of_size() {
         if constexpr (dofs == 2)

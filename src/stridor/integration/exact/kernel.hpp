@@ -48,6 +48,7 @@ struct Kernel {
     void (*add_part)(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums& sums);
 };
 
+/// What the loops are compiled for.
 enum class InstructionSet { baseline, avx2, avx512 };
 
 /// Whether this machine has the instruction set.

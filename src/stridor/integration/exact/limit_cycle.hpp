@@ -15,6 +15,7 @@ namespace stridor::integration {
 /// and the same state at its end as at its beginning, closer the second time than the first.
 class CycleWatch {
 public:
+    /// What an event showed.
     enum class Finding { nothing, first_return, cycle };
 
     /// `velocity` [m/s] is the drive's, `rate` [1/s] makes positions comparable with velocities.

@@ -22,6 +22,7 @@ public:
     /// `knots` [s] are instants after 0 at which the engine must stop for reasons of its own, rising.
     Logbook(record::Recorder& recorder, const Flows& flows, std::vector<double> knots);
 
+    /// Why the engine must look up at an instant.
     enum class Stop { sample, knot, end_of_span };
 
     bool is_full() const { return span_ == spans().size(); }  // all spans have ended

@@ -19,6 +19,7 @@ public:
              const Start& start, const Exact& settings, SizedFlows<dofs>& shared, record::Recorder& recorder,
              std::stop_token stop);
 
+    /// Runs it to its end; once.
     Motion run();
 
 private:

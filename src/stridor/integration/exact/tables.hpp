@@ -25,6 +25,7 @@ inline constexpr int most_multiplicity = 3;  // of the root an event function be
 /// No crossing within the step.
 inline constexpr double no_crossing = 2.0;
 
+/// Eight numbers side by side: a state, or a row.
 struct alignas(64) Lanes {
     double at[lanes];
 };

@@ -11,6 +11,7 @@ namespace stridor::io {
 /// Collects what is wrong with a file, so that its user is told all of it at once.
 class Complaints {
 public:
+    /// Was nothing found wrong so far?
     bool empty() const { return all_.empty(); }
 
     /// Takes up what an error carries; the same complaint once.

@@ -30,6 +30,7 @@ struct TomlUnfit {
 using TomlValue =
     std::variant<double, std::string, std::vector<std::string>, std::vector<double>, TomlTable, TomlUnfit>;
 
+/// Where an entry was written: in the file, or on the command line.
 enum class TomlOrigin { file, override };
 
 /// One key with its value and where both stand.

@@ -8,8 +8,10 @@
 
 namespace stridor::io {
 
+/// Does the file explain its keys?
 enum class Comments { none, full };
 
+/// How a file is written.
 struct TomlOptions {
     // full: above each key what it is, its symbol, unit and range; and the keys of other kinds, ready to be uncommented
     Comments comments = Comments::full;

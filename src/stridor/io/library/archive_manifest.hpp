@@ -18,8 +18,10 @@ namespace stridor::io {
 
 inline constexpr const char* manifest_name = "manifest.jsonl";
 
-/// The first line of a manifest of so many entries, and the line of one whose audio has so many bytes.
+/// The first line of a manifest of so many entries.
 std::string manifest_opening(std::size_t entries);
+
+/// The line of an entry whose audio has so many bytes.
 std::string manifest_line(noise_library::Entry entry, std::uint64_t bytes);
 
 /// The last line: the hash of all lines before it.

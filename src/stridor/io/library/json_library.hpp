@@ -22,7 +22,9 @@ std::string library_json(const std::filesystem::path& library, std::span<const n
 /// Memory does not grow with them.
 class LibraryJson {
 public:
+    /// What stands before the entries.
     std::string opening(const std::filesystem::path& library);
+    /// The next entry, with the comma before it where it needs one.
     std::string entry(const noise_library::Entry& entry);
     /// `more` are further members, with the comma before them.
     std::string closing(std::string_view more = "") const;

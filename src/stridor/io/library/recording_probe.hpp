@@ -13,6 +13,7 @@
 /// measured.
 namespace stridor::io {
 
+/// Is a verdict made by ear, or none?
 enum class Judging { by_ear, none };
 
 /// How recordings are listened to and judged.

@@ -30,6 +30,8 @@ struct HearingReport {
 
 /// The sounds of all charts, one chart after the other, counted by their indices within each.
 classification::Confusion confusion(const HearingReport& report, hearing::Half half = hearing::Half::both);
+
+/// The same of perturbed sounds: those of one perturbation, or of all.
 classification::Confusion perturbed_confusion(const HearingReport& report, std::optional<std::size_t> perturbation);
 
 /// The same of the charts of one set.

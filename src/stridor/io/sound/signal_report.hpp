@@ -28,12 +28,15 @@ struct SignalOutput {
 /// A source that passes another one on and keeps what it saw.
 class WatchedSource final : public signal::Source {
 public:
+    /// The source must outlive this.
     explicit WatchedSource(signal::Source& source);
 
     const signal::ChannelLayout& layout() const override { return source_.layout(); }
     std::size_t read(std::span<double> frames) override;
 
+    /// Frames that were read so far [1].
     std::uint64_t frames() const { return frames_; }
+    /// Largest magnitude of each channel so far.
     const std::vector<double>& peaks() const { return peaks_; }  // [unit] shape [channel]
 
 private:

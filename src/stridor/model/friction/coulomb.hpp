@@ -17,6 +17,8 @@ struct Coulomb {
 
 /// As every law of friction: see `friction/law.hpp`.
 double stick_limit(const Coulomb& law, Slip way);
+
+/// Likewise.
 double slip_ratio(const Coulomb& law, Slip way);
 
 }  // namespace stridor::model

@@ -18,6 +18,8 @@ struct Directional {
 
 /// As every law of friction: see `friction/law.hpp`.
 double stick_limit(const Directional& law, Slip way);
+
+/// Likewise.
 double slip_ratio(const Directional& law, Slip way);
 
 }  // namespace stridor::model

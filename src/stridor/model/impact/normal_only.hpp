@@ -9,6 +9,7 @@ struct NormalOnly {
     bool operator==(const NormalOnly&) const = default;
 };
 
+/// As every law of impacts: see `impact/law.hpp`.
 Impulses impulses(const NormalOnly& law, const ContactInertia& inertia, const FrictionLaw& friction,
                   const Approach& approach);
 

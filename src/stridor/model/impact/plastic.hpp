@@ -10,6 +10,7 @@ struct Plastic {
     bool operator==(const Plastic&) const = default;
 };
 
+/// As every law of impacts: see `impact/law.hpp`.
 Impulses impulses(const Plastic& law, const ContactInertia& inertia, const FrictionLaw& friction,
                   const Approach& approach);
 

@@ -12,6 +12,7 @@ struct Restitution {
     bool operator==(const Restitution&) const = default;
 };
 
+/// As every law of impacts: see `impact/law.hpp`.
 Impulses impulses(const Restitution& law, const ContactInertia& inertia, const FrictionLaw& friction,
                   const Approach& approach);
 

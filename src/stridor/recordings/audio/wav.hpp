@@ -17,8 +17,10 @@ inline constexpr std::size_t longest_history = 15'000;
 /// Before the case (TOML) that a simulated sound came from, in the coding history of its file.
 inline constexpr const char* case_mark = "# case of stridor\n";
 
+/// How samples are written: whole numbers of 16 or 24 bits, or floating point.
 enum class WavSamples { pcm_16, pcm_24, float_32 };
 
+/// How a WAV file is written.
 struct WavOptions {
     WavSamples samples = WavSamples::pcm_24;
     std::vector<FullScale> full_scales{};  // what 1 stands for, of every channel or one each; empty: 1 of its unit

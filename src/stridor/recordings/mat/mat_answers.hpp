@@ -34,11 +34,13 @@ enum class MatKind : std::uint32_t {
     count
 };
 
+/// The first answer: whether the file opened, and how many variables it has.
 struct Opened {
     std::uint32_t is_open = 0;
     std::uint32_t variables = 0;
 };
 
+/// What is known of a variable before its numbers are read; its name follows.
 struct VariableHead {
     MatKind kind = MatKind::object;
     std::uint32_t name_length = 0;  // [bytes]
@@ -59,6 +61,7 @@ struct MatColumn {
 class Answers {
 public:
     virtual ~Answers() = default;
+    /// Asks.
     virtual void send(std::span<const std::byte> bytes) = 0;
     /// Fills the bytes; false where there are no more.
     virtual bool receive(std::span<std::byte> into) = 0;

@@ -13,6 +13,7 @@
 
 namespace stridor::recordings::mat {
 
+/// A variable of the file without its numbers.
 struct Variable {
     std::string name;
     MatKind kind = MatKind::object;

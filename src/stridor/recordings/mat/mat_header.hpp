@@ -9,6 +9,7 @@
 
 namespace stridor::recordings::mat {
 
+/// Versions of the format.
 enum class Version { four, five, seven_three };  // five is MATLAB's "-v6" and, packed, "-v7"
 
 /// The version of the file that begins so; nothing where it is no MAT file.

@@ -14,8 +14,9 @@ inline constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 
 /// What a table is written in.
 struct Dialect {
-    char delimiter = ',';                                   // 0: a single column
-    bool allows_comma() const { return delimiter != ','; }  // as decimal mark
+    char delimiter = ',';  // 0: a single column
+    /// May a comma be the decimal mark?
+    bool allows_comma() const { return delimiter != ','; }
 };
 
 /// One field of a row.
@@ -48,6 +49,7 @@ struct Title {
     std::string unit;  // empty: none
 };
 
+/// Takes a title apart. It never fails: what has no brackets is all name.
 Title title_of(std::string_view text);
 
 /// A unit of the row of units: "[ms]" and "(ms)" are "ms".

@@ -19,8 +19,10 @@ namespace stridor::recordings::signal_table {
 
 inline constexpr double highest_rate = 1e9;  // [Hz]
 
+/// What a column holds.
 enum class Role { channel, time, words };
 
+/// One column of the table.
 struct SignalColumn {
     std::string name;
     std::string unit;  // as the file has it

@@ -21,6 +21,7 @@ bool is_uff(std::string_view beginning);
 /// for an uneven step, complex values, a file that is cut off, and headers that contradict their data.
 RawSignal open_uff58(const SignalInput& input, std::optional<std::size_t> dataset = std::nullopt);
 
+/// How numbers are written.
 enum class Uff58Form { ascii, binary };
 
 /// Writes the channels as datasets 58 (ASCII, 13 digits) or 58b (binary, little endian, the exact doubles).

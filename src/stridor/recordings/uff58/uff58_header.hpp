@@ -13,6 +13,7 @@
 
 namespace stridor::recordings::uff58 {
 
+/// How the numbers of a dataset stand in the file.
 enum class Form { ascii, little_endian, big_endian };
 
 /// Type of a function (record 6, field 1).
