@@ -12,9 +12,9 @@ import { Modes } from "./views/modes.ts";
 import { Quiet } from "./views/quiet.ts";
 import { Spectra } from "./views/spectra.ts";
 import { Tour } from "./views/tour.ts";
-import type { Parts } from "./views/views.ts";
+import type { LaterParts } from "./views/views.ts";
 
-export function viewsOf(store: Store, start: Start): Parts {
+export function viewsOf(store: Store, start: Start): LaterParts {
   return {
     spectra: new Spectra(),
     modes: new Modes(start),

@@ -20,8 +20,18 @@ export interface Design {
   set: Readonly<Record<string, string>>;
 }
 
-export const views = ["response", "spectra", "modes", "energy", "listen", "quiet", "library"] as const;
-export type View = (typeof views)[number];
+/** The tabs below the chart and their titles, from left to right. */
+export const viewTitles = {
+  response: "Response",
+  spectra: "Spectra",
+  modes: "Modes",
+  energy: "Energy and verdict",
+  listen: "Listen",
+  quiet: "Keep quiet",
+  library: "Library",
+} as const;
+export type View = keyof typeof viewTitles;
+export const views = Object.keys(viewTitles) as View[];
 export const themes = ["auto", "light", "dark"] as const;
 export type Theme = (typeof themes)[number];
 

@@ -2,7 +2,7 @@
 import { sentence } from "../data/api.ts";
 import type { Simulation } from "../data/types.ts";
 import { h } from "../draw/dom.ts";
-import { views, type State, type View } from "../state/state.ts";
+import { views, viewTitles, type State, type View } from "../state/state.ts";
 import type { Step, Store } from "../state/store.ts";
 
 export interface Context {
@@ -21,16 +21,8 @@ export interface ViewPart {
 }
 
 export type Parts = Partial<Record<View, ViewPart>>;
-
-const titles: Record<View, string> = {
-  response: "Response",
-  spectra: "Spectra",
-  modes: "Modes",
-  energy: "Energy and verdict",
-  listen: "Listen",
-  quiet: "Keep quiet",
-  library: "Library",
-};
+/** What is fetched when it is first looked at: every view but the one that the page opens with. */
+export type LaterParts = Record<Exclude<View, "response">, ViewPart>;
 
 export class Views {
   readonly element: HTMLElement;
@@ -44,7 +36,7 @@ export class Views {
   constructor(
     private readonly store_: Store,
     private parts_: Parts,
-    private readonly others_: () => Promise<Parts>,
+    private readonly others_: () => Promise<LaterParts>,
     available: (view: View) => boolean,
   ) {
     const list = h("div", { "class": "tabs", "role": "tablist", "aria-label": "Views" });
@@ -54,7 +46,7 @@ export class Views {
       const tab = h(
         "button",
         { "type": "button", "role": "tab", "id": `tab-${view}`, "aria-controls": `view-${view}`, "data-view": view },
-        titles[view],
+        viewTitles[view],
       );
       tab.addEventListener("click", () => store_.update({ view }, store_.state.view === view ? "replace" : "push"));
       const pane = h(
