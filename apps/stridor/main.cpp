@@ -38,26 +38,8 @@ void build(CLI::App& program) {
     program.formatter(std::make_shared<HelpFormatter>());
     program.set_version_flag("-v,--version", fmt::format("stridor {} ({})", base::version(), base::commit()));
     program.require_subcommand(1);
-    add_init(program);
-    add_check(program);
-    add_simulate(program);
-    add_stability(program);
-    add_advise(program);
-    add_chart(program);
-    add_report(program);
-    add_figure(program);
-    add_listen(program);
-    add_rig(program);
-    add_convert(program);
-    add_library(program);
-    add_analyse(program);
-    add_classify(program);
-    add_evaluate(program);
-    add_compare(program);
-    add_match(program);
-    add_explore(program);
-    add_verify(program);
-    add_completion(program);
+    for (const auto add : add_commands)
+        add(program);
     program.footer(footer);  // at last: commands take over what stands before them
 }
 
