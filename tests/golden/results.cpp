@@ -6,6 +6,7 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"
@@ -138,6 +139,15 @@ Case with_engine(Case c, Engine engine) {
 Case column(PaperCase which) {
     Case c = parameters::paper_case(which);
     c.run.duration = c.run.window = 0.4;
+    return c;
+}
+
+// two joints on one plate, one of them at this angle [deg], for half a second
+Case short_joints(double angle) {
+    Case c = parameters::two_lips();
+    c.further_joints.front().joint.incidence_angle = angle;
+    c.run.duration = 0.5;
+    c.run.window = 0.25;
     return c;
 }
 
@@ -289,6 +299,8 @@ std::vector<Result> results(integration::InstructionSet set) {
     add_by_both("sampled", sampled_drive());
     add_run("impact.normal-only", bouncing(ImpactKind::normal_only));
     add_run("impact.restitution.exact", bouncing(ImpactKind::restitution));
+    add_run("joints.locked", short_joints(60.0));
+    add_run("joints.impacts", short_joints(110.0));
     all.push_back(chart("chart.plain", pair()));
     all.push_back(chart("chart.refined", refined_with_starts()));
     all.push_back(stability());
