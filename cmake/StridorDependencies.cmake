@@ -3,6 +3,7 @@
 
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 3.4 REQUIRED)         # small matrices: Eigen3::Eigen
+find_package(Spectra 1.0 REQUIRED)        # modes of large matrices: Spectra::Spectra
 find_package(fmt REQUIRED)                # text: fmt::fmt
 find_package(TBB REQUIRED)                # threads: TBB::tbb
 find_package(SQLite3 REQUIRED)            # stores and library: SQLite::SQLite3

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "stridor/reduction/part.hpp"
+
+namespace stridor::reduction {
+
+/// Modes of K x = omega^2 M x.
+struct Modes {
+    Eigen::VectorXd
+        squared;             // [rad^2/s^2] omega^2, rising; rigid-body modes are zero to rounding, or a little negative
+    Eigen::MatrixXd shapes;  // of unit mass: x'Mx = 1, largest entry positive; shape [row][mode]
+};
+
+/// The lowest modes of a structure, as many as asked for, or as there are: rows without mass have none.
+///
+/// Shift-invert Lanczos (Ericsson and Ruhe, 1980; Spectra) about zero, or a little below it where the structure is
+/// free. None is missed: below the highest of them the factors of K - sigma M count as many eigenvalues (Sylvester's
+/// law of inertia) as were found; where they count more, the search goes on in what is orthogonal to those found, as it
+/// must for modes of one frequency. Throws `Error` (numerical) where that does not help.
+Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Eigen::Index count);
+
+/// How many modes lie below a frequency [Hz] (Sylvester's law of inertia).
+Eigen::Index modes_below(const SparseMatrix& stiffness, const SparseMatrix& mass, double frequency);
+
+/// The highest omega^2 [rad^2/s^2] by Lanczos, to 1e-4; infinite where a motion has no mass.
+double highest_squared(const SparseMatrix& stiffness, const SparseMatrix& mass);
+
+/// omega^2 [rad^2/s^2] as a frequency [Hz]; zero for what is negative.
+double frequency_of(double squared);
+
+/// A frequency [Hz] as omega^2 [rad^2/s^2].
+double squared_of(double frequency);
+
+}  // namespace stridor::reduction

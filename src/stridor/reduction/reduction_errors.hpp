@@ -1,0 +1,46 @@
+#pragma once
+
+#include "stridor/reduction/craig_bampton.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stridor::reduction {
+
+/// A state of all contacts at once, in which some rows of the boundary do not move.
+struct HeldRows {
+    std::string name;                // "open", "sliding", "stuck"
+    std::vector<Eigen::Index> held;  // rows of the reduced part, within its boundary
+};
+
+/// A frequency of the full part and that of the reduced one [Hz].
+struct FrequencyPair {
+    double full = 0.0;
+    double reduced = 0.0;
+};
+
+/// How far a frequency of the reduced part is off [1].
+double relative_error(const FrequencyPair& pair);
+
+/// Frequencies of both parts with some rows held.
+struct StateErrors {
+    std::string name;
+    std::vector<FrequencyPair> frequencies;  // rising; rigid-body modes left out
+};
+
+struct ReductionErrors {
+    std::vector<StateErrors> states;
+    std::optional<double> flexibility;  // [1] largest error of (K^-1)_bb over its largest entry; none for a free part
+    double coupling = 0.0;              // [1] largest |S_jk| / sqrt(S_jj S_kk) of the contact inertia, j != k
+};
+
+/// The three states that contacts can be in together: nothing held, the component `normal` held, all that rub held. A
+/// normal of 0 leaves out the second.
+std::vector<HeldRows> contact_states(const Reduction& reduction, int normal);
+
+/// Holds a reduced part against the full one: so many frequencies of each state, and the static flexibility.
+ReductionErrors reduction_errors(const ElasticPart& full, const ReductionRequest& request, const Reduction& reduction,
+                                 const std::vector<HeldRows>& states, Eigen::Index count);
+
+}  // namespace stridor::reduction

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "stridor/reduction/part.hpp"
+
+#include <memory>
+
+namespace stridor::reduction {
+
+/// The factors of K - sigma M: L D L' after an ordering of least fill (Eigen's SimplicialLDLT, AMD).
+///
+/// D holds as many negative pivots as the pencil (K, M) has eigenvalues below sigma (Sylvester's law of inertia), if M
+/// is positive (semi)definite.
+class SparseFactor {
+public:
+    SparseFactor(const SparseMatrix& stiffness, const SparseMatrix& mass, double sigma);
+    ~SparseFactor();
+    SparseFactor(SparseFactor&&) noexcept;
+    SparseFactor& operator=(SparseFactor&&) noexcept;
+
+    /// Did it come to its end? A pivot of zero ends it.
+    bool is_whole() const;
+
+    /// Number of eigenvalues below sigma [1].
+    Eigen::Index negative_pivots() const;
+
+    /// The smallest ratio of a pivot's size to its row's diagonal [1]: about rounding (1e-16 to 1e-13) where the matrix
+    /// is singular.
+    double weakest_pivot() const { return weakest_; }
+
+    /// (K - sigma M)^-1 of each column.
+    Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+
+private:
+    struct Held;
+    std::unique_ptr<Held> held_;
+    double weakest_ = 0.0;
+};
+
+}  // namespace stridor::reduction

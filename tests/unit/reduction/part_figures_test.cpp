@@ -1,0 +1,66 @@
+#include "stridor/reduction/part_figures.hpp"
+
+#include "support/lattice_part.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace stridor::reduction {
+namespace {
+
+using support::chain_part;
+using support::lattice_part;
+using support::LatticeSupport;
+
+TEST(PartSize, TellsTheMassOfEachDirection) {
+    const PartSize size = part_size(chain_part(7, 1.0, 0.5));
+    EXPECT_DOUBLE_EQ(size.mass[0], 3.5);
+    EXPECT_EQ(size.mass[1], 0.0);
+    EXPECT_EQ(size.rows, 7);
+    EXPECT_FALSE(size.extent);
+    EXPECT_EQ(size.units_guess, nullptr);
+}
+
+TEST(PartSize, GuessesTheUnits) {
+    const ElasticPart si = lattice_part({5, 4, 3}, LatticeSupport::free);
+    const PartSize size = part_size(si);
+    ASSERT_TRUE(size.extent);
+    EXPECT_NEAR((*size.extent - Eigen::Vector3d(0.04, 0.03, 0.02)).norm(), 0.0, 1e-15);
+    ASSERT_NE(size.units_guess, nullptr);
+    EXPECT_EQ(size.units_guess->name, "m-kg-s");
+    EXPECT_NEAR(size.density, size.mass[0] / (0.04 * 0.03 * 0.02), 1e-9 * size.density);
+    ElasticPart tonnes = si;  // the same in mm and t
+    tonnes.mass *= 1e-3;
+    for (auto& [node, position] : tonnes.positions)
+        position *= 1e3;
+    ASSERT_NE(part_size(tonnes).units_guess, nullptr);
+    EXPECT_EQ(part_size(tonnes).units_guess->name, "mm-t-s");
+    EXPECT_NEAR(part_size(tonnes).density, size.density, 1e-9 * size.density);
+}
+
+TEST(PartVibration, CountsRigidBodyModes) {
+    const PartVibration free = part_vibration(lattice_part({4, 3, 3}, LatticeSupport::free), 4);
+    EXPECT_EQ(free.rigid_body_modes, 6);
+    EXPECT_EQ(free.frequencies.size(), 4U);
+    const PartVibration held = part_vibration(lattice_part({4, 3, 3}, LatticeSupport::top_held), 4);
+    EXPECT_EQ(held.rigid_body_modes, 0);
+    EXPECT_GT(held.frequencies.front(), 1.0);
+    EXPECT_GT(held.highest_frequency, held.frequencies.back());
+    // a mechanism: the chain without its wall
+    ElasticPart loose = chain_part(80, 1e4, 0.1);
+    loose.stiffness.coeffRef(0, 0) = 1e4;
+    EXPECT_EQ(part_vibration(loose, 3).rigid_body_modes, 1);
+    EXPECT_NEAR(part_vibration(loose, 3).frequencies.front(),
+                2.0 * std::sqrt(1e5) * std::sin(std::numbers::pi / 160.0) / (2.0 * std::numbers::pi), 1e-7);
+}
+
+TEST(PartVibration, TakesNoLowFrequencyForARigidBody) {
+    const PartVibration chain = part_vibration(chain_part(3000, 1e6, 1.0), 2);
+    EXPECT_EQ(chain.rigid_body_modes, 0);
+    EXPECT_NEAR(chain.frequencies.front(), 2e3 * std::sin(std::numbers::pi / 12002.0) / (2.0 * std::numbers::pi), 1e-9);
+}
+
+}  // namespace
+}  // namespace stridor::reduction
