@@ -1,6 +1,6 @@
 #pragma once
 
-// What all readers of CSV share. Private to this folder.
+// What all readers of CSV share.
 
 #include <optional>
 #include <string>

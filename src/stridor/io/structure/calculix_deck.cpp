@@ -1,0 +1,189 @@
+#include "stridor/io/structure/calculix_deck.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/recordings/refusal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace stridor::io::structure {
+
+namespace {
+
+using recordings::LineReader;
+using recordings::TextLine;
+
+constexpr int most_levels = 8;  // of includes
+constexpr int most_includes = 256;
+constexpr std::int64_t most_generated = 100'000'000;
+
+/// "*NSET, NSET=FOOT, GENERATE" taken apart.
+struct Keyword {
+    std::string name;                           // "NSET", in capitals, blanks taken out
+    std::map<std::string, std::string> values;  // "NSET" -> "FOOT"; the value as it is written
+};
+
+Keyword keyword_of(std::string_view line) {
+    Keyword keyword;
+    line.remove_prefix(1);
+    bool is_name = true;
+    for (std::size_t from = 0; from <= line.size();) {
+        const std::size_t comma = std::min(line.find(',', from), line.size());
+        const std::string_view piece = base::trimmed(line.substr(from, comma - from));
+        const std::size_t equals = piece.find('=');
+        std::string key = upper(piece.substr(0, equals));
+        std::erase(key, ' ');
+        if (is_name)
+            keyword.name = key;
+        else if (!key.empty())
+            keyword.values[key] =
+                equals == std::string_view::npos ? "" : std::string(base::trimmed(piece.substr(equals + 1)));
+        is_name = false;
+        from = comma + 1;
+    }
+    return keyword;
+}
+
+class DeckReader {
+public:
+    explicit DeckReader(const IncludeOpener& open_include) : open_include_(open_include) {}
+
+    void read(const StructureInput& input, int level) {
+        LineReader lines(input.bytes, input.name);
+        while (const auto line = lines.next()) {
+            const std::string_view text = base::trimmed(line->text);
+            if (text.empty() || text.starts_with("**")) continue;
+            if (text.starts_with('*')) {
+                take_keyword(*line, input, level);
+                continue;
+            }
+            FieldScanner scanner(*line, input.name);
+            if (keyword_.name == "NODE") take_node(scanner, line->text);
+            if (keyword_.name == "NSET") take_members(scanner);
+        }
+    }
+
+    CalculixDeck finish() {
+        for (auto& [name, nodes] : members_)
+            deck_.sets[set_places_.at(name)].nodes = std::move(nodes);
+        return std::move(deck_);
+    }
+
+private:
+    void take_keyword(const TextLine& line, const StructureInput& input, int level) {
+        const FieldScanner scanner(line, input.name);
+        keyword_ = keyword_of(base::trimmed(line.text));
+        if (keyword_.name == "INCLUDE") return include(scanner, input, level);
+        if (keyword_.name == "CONTACTPAIR")
+            throw scanner.refusal("the model has a contact pair",
+                                  "its springs would stand in the stiffness beside the contacts of Stridor",
+                                  "Take it out, and name the nodes that touch to Stridor.");
+        if (keyword_.name == "RIGIDBODY" && keyword_.values.contains("ROTNODE"))
+            deck_.rotation_nodes.insert(keyword_.values["ROTNODE"]);
+        if (keyword_.name == "TIE" || keyword_.name == "EQUATION" || keyword_.name == "TRANSFORM" ||
+            keyword_.name == "RIGIDBODY" || keyword_.name == "MPC")
+            note(keyword_.name);
+        if (keyword_.name == "NODE" && keyword_.values.contains("NSET")) begin_set(keyword_.values["NSET"]);
+        if (keyword_.name == "NSET") {
+            if (keyword_.values["NSET"].empty())
+                throw scanner.refusal("the node set has no name", "*NSET needs NSET=NAME");
+            begin_set(keyword_.values["NSET"]);
+        }
+    }
+
+    void note(const std::string& name) {
+        const std::string sentence = fmt::format("the deck holds *{}: rows that depend on others are absent",
+                                                 name == "RIGIDBODY" ? std::string("RIGID BODY") : name);
+        if (std::find(deck_.notes.begin(), deck_.notes.end(), sentence) == deck_.notes.end())
+            deck_.notes.push_back(sentence);
+    }
+
+    void include(const FieldScanner& scanner, const StructureInput& input, int level) {
+        std::string name = keyword_.values["INPUT"];
+        if (name.size() > 1 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
+        if (name.empty()) throw scanner.refusal("*INCLUDE names no file", "it needs INPUT=FILE");
+        if (level + 1 >= most_levels || ++includes_ > most_includes)
+            throw scanner.refusal("the includes do not end", "they stand in each other, or are too many");
+        const auto included = open_include_ ? open_include_(name, input.name) : std::nullopt;
+        if (!included)
+            throw scanner.refusal(fmt::format("the included file \"{}\" is not there", name), "",
+                                  "Put it beside the deck?");
+        keyword_ = {};
+        read(*included, level + 1);
+        keyword_ = {};
+    }
+
+    void begin_set(const std::string& name) {
+        current_ = upper(name);
+        if (set_places_.try_emplace(current_, deck_.sets.size()).second) deck_.sets.push_back({name, {}});
+        members_[current_];
+    }
+
+    void take_node(FieldScanner& scanner, std::string_view line) {
+        const std::string node = std::to_string(scanner.integer("a node"));
+        Eigen::Vector3d position = Eigen::Vector3d::Zero();
+        std::string_view rest = line;
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            const std::size_t comma = rest.find(',');
+            if (comma == std::string_view::npos) break;  // what is left out is zero
+            rest.remove_prefix(comma + 1);
+            const std::string_view field = base::trimmed(rest.substr(0, rest.find(',')));
+            const auto value = field.empty() ? std::optional(0.0) : real_in(field);
+            if (!value) throw scanner.refusal(fmt::format("\"{}\" is no coordinate", field));
+            position[axis] = *value;
+        }
+        deck_.positions[node] = position;
+        if (keyword_.values.contains("NSET")) members_[current_].push_back(node);
+    }
+
+    void take_members(FieldScanner& scanner) {
+        std::vector<std::string>& nodes = members_[current_];
+        if (keyword_.values.contains("GENERATE")) return generate(scanner, nodes);
+        for (std::string_view word = scanner.word(); !word.empty(); word = scanner.word()) {
+            if (const auto node = integer_in(word)) {
+                nodes.push_back(std::to_string(*node));
+                continue;
+            }
+            const auto other = members_.find(upper(word));
+            if (other == members_.end()) throw scanner.refusal(fmt::format("there is no node set \"{}\"", word));
+            if (other->first == current_) throw scanner.refusal(fmt::format("the node set {} holds itself", word));
+            if (nodes.size() + other->second.size() > static_cast<std::size_t>(most_members))
+                throw scanner.refusal("the node set is too large", "its sets stand in each other");
+            nodes.insert(nodes.end(), other->second.begin(), other->second.end());
+        }
+    }
+
+    void generate(FieldScanner& scanner, std::vector<std::string>& nodes) {
+        const std::int64_t first = scanner.integer("the first node");
+        const std::int64_t last = scanner.integer("the last node");
+        const std::string_view word = scanner.word();
+        const std::int64_t step = word.empty() ? 1 : integer_in(word).value_or(0);
+        if (first < 1 || last < first || last > most_generated || step < 1 ||
+            (last - first) / step > most_members - static_cast<std::int64_t>(nodes.size()))
+            throw scanner.refusal("these nodes cannot be counted", "GENERATE needs first, last and step, rising");
+        for (std::int64_t node = first; node <= last; node += step)
+            nodes.push_back(std::to_string(node));
+    }
+
+    static constexpr std::int64_t most_members = 2'000'000;
+
+    const IncludeOpener& open_include_;
+    CalculixDeck deck_;
+    Keyword keyword_;
+    std::string current_;                                      // set, in capitals
+    std::map<std::string, std::size_t> set_places_;            // in the deck's list
+    std::map<std::string, std::vector<std::string>> members_;  // by the name in capitals
+    int includes_ = 0;
+};
+
+}  // namespace
+
+CalculixDeck read_calculix_deck(const StructureInput& input, const IncludeOpener& open_include) {
+    DeckReader reader(open_include);
+    reader.read(input, 0);
+    return reader.finish();
+}
+
+}  // namespace stridor::io::structure

@@ -1,0 +1,245 @@
+#include "stridor/io/structure/dmig.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/recordings/refusal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace stridor::io::structure {
+
+namespace {
+
+using recordings::LineReader;
+using recordings::refusal;
+using reduction::RowLabel;
+
+/// A card: its fields without the names of continuations, blanks cut off.
+struct Card {
+    std::vector<std::string> fields;  // the first is the name, without its star
+    int line = 0;
+
+    std::string_view at(std::size_t field) const {
+        return field < fields.size() ? std::string_view(fields[field]) : std::string_view();
+    }
+};
+
+/// The fields of one line behind its first. Values may touch each other: only columns part them.
+void add_fields(std::string_view text, bool is_large, std::vector<std::string>& into) {
+    const std::size_t width = is_large ? 16 : 8;
+    constexpr std::size_t last = 72;  // behind it stands the name of the continuation
+    for (std::size_t from = 8; from < last; from += width)
+        into.emplace_back(from < text.size() ? base::trimmed(text.substr(from, width)) : std::string_view());
+}
+
+void add_parted_fields(std::string_view text, std::size_t most, std::vector<std::string>& into) {
+    std::size_t from = text.find(',') + 1;
+    for (std::size_t count = 0; count < most; ++count) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        into.emplace_back(from <= text.size() ? base::trimmed(text.substr(from, comma - from)) : std::string_view());
+        from = comma + 1;
+    }
+}
+
+bool is_continuation(std::string_view text) {
+    return text.starts_with('*') || text.starts_with('+') || text.starts_with("        ") || text.starts_with(',');
+}
+
+/// Reads card after card.
+class CardReader {
+public:
+    explicit CardReader(const StructureInput& input) : lines_(input.bytes, input.name) {}
+
+    std::optional<Card> next() {
+        while (!ahead_ && advance())
+            if (is_continuation(text_)) ahead_ = false;  // of a card that was passed over
+        if (!ahead_) return std::nullopt;
+        Card card;
+        card.line = number_;
+        add_line(card);
+        ahead_ = false;
+        while (advance() && is_continuation(text_)) {
+            add_line(card);
+            ahead_ = false;
+        }
+        return card;
+    }
+
+private:
+    // the next line that says something
+    bool advance() {
+        while (const auto line = lines_.next()) {
+            if (base::trimmed(line->text).empty() || line->text.starts_with('$')) continue;
+            text_ = line->text;
+            number_ = line->number;
+            ahead_ = true;
+            return true;
+        }
+        return ahead_ = false;
+    }
+
+    void add_line(Card& card) const {
+        const std::string_view text = text_;
+        const bool is_parted = text.substr(0, 72).find(',') != std::string_view::npos;
+        std::string_view first = base::trimmed(text.substr(0, is_parted ? text.find(',') : 8));
+        const bool is_large = first.find('*') != std::string_view::npos;
+        if (card.fields.empty()) {
+            std::string name = upper(first);
+            std::erase(name, '*');
+            card.fields.push_back(std::move(name));
+        }
+        if (is_parted)
+            add_parted_fields(text, is_large ? 4 : 8, card.fields);
+        else
+            add_fields(text, is_large, card.fields);
+    }
+
+    LineReader lines_;
+    std::string text_;  // of the line ahead
+    int number_ = 0;
+    bool ahead_ = false;
+};
+
+class DmigReader {
+public:
+    explicit DmigReader(const StructureInput& input) : file_(input.name) {}
+
+    void take(const Card& card) {
+        card_ = &card;
+        if (card.at(0) == "GRID") take_grid();
+        if (card.at(0) != "DMIG") return;
+        if (card.at(2) == "0")
+            take_header();
+        else
+            take_column();
+    }
+
+    DmigFile finish() {
+        for (std::size_t k = 0; k < held_.size(); ++k) {
+            if (held_[k].is_passed_over) continue;
+            held_[k].order.finish(held_[k].matrix);
+            found_.matrices.push_back(std::move(held_[k].matrix));
+        }
+        return std::move(found_);
+    }
+
+private:
+    struct Held {
+        ListedMatrix matrix;
+        LabelOrder order;
+        bool is_passed_over = false;  // loads
+    };
+
+    base::Error complaint(std::string what, std::string why = "", std::string suggestion = "") const {
+        return refusal({file_, card_->line, 0, ""}, std::move(what), std::move(why), std::move(suggestion));
+    }
+
+    std::int64_t integer(std::size_t field, const char* what) const {
+        const auto value = integer_in(card_->at(field));
+        if (!value) throw complaint(fmt::format("\"{}\" is no {}", card_->at(field), what));
+        return *value;
+    }
+
+    void take_header() {
+        const std::string name = upper(card_->at(1));
+        const std::int64_t form = integer(3, "form of a matrix");
+        const std::int64_t type = integer(4, "type of numbers");
+        const MatrixRole role = role_of_name(name);
+        for (const Held& each : held_)
+            if (each.matrix.name == name)
+                throw complaint(fmt::format("the matrix {} comes twice", name), "which of them counts is not said");
+        const bool is_square = form == 1 || form == 6;
+        if (role != MatrixRole::load && !is_square)
+            throw complaint(fmt::format("the matrix {} is rectangular", name),
+                            "those of a structure are square: form 6 or 1");
+        if (role != MatrixRole::load && type != 1 && type != 2)
+            throw complaint(fmt::format("the matrix {} is complex", name),
+                            "those of a structure are real: type 1 or 2");
+        held_.push_back(
+            {{.file = file_, .name = name, .role = role, .triangles = form == 6 ? Triangles::untold : Triangles::both},
+             {},
+             role == MatrixRole::load});
+    }
+
+    // 0 and blank: a scalar point
+    RowLabel label_at(std::size_t field) const {
+        const std::int64_t node = integer(field, "node");
+        const std::string_view text = card_->at(field + 1);
+        const std::int64_t component = text.empty() ? 0 : integer(field + 1, "component");
+        if (node < 1 || component < 0 || component > 6)
+            throw complaint(fmt::format("there is no component {} of node {}", component, node),
+                            "components are 1 to 6, and 0 for a scalar point");
+        return {std::to_string(node), static_cast<int>(component)};
+    }
+
+    void take_column() {
+        const std::string name = upper(card_->at(1));
+        const auto held =
+            std::find_if(held_.begin(), held_.end(), [&](const Held& each) { return each.matrix.name == name; });
+        if (held == held_.end())
+            throw complaint(fmt::format("the matrix {} has no header", name),
+                            "a card with 0 in its third field comes first");
+        if (held->is_passed_over) return;
+        const Eigen::Index column = held->order.row_of(label_at(2));
+        // node, component, real and imaginary part of each row
+        for (std::size_t at = 5; at + 2 < card_->fields.size(); at += 4) {
+            if (card_->at(at).empty()) continue;
+            const Eigen::Index row = held->order.row_of(label_at(at));
+            const auto value = real_in(card_->at(at + 2));
+            if (!value) throw complaint(fmt::format("\"{}\" is no finite number", card_->at(at + 2)));
+            held->matrix.entries.emplace_back(static_cast<int>(row), static_cast<int>(column), *value);
+        }
+    }
+
+    void take_grid() {
+        const std::string node = std::to_string(integer(1, "node"));
+        const auto system_at = [&](std::size_t field) {
+            return card_->at(field).empty() ? std::int64_t{0} : integer(field, "coordinate system");
+        };
+        if (system_at(2) != 0)
+            throw complaint(fmt::format("node {} is placed in the coordinate system {}", node, system_at(2)),
+                            "only places in the basic system are read", "Write it in the basic system (CP = 0).");
+        if (system_at(6) != 0)
+            throw complaint(
+                fmt::format("the displacements of node {} are in the coordinate system {}", node, system_at(6)),
+                "its rows are then not along x, y and z", "Write it in the basic system (CD = 0).");
+        Eigen::Vector3d position = Eigen::Vector3d::Zero();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (card_->at(3 + axis).empty()) continue;
+            const auto value = real_in(card_->at(3 + axis));
+            if (!value) throw complaint(fmt::format("\"{}\" is no coordinate", card_->at(3 + axis)));
+            position[static_cast<Eigen::Index>(axis)] = *value;
+        }
+        found_.positions[node] = position;
+    }
+
+    const std::string& file_;
+    const Card* card_ = nullptr;
+    std::vector<Held> held_;
+    DmigFile found_;
+};
+
+}  // namespace
+
+bool is_dmig(std::string_view beginning) {
+    for (std::size_t from = 0; from < beginning.size();) {
+        const std::size_t end = std::min(beginning.find('\n', from), beginning.size());
+        const std::string word = upper(beginning.substr(from, std::min<std::size_t>(4, end - from)));
+        if (word == "DMIG" || word == "GRID") return true;
+        from = end + 1;
+    }
+    return false;
+}
+
+DmigFile read_dmig(const StructureInput& input) {
+    CardReader cards(input);
+    DmigReader reader(input);
+    while (const auto card = cards.next())
+        reader.take(*card);
+    return reader.finish();
+}
+
+}  // namespace stridor::io::structure

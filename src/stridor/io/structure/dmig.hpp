@@ -1,0 +1,24 @@
+#pragma once
+
+#include "stridor/io/structure/listed_matrix.hpp"
+
+namespace stridor::io::structure {
+
+/// What a punch or bulk data file of Nastran or OptiStruct holds of a reduced part.
+struct DmigFile {
+    std::vector<ListedMatrix> matrices;                // with role by name, loads left out
+    std::map<std::string, Eigen::Vector3d> positions;  // of GRID cards
+};
+
+/// Does a text begin as bulk data with DMIG or GRID cards?
+bool is_dmig(std::string_view beginning);
+
+/// Reads DMIG and GRID cards in fields of 8 or 16 columns, or parted by commas; other cards are passed over. Component
+/// 0 or blank is a scalar point: a modal coordinate.
+///
+/// Throws `Error` (input) at the line: a complex or rectangular matrix, a name that comes twice, an entry of a matrix
+/// without a header, a component beyond 6, and a node whose displacements (field CD) or place (field CP) are in a
+/// system of its own.
+DmigFile read_dmig(const StructureInput& input);
+
+}  // namespace stridor::io::structure

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "stridor/io/structure/field_scanner.hpp"
+#include "stridor/reduction/part.hpp"
+
+#include <Eigen/SparseCore>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace stridor::io::structure {
+
+/// What a matrix of a structure is.
+enum class MatrixRole { stiffness, mass, damping, structural_damping, load, untold };
+
+/// "stiffness", "mass" and so on.
+std::string_view name_of(MatrixRole role);
+
+/// What Nastran's names tell: KAAX, MAAX, BAAX, K4AAX, PAX.
+MatrixRole role_of_name(std::string_view name);
+
+/// Which entries of a symmetric matrix a file lists.
+enum class Triangles {
+    one,     // each pair of rows once, in any order
+    both,    // each pair twice
+    untold,  // both, if any pair stands twice
+};
+
+/// A matrix as a file lists it.
+struct ListedMatrix {
+    std::string file;    // for messages
+    std::string name{};  // its own, where it has one: "KAAX"
+    MatrixRole role = MatrixRole::untold;
+    Triangles triangles = Triangles::untold;
+    Eigen::Index rows = 0;
+    std::vector<Eigen::Triplet<double>> entries{};  // rows and columns from 0
+    std::vector<reduction::RowLabel> labels{};      // shape [row]; empty where the file has none
+};
+
+/// Adds an entry with row and column from 1. Throws `Error` (input) at the place of the scanner for what lies outside
+/// of 2^31 - 1 rows.
+void add_entry(ListedMatrix& matrix, const FieldScanner& scanner, std::int64_t row, std::int64_t column, double value);
+
+/// Gives rows to labels in the order in which they are met, and at the end that of node numbers.
+class LabelOrder {
+public:
+    Eigen::Index row_of(const reduction::RowLabel& label);
+    /// Labels sorted by number and component (text that is no number behind), and the entries' rows with them.
+    void finish(ListedMatrix& matrix) const;
+
+private:
+    std::map<reduction::RowLabel, Eigen::Index> rows_;
+};
+
+/// Both triangles of it. Throws `Error` (input) for an entry that stands twice, for a matrix that is not symmetric to
+/// 1e-10 of its diagonal, and for far more rows than entries.
+reduction::SparseMatrix symmetric_matrix(const ListedMatrix& matrix);
+
+/// Stiffness, mass and damping (which may be absent) in the stiffness' rows. Labels, where matrices have them, say
+/// which rows belong together. Throws `Error` (input) where a matrix has a row that the stiffness lacks: another model.
+/// Rows that Abaqus holds by a penalty (1e30 and more on the diagonal) are taken out.
+reduction::ElasticPart joined_part(ListedMatrix stiffness, const ListedMatrix& mass, const ListedMatrix* damping);
+
+}  // namespace stridor::io::structure

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "stridor/io/structure/listed_matrix.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace stridor::io {
+
+/// The files that a user names.
+struct PartFiles {
+    std::vector<std::string> files{};  // their kind is told by their bytes, or for CalculiX by their endings
+    std::string stiffness{};           // a matrix that does not say what it is; empty: none
+    std::string mass{};
+    std::string damping{};
+    std::string labels{};  // labels of rows: a table, or Ansys' mapping
+};
+
+/// Opens a file, or gives nothing where it is not there.
+using FileOpener = std::function<std::optional<structure::StructureInput>(const std::string& path)>;
+
+/// A part from the files of a finite-element program: CalculiX (.sti, .mas, .dof and the deck .inp; naming one is
+/// enough), Matrix Market, Abaqus, Nastran (.pch, .op4), Ansys (Harwell-Boeing and mapping), in the units of the files.
+///
+/// Throws `Error` (input) for what no reader knows, for a stiffness or mass that is missing or comes twice, for labels
+/// that do not fit, and whatever the readers refuse; `Error` (io) for a file that cannot be read. What it returns is
+/// not yet checked (`reduction::expect_sound`).
+reduction::ElasticPart read_part(const PartFiles& files, const FileOpener& open);
+
+/// The same from the disk; only plain files are opened.
+reduction::ElasticPart read_part(const PartFiles& files);
+
+}  // namespace stridor::io

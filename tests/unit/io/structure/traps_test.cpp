@@ -1,0 +1,351 @@
+// What finite-element programs write that is not what it seems: each is refused, or taken, by its own sentence.
+
+#include "stridor/io/structure/calculix.hpp"
+#include "stridor/io/structure/dmig.hpp"
+#include "structure_texts.hpp"
+
+namespace stridor::io::structure {
+namespace {
+
+using reduction::ElasticPart;
+
+const std::string traps = block_folder + "traps/";
+
+// two rows held by springs: enough for what is wrong elsewhere
+const std::string small_sti = "1 1 2.0e+00\n1 2 -1.0e+00\n2 2 2.0e+00\n";
+const std::string small_mas = "1 1 1.0e+00\n1 2 0.0e+00\n2 2 1.0e+00\n";
+
+TextFiles job(const std::string& dof, const std::string& deck = "", const std::string& sti = small_sti,
+              const std::string& mas = small_mas) {
+    TextFiles files{{"j.sti", sti}, {"j.mas", mas}, {"j.dof", dof}};
+    if (!deck.empty()) files["j.inp"] = deck;
+    return files;
+}
+
+void expect_job_refused(const TextFiles& files, const std::string& sentence) {
+    expect_refused(files, {.files = {"j.sti"}}, sentence);
+}
+
+const std::string two_nodes = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n";
+
+TEST(CalculixTraps, ExpandedBeamsAreRefused) {
+    expect_refused({{"b31.sti", text_of(traps + "b31.sti")},
+                    {"b31.mas", text_of(traps + "b31.mas")},
+                    {"b31.dof", text_of(traps + "b31.dof")}},
+                   {.files = {"b31.dof"}},
+                   "the label 1.2 stands for several rows (CalculiX expands beams and shells to solids");
+}
+
+// an equation, a transformed system and a rigid body: rows vanish, and rotations come under labels of translations
+TEST(CalculixTraps, DependentRowsAreAbsentAndRotationsNamed) {
+    const TextFiles files{{"eq.sti", text_of(traps + "eq.sti")},
+                          {"eq.mas", text_of(traps + "eq.mas")},
+                          {"eq.dof", text_of(traps + "eq.dof")},
+                          {"eq.inp", text_of(traps + "eq.inp")},
+                          {"mesh.inp", text_of(block_folder + "mesh.inp")}};
+    const ElasticPart part = part_of(files, {.files = {"eq.sti"}});
+    EXPECT_NO_THROW(expect_sound(part));
+    EXPECT_EQ(rows_of(part), 136);
+    EXPECT_EQ(named_rows(part, "9001").size(), 3U);
+    EXPECT_EQ(named_rows(part, "9002:456").size(), 3U);
+    EXPECT_TRUE(support::thrown_by([&] { named_rows(part, "9002:1"); }).says("node 9002 has no row for component 1"));
+    EXPECT_TRUE(support::thrown_by([&] { named_rows(part, "1000:3"); }).says("node 1000 has no row for component 3"));
+    EXPECT_TRUE(support::thrown_by([&] { named_rows(part, "1003.1"); }).says("node 1003 has no row for component 1"));
+    EXPECT_TRUE(support::thrown_by([&] { named_rows(part, "FOOT"); }).says("node 1008 has no row"));
+    ASSERT_EQ(part.notes.size(), 3U);
+    EXPECT_EQ(part.notes[0], "the deck holds *EQUATION: rows that depend on others are absent");
+}
+
+TEST(CalculixTraps, RotationsOfARigidBodyWithoutANameAreRefused) {
+    expect_job_refused(job("1.1\n99.1\n", two_nodes + "*RIGID BODY, NSET=A, REF NODE=1\n"),
+                       "node 99 is not in the deck (CalculiX made it itself");
+}
+
+TEST(CalculixTraps, LongNodeNumbersAndComponentsAreText) {
+    const ElasticPart part = part_of(job("1234567.1\n1234567.2\n"), {.files = {"j.sti"}});
+    EXPECT_EQ(describe(part.labels[1]), "1234567.2");
+    expect_job_refused(job("1000.1\n1000.10\n"), "\"1000.10\" is no node.component");
+    expect_job_refused(job("1000.1\n1.0005e3\n"), "\"1.0005e3\" is no node.component");
+    expect_job_refused(job("1000.1\n1000.0\n"), "the component of 1000.0 is none of 1, 2 and 3");
+}
+
+TEST(CalculixTraps, MatricesOfAnotherRunAreRefused) {
+    expect_job_refused(job("1.1\n1.2\n1.3\n"), "the stiffness has 2 rows, j.dof has 3 labels");
+    expect_job_refused(job("1.1\n1.2\n", "", small_sti, small_mas + "3 3 1.0\n"),
+                       "the mass has 3 rows, j.dof has 2 labels");
+    expect_job_refused(job(""), "there is no label in it");
+    expect_job_refused(job("1.1\n1.2\n", "", ""), "there is no entry in it");
+}
+
+TEST(CalculixTraps, ContactPairsAreRefused) {
+    expect_job_refused(job("1.1\n2.1\n", two_nodes + "*CONTACT PAIR, INTERACTION=SI1\nS, M\n"),
+                       "the model has a contact pair (its springs would stand in the stiffness");
+}
+
+TEST(CalculixTraps, TiesAreToldOf) {
+    const ElasticPart part = part_of(job("1.1\n2.1\n", two_nodes + "*Tie, NAME=T\nA,B\n"), {.files = {"j.sti"}});
+    ASSERT_EQ(part.notes.size(), 1U);
+    EXPECT_EQ(part.notes[0], "the deck holds *TIE: rows that depend on others are absent");
+}
+
+TEST(CalculixTraps, CondensedStiffnessCannotVibrate) {
+    expect_refused({{"s.mtx", text_of(traps + "substructure_stiffness_only.mtx")}}, {.stiffness = "s.mtx"},
+                   "it holds the matrix of a substructure (CalculiX condenses the stiffness alone");
+}
+
+TEST(CalculixTraps, DamagedLinesAreRefusedWhereTheyStand) {
+    const auto place_of_error = [](const TextFiles& files) {
+        const auto thrown = support::thrown_by([&] { part_of(files, {.files = {"j.sti"}}); });
+        return thrown.message;
+    };
+    EXPECT_NE(place_of_error(job("1.1\n1.2\n", "", "1 1 2.0\n1 x 2.0\n")).find("\"x\" is no whole number"),
+              std::string::npos);
+    EXPECT_NE(place_of_error(job("1.1\n1.2\n", "", "1 1 2.0\n1 x 2.0\n")).find("[j.sti:2:3]"), std::string::npos);
+    EXPECT_NE(place_of_error(job("1.1\n1.2\n", "", "1 1 nan\n")).find("\"nan\" is no finite number"),
+              std::string::npos);
+    EXPECT_NE(place_of_error(job("1.1\n1.2\n", "", "1 1 2.0 7\n")).find("is more than the line should hold"),
+              std::string::npos);
+    EXPECT_NE(place_of_error(job("1.1\n1.2\n", "", "0 1 2.0\n")).find("there is no row 0, column 1"),
+              std::string::npos);
+    expect_job_refused(job("1.1\n1.2\n", "", small_sti + "2 2 3.0\n"), "holds the entry 1.2, 1.2 twice");
+}
+
+TEST(CalculixDeck, ReadsNodesAndSetsAsTheyAreWritten) {
+    const std::string deck =
+        "** a comment\n*Node , nset = All\n 1 , 0.5, , -1e-3\n2, 1.\n*nset, nset=A, generate\n1, 2\n"
+        "*NSET,NSET=B\nA,\n*NSET,NSET=a\n7\n*INCLUDE, INPUT=\"more.inp\"\n3, 0., 0., 0.\n";
+    TextFiles files = job("1.1\n2.1\n", deck);
+    files["more.inp"] = "*NODE\n5, 1, 2, 3\n";
+    const ElasticPart part = part_of(files, {.files = {"j.sti"}});
+    EXPECT_EQ(part.positions.at("1"), Eigen::Vector3d(0.5, 0.0, -1e-3));
+    EXPECT_EQ(part.positions.at("5"), Eigen::Vector3d(1.0, 2.0, 3.0));
+    EXPECT_FALSE(part.positions.contains("3"));  // data behind an include belong to no card
+    EXPECT_EQ(find_set(part, "all")->nodes, (std::vector<std::string>{"1", "2"}));
+    EXPECT_EQ(find_set(part, "B")->nodes, (std::vector<std::string>{"1", "2"}));
+    EXPECT_EQ(find_set(part, "A")->nodes, (std::vector<std::string>{"1", "2", "7"}));
+}
+
+TEST(CalculixDeck, RefusesWhatDoesNotEndOrIsNotThere) {
+    TextFiles files = job("1.1\n2.1\n", "*INCLUDE, INPUT=j.inp\n");
+    expect_job_refused(files, "the includes do not end");
+    expect_job_refused(job("1.1\n2.1\n", "*INCLUDE, INPUT=gone.inp\n"), "the included file \"gone.inp\" is not there");
+    expect_job_refused(job("1.1\n2.1\n", "*INCLUDE\n"), "*INCLUDE names no file");
+    expect_job_refused(job("1.1\n2.1\n", "*NSET\n1\n"), "the node set has no name");
+    expect_job_refused(job("1.1\n2.1\n", "*NSET, NSET=A\nB\n"), "there is no node set \"B\"");
+    expect_job_refused(job("1.1\n2.1\n", "*NSET, NSET=A\nA\n"), "the node set A holds itself");
+    expect_job_refused(job("1.1\n2.1\n", "*NSET, NSET=A, GENERATE\n1, 100000000\n"), "these nodes cannot be counted");
+}
+
+TEST(MatrixTraps, BothTrianglesMustAgree) {
+    const auto general = [](const std::string& across) {
+        return TextFiles{
+            {"k", "%%MatrixMarket matrix coordinate real general\n2 2 4\n1 1 2\n1 2 -1\n2 1 " + across + "\n2 2 2\n"},
+            {"m", "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 1\n2 2 1\n"}};
+    };
+    const PartFiles files{.stiffness = "k", .mass = "m"};
+    EXPECT_NO_THROW(part_of(general("-1.00000000001"), files));
+    expect_refused(general("-1.0000001"), files, "the matrix is not symmetric (at row 2, column 1 it holds");
+    expect_refused(general("0"), files, "the matrix is not symmetric");
+}
+
+TEST(MatrixTraps, OtherKindsOfMatrixMarketAreRefused) {
+    const std::string good = "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 1\n2 2 1\n";
+    const auto refused = [&](const std::string& text, const std::string& sentence) {
+        expect_refused({{"k", text}, {"m", good}}, {.stiffness = "k", .mass = "m"}, sentence);
+    };
+    refused("%%MatrixMarket matrix coordinate complex symmetric\n1 1 1\n1 1 1 0\n",
+            "\"COMPLEX\" is no kind of numbers");
+    refused("%%MatrixMarket matrix coordinate pattern symmetric\n1 1 1\n1 1\n", "\"PATTERN\" is no kind of numbers");
+    refused("%%MatrixMarket matrix coordinate real skew-symmetric\n1 1 0\n", "\"SKEW-SYMMETRIC\" is no symmetry");
+    refused("%%MatrixMarket matrix coordinate real general\n2 3 1\n1 1 1\n", "the matrix has 2 rows and 3 columns");
+    refused("%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 1\n2 2 1\n", "it says 3 entries, and holds 2");
+    refused("%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 1\n3 3 1\n", "there is no row 3, column 3");
+    refused("%%MatrixMarket matrix coordinate real symmetric\n2 2 4\n1 1 1\n2 2 1\n1 2 1\n2 1 1\n",
+            "holds entries on both sides of the diagonal");
+    refused("%%MatrixMarket matrix coordinate real symmetric\n1000000000 1000000000 1\n1 1 1\n",
+            "has 1000000000 rows, but only 1 entries");
+    refused("%%MatrixMarket matrix array real symmetric\n2 2\n1\n0\n", "it says 3 entries, and holds 2");
+}
+
+TEST(MatrixTraps, StiffnessAndMassMustBeThereOnce) {
+    const std::string good = "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 1\n2 2 1\n";
+    const std::string three = "%%MatrixMarket matrix coordinate real symmetric\n3 3 3\n1 1 1\n2 2 1\n3 3 1\n";
+    expect_refused({{"k", good}}, {.stiffness = "k"}, "there is no mass among the files");
+    expect_refused({{"m", good}}, {.mass = "m"}, "there is no stiffness among the files");
+    expect_refused({{"k", good}}, {.files = {"k"}}, "it does not say whether it is stiffness or mass");
+    expect_refused({{"k", good}, {"STIF.mtx", good}, {"m", good}},
+                   {.files = {"STIF.mtx"}, .stiffness = "k", .mass = "m"}, "there is more than one stiffness");
+    expect_refused({{"k", good}, {"m", three}}, {.stiffness = "k", .mass = "m"},
+                   "the mass has 3 rows, the stiffness 2 (both must be of the same model)");
+    expect_refused({{"x", "hello\n"}}, {.files = {"x"}}, "it is no file of a part that is known");
+    const auto missing = support::thrown_by([] { part_of({}, {.files = {"gone.mtx"}}); });
+    EXPECT_EQ(missing.kind, ErrorKind::io);
+    EXPECT_TRUE(missing.says("cannot open \"gone.mtx\"")) << missing.message;
+}
+
+TEST(LabelTraps, TablesMustFitTheMatrices) {
+    const std::string good = "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 1\n2 2 1\n";
+    const auto refused = [&](const std::string& table, const std::string& sentence) {
+        expect_refused({{"k", good}, {"m", good}, {"t.csv", table}}, {.stiffness = "k", .mass = "m", .labels = "t.csv"},
+                       sentence);
+    };
+    refused("node,component\n1,1\n", "it labels 1 rows, the stiffness has 2");
+    refused("node,component\n1,1\n1,1\n", "the label 1.1 stands for two rows");
+    refused("node,component\n1,1\n,2\n", "the row has no node");
+    refused("node,component\n1,1\n1,sideways\n", "\"sideways\" is no component");
+    refused("node,component,x [kg],y,z\n1,1,0,0,0\n1,2,0,0,0\n", "\"kg\" is no length");
+    refused("node,component,x,y,z\n1,1,0,far,0\n1,2,0,0,0\n", "\"far\" is no coordinate");
+    refused("knot,way\n1,1\n", "it holds no labels");
+    const ElasticPart part = part_of({{"k", good}, {"m", good}, {"t.csv", "component;node\nUY;7\nrotz;7\n"}},
+                                     {.stiffness = "k", .mass = "m", .labels = "t.csv"});
+    EXPECT_EQ(describe(part.labels[0]), "7.2");
+    EXPECT_EQ(describe(part.labels[1]), "7.6");
+}
+
+// a beam as Abaqus writes it: internal nodes, a held row with 1e36, lower triangle by columns
+TEST(AbaqusTraps, HeldRowsAreTakenOutAndInternalNodesKept) {
+    const std::string stiffness =
+        "-1,1, -1,1,  3.3e+01\n2,1, -1,1, -2.5e+01\n2,1, 2,1,  5.0e+01\n1,1, 1,1,  1.0e+36\n2,1, 1,1, -3.0e+02\n";
+    const std::string mass = "-1,1, -1,1, 1.0\n2,1, 2,1, 1.0\n1,1, 1,1, 1.0\n1,1, 2,1, 0.25\n";
+    const ElasticPart part =
+        part_of({{"job_STIF1.mtx", stiffness}, {"job_MASS1.mtx", mass}}, {.files = {"job_STIF1.mtx", "job_MASS1.mtx"}});
+    EXPECT_NO_THROW(expect_sound(part));
+    ASSERT_EQ(rows_of(part), 2);
+    EXPECT_EQ(part.stiffness.coeff(0, 1), -25.0);
+    EXPECT_EQ(part.mass.coeff(1, 1), 1.0);
+    EXPECT_EQ(part.notes.at(0), "1 row held by a penalty of 1e30 or more was taken out");
+    EXPECT_NO_THROW(named_rows(part, "internal 1.1"));
+    EXPECT_TRUE(support::thrown_by([&] { named_rows(part, "1.1"); }).says("is no set, node or row"));
+}
+
+TEST(AbaqusTraps, OtherTextsAreRefused) {
+    const std::string mass = "2,1, 2,1, 1.0\n";
+    const auto refused = [&](const std::string& stiffness, const std::string& sentence) {
+        expect_refused({{"STIF", stiffness}, {"MASS", mass}}, {.files = {"STIF", "MASS"}}, sentence);
+    };
+    refused("** Assembled nodal loads\n*CLOAD, REAL\n2,3,  5.4e+04\n", "it holds loads");
+    refused("2,8, 2,8, 1.0\n", "the component 8 of node 2 is none of 1 to 6");
+    refused("3,1, 3,1, 1.0\n", "the mass has a row 2.1 that the stiffness lacks (both must be of the same model)");
+    refused("2,1, 2,1, 1.0\n2,1, 3,1, 0.5\n3,1, 2,1, 0.6\n3,1, 3,1, 1.0\n", "the matrix is not symmetric");
+    refused("2,1, 2,1, 1.0\n2,1, 2,1, 1.0\n", "holds the entry 2.1, 2.1 twice");
+}
+
+const std::string dmig_mass =
+    "DMIG    MAAX           0       6       2       0\nDMIG    MAAX           1       1"
+    "               1       1     1.0\n";
+
+void expect_dmig_refused(const std::string& text, const std::string& sentence) {
+    expect_refused({{"j.pch", text}}, {.files = {"j.pch"}}, sentence);
+}
+
+TEST(DmigTraps, ValuesTouchTheirComponents) {
+    const DmigFile file =
+        read_dmig(input_of("DMIG    KAAX           0       6       2       0\n"
+                           "DMIG*   KAAX                           2               1\n"
+                           "*                      1               1-1.866666647D+07\n"
+                           "*                      2               1 3.0+5\n"));
+    ASSERT_EQ(file.matrices.size(), 1U);
+    ASSERT_EQ(file.matrices[0].entries.size(), 2U);
+    EXPECT_EQ(file.matrices[0].entries[0].value(), -1.866666647e7);
+    EXPECT_EQ(file.matrices[0].entries[1].value(), 3e5);
+}
+
+// the example of the reference guide: two rows on a continuation, numbers without E, and a scalar point
+TEST(DmigTraps, ShortAndFreeFieldsAreTheSame) {
+    const std::string head = "DMIG    KAAX    0       1       2       0\nDMIG    MAAX    0       1       2       0\n";
+    const std::string fixed =
+        "DMIG    KAAX    27      1               27      1       3.+5    3.+3\n"
+        "        50              1.0     0.\n";
+    const std::string parted = "DMIG,KAAX,27,1,,27,1,3.+5,3.+3\n,50,,1.0,0.\n";
+    for (const std::string& each : {fixed, parted}) {
+        const DmigFile file = read_dmig(input_of("DMIG    KAAX    0       1       2       0\n" + each));
+        ASSERT_EQ(file.matrices.at(0).labels.size(), 2U);
+        EXPECT_EQ(describe(file.matrices[0].labels[0]), "27.1");
+        EXPECT_EQ(describe(file.matrices[0].labels[1]), "50");
+        ASSERT_EQ(file.matrices[0].entries.size(), 2U);
+        EXPECT_EQ(file.matrices[0].entries[0].value(), 3e5);
+        EXPECT_EQ(file.matrices[0].entries[1].value(), 1.0);
+    }
+}
+
+TEST(DmigTraps, OtherMatricesAreRefused) {
+    expect_dmig_refused("DMIG    KAAX           0       6       4       0\n", "the matrix KAAX is complex");
+    expect_dmig_refused("DMIG    KAAX           0       9       2       0\n", "the matrix KAAX is rectangular");
+    expect_dmig_refused(dmig_mass + dmig_mass, "the matrix MAAX comes twice");
+    expect_dmig_refused("DMIG    KAAX           1       1               1       1     1.0\n",
+                        "the matrix KAAX has no header");
+    expect_dmig_refused(
+        "DMIG    KAAX           0       6       2       0\nDMIG    KAAX           1       7"
+        "               1       1     1.0\n",
+        "there is no component 7 of node 1");
+    expect_dmig_refused(dmig_mass, "there is no stiffness among the files");
+}
+
+TEST(DmigTraps, NodesOfOtherSystemsAreRefused) {
+    expect_dmig_refused("GRID    5               1.0     2.0     3.0     7\n" + dmig_mass,
+                        "the displacements of node 5 are in the coordinate system 7");
+    expect_dmig_refused("GRID*   5               3               1.0             2.0\n*       3.0\n" + dmig_mass,
+                        "node 5 is placed in the coordinate system 3");
+}
+
+TEST(DmigTraps, LoadsAndStructuralDampingAreLeftOut) {
+    const auto matrix = [](const std::string& name) {
+        return "DMIG    " + name + "       0       6       2       0\nDMIG    " + name +
+               "       1       1               1       1     1.0\n";
+    };
+    const ElasticPart part = part_of({{"j.pch", matrix("KAAX    ") + matrix("MAAX    ") + matrix("K4AAX   ") +
+                                                    matrix("PAX     ") + matrix("BAAX    ")}},
+                                     {.files = {"j.pch"}});
+    EXPECT_EQ(part.damping.rows(), 1);
+    EXPECT_EQ(part.notes.at(0), "K4AAX holds structural damping, which is left out");
+}
+
+TEST(Output4Traps, WhatDoesNotFitIsRefused) {
+    const std::string table = "node,component\n1,1\n2,1\n";
+    const auto refused = [&](const std::string& text, const std::string& sentence) {
+        expect_refused({{"j.op4", text}, {"t.csv", table}}, {.files = {"j.op4"}, .labels = "t.csv"}, sentence);
+    };
+    const std::string header = "       2      -2       6       2KAAX    1P,3E23.16\n";
+    const std::string column = "       1       0       4\n       3       1\n 1.0000000000000000E+00\n";
+    refused(header + column, "the matrix KAAX is cut off");
+    refused("       2      -2       6       4KAAX    1P,3E23.16\n" + column, "the matrix KAAX is complex");
+    refused(header + "       1       0       4\n       3       9\n 1.0E+00\n", "there is no row 9");
+    refused(header + "       1       0       4\n       9       1\n 1.0E+00\n", "a string of 8 words does not fit");
+    refused(header + "       7       0       4\n       3       1\n 1.0E+00\n", "there is no column 7");
+    refused(header + column + "       3       1       1\n 1.0E+00\nrubbish\n", "it is no header of a matrix");
+    refused(header + "       1       0       4\n       3       1\n one\n", "\"one\" is no finite number");
+}
+
+TEST(AnsysTraps, PointersThatDoNotRiseAreRefused) {
+    const std::string head =
+        "Stiffness matrix\n 10 3 2 2 0\nRSA                 2             2             2       0\n"
+        "(I14)           (I14)           (d25.15)            (d25.15)\n";
+    const std::string body = "             1\n             2\n  0.5D+00\n  0.5D+00\n";
+    const std::string mass = "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 1\n2 2 1\n";
+    const auto refused = [&](const std::string& text, const std::string& sentence) {
+        expect_refused({{"k", text}, {"m", mass}}, {.files = {"k"}, .mass = "m"}, sentence);
+    };
+    refused(head + "             1\n             4\n             3\n" + body,
+            "the pointers of the columns do not rise");
+    refused(head + "             1\n             2\n             9\n" + body,
+            "the pointers do not fit the number of entries");
+    refused(
+        head + "             1\n             2\n             3\n             1\n             7\n  0.5D+00\n  0.5D+00\n",
+        "there is no row 7");
+    refused(head + "             1\n             2\n             3\n             1\n", "the matrix is cut off");
+    refused("Stiffness matrix\n 10 3 2 2 0\nCSA                 2             2             2       0\n",
+            "matrices of type CSA are not read");
+    const ElasticPart part = part_of({{"k", head + "             1\n             2\n             3\n" + body},
+                                      {"m", mass},
+                                      {"map", " Matrix Eqn  Node  DOF\n 1 10002 UY\n 2 21 ROTZ\n"}},
+                                     {.files = {"k", "map"}, .mass = "m"});
+    EXPECT_EQ(describe(part.labels[0]), "10002.2");  // the order of rows is not that of nodes
+    EXPECT_EQ(describe(part.labels[1]), "21.6");
+    expect_refused({{"k", head + "             1\n             2\n             3\n" + body},
+                    {"m", mass},
+                    {"map", " Matrix Eqn  Node  DOF\n 1 10002 TEMP\n 2 21 ROTZ\n"}},
+                   {.files = {"k", "map"}, .mass = "m"}, "\"TEMP\" is no displacement or rotation");
+}
+
+}  // namespace
+}  // namespace stridor::io::structure
