@@ -2,7 +2,7 @@
 _stridor() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=""
     if ((COMP_CWORD == 1)); then
-        COMPREPLY=($(compgen -W "init check simulate stability advise chart report figure listen rig convert library analyse classify evaluate compare match explore verify completion help --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "init check simulate stability advise chart report figure listen rig convert library analyse classify evaluate compare match structure explore verify completion help --help --version" -- "$word"))
         return
     fi
     if [[ $previous == --set ]]; then
@@ -37,6 +37,7 @@ _stridor() {
         evaluate) options="--help --planes --set --of --perturb-every --recordings --csv --threads --json" ;;
         compare) options="--help --label --library --of --quantity --json" ;;
         match) options="--help --chart --set --best --every --store --out --with-level --threads --library --of --quantity --json" ;;
+        structure) options="--help" ;;
         explore) options="--help --set --port --no-browser --unix-socket --library --threads --address --allow-remote --host-name" ;;
         verify) options="--help" ;;
         completion) options="--help" ;;
@@ -81,6 +82,17 @@ _stridor() {
             check) options="--help --library --repair" ;;
             fields) options="--help --library" ;;
             words) options="--help --library" ;;
+        esac
+    fi
+    if [[ ${COMP_WORDS[1]} == structure ]]; then
+        if ((COMP_CWORD == 2)); then
+            COMPREPLY=($(compgen -W "info check reduce --help" -- "$word"))
+            return
+        fi
+        case ${COMP_WORDS[2]} in
+            info) options="--help --stiffness --mass --damping --labels --units --json" ;;
+            check) options="--help --stiffness --mass --damping --labels --units --modes --json" ;;
+            reduce) options="--help --stiffness --mass --damping --labels --units --boundary --recover --modes --below --normal --inertia --output --json" ;;
         esac
     fi
     if [[ ${COMP_WORDS[1]} == library && $word != -* ]]; then

@@ -7,7 +7,7 @@
 # output and standard error together; without such lines it must print nothing. A line "..." stands for one or more
 # lines that the page leaves out. A command may end with a comment "# exit 2" that names the exit code it must have. A
 # line that ends with a backslash goes on in the next line. The examples of one page run one after the other in one
-# empty folder, with PROGRAM on the PATH as `stridor`.
+# empty folder, with PROGRAM on the PATH as `stridor` and SOURCE_FOLDER as STRIDOR_SOURCE.
 #
 # --update writes the real output into the pages where it is another; read the difference before you commit it.
 set -u
@@ -35,7 +35,8 @@ trap 'exit 130' INT TERM
 mkdir "$work/bin"
 ln -s "$(cd "$(dirname "$program")" && pwd)/$(basename "$program")" "$work/bin/stridor"
 PATH=$work/bin:$PATH
-export PATH NO_COLOR=1 LC_ALL=C
+STRIDOR_SOURCE=$source
+export PATH STRIDOR_SOURCE NO_COLOR=1 LC_ALL=C
 
 if [ $# -eq 0 ]; then
     set -- "$source/README.md"

@@ -84,7 +84,7 @@ struct Basis {
     Modes modes;
 };
 
-Basis basis_of(const ElasticPart& part, const Parting& parting, Index modes) {
+Basis basis_of(const ElasticPart& part, const Parting& parting, const ReductionRequest& request) {
     const SparseMatrix inner_stiffness = block(part.stiffness, parting, 0, 0);
     const auto boundary = static_cast<Index>(parting.boundary.size());
     if (inner_stiffness.rows() == 0) return {MatrixXd(0, boundary), {VectorXd(0), MatrixXd(0, 0)}};
@@ -93,6 +93,7 @@ Basis basis_of(const ElasticPart& part, const Parting& parting, Index modes) {
     if (!factor.is_whole() || factor.weakest_pivot() < is_loose || factor.negative_pivots() > 0)
         base::refuse("the boundary does not hold the part", "with the boundary held still the interior can move freely",
                      "Add nodes to the boundary, or supports to the model.");
+    const Index modes = request.below > 0.0 ? modes_below(inner_stiffness, inner_mass, request.below) : request.modes;
     return {factor.solve(MatrixXd(block(part.stiffness, parting, 0, 1))) * -1.0,
             lowest_modes(inner_stiffness, inner_mass, modes)};
 }
@@ -175,7 +176,7 @@ void keep_geometry(ElasticPart& reduced, const ElasticPart& part, const std::vec
 
 Reduction craig_bampton(const ElasticPart& part, const ReductionRequest& request) {
     const Parting parting = part_rows(part, request.boundary);
-    const Basis basis = basis_of(part, parting, request.modes);
+    const Basis basis = basis_of(part, parting, request);
     Reduction reduction;
     reduction.boundary_rows = static_cast<Index>(parting.boundary.size());
     reduction.inertia = request.inertia;

@@ -16,6 +16,7 @@ enum class BoundaryInertia {
 struct ReductionRequest {
     std::vector<Eigen::Index> boundary{};  // rows that stay as they are: contacts, drives, loads
     Eigen::Index modes = 0;                // [1] fixed-interface modes kept; fewer where there are no more
+    double below = 0.0;  // [Hz] where positive: all fixed-interface modes below it, whatever `modes` says
     BoundaryInertia inertia = BoundaryInertia::lumped;
     std::vector<Eigen::Index> recovered{};  // further rows whose motion is wanted
 };

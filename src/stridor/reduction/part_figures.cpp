@@ -20,6 +20,9 @@ constexpr double share_of_next = 1e-3;     // [1] of frequency
 constexpr double lightest = 1.0;    // [kg/m^3]
 constexpr double heaviest = 2.5e4;  // [kg/m^3]
 
+constexpr double shortest_part = 1e-4;  // [m]
+constexpr double longest_part = 100.0;  // [m]
+
 Eigen::VectorXd translation(const ElasticPart& part, int component) {
     Eigen::VectorXd motion = Eigen::VectorXd::Zero(rows_of(part));
     for (Eigen::Index row = 0; row < motion.size(); ++row)
@@ -46,20 +49,6 @@ double volume_of(const Eigen::Vector3d& extent) {
     return extent.cwiseMax(0.01 * extent.maxCoeff()).prod();
 }
 
-void guess_units(PartSize& size) {
-    const double mass = *std::max_element(size.mass.begin(), size.mass.end());
-    if (!size.extent || !(mass > 0.0) || !(size.extent->maxCoeff() > 0.0)) return;
-    for (const UnitSystem& units : unit_systems()) {
-        const double density = mass * units.mass / (volume_of(*size.extent) * std::pow(units.length, 3));
-        // a part as long as the hand or the car; grams in a box of metres are nobody's
-        const double longest = size.extent->maxCoeff() * units.length;
-        if (density < lightest || density > heaviest || longest < 1e-4 || longest > 100.0) continue;
-        size.units_guess = &units;
-        size.density = density;
-        return;
-    }
-}
-
 }  // namespace
 
 PartSize part_size(const ElasticPart& part) {
@@ -71,8 +60,23 @@ PartSize part_size(const ElasticPart& part) {
         size.mass.at(static_cast<std::size_t>(direction)) = motion.dot(part.mass * motion);
     }
     size.extent = extent_of(part);
-    guess_units(size);
     return size;
+}
+
+std::optional<double> density_in(const PartSize& size, const UnitSystem& units) {
+    const double mass = *std::max_element(size.mass.begin(), size.mass.end());
+    if (!size.extent || !(mass > 0.0) || !(size.extent->maxCoeff() > 0.0)) return std::nullopt;
+    const double density = mass * units.mass / (volume_of(*size.extent) * std::pow(units.length, 3));
+    const double longest = size.extent->maxCoeff() * units.length;
+    if (density < lightest || density > heaviest || longest < shortest_part || longest > longest_part)
+        return std::nullopt;
+    return density;
+}
+
+const UnitSystem* guessed_units(const PartSize& size) {
+    for (const UnitSystem& units : unit_systems())
+        if (density_in(size, units)) return &units;
+    return nullptr;
 }
 
 PartVibration part_vibration(const ElasticPart& part, Eigen::Index count) {

@@ -15,11 +15,16 @@ struct PartSize {
     Eigen::Index entries = 0;                 // [1] of the stiffness, both triangles
     std::array<double, 3> mass{};             // [kg] r'Mr of a translation along x, y, z, over the rows that are there
     std::optional<Eigen::Vector3d> extent{};  // [m] of the box around its nodes, where positions are known
-    const UnitSystem* units_guess = nullptr;  // the one that makes its mass per volume a material's; null: none does
-    double density = 0.0;                     // [kg/m^3] mass per volume of the box in those units
 };
 
 PartSize part_size(const ElasticPart& part);
+
+/// Mass per volume of the box around a part [kg/m^3], were its numbers of these units; nothing where that is no
+/// material's (1 to 25000, a box of 0.1 mm to 100 m), or where places are not known.
+std::optional<double> density_in(const PartSize& size, const UnitSystem& units);
+
+/// The first of the systems in which it is a material's; null: none.
+const UnitSystem* guessed_units(const PartSize& size);
 
 /// How a part vibrates as it is held.
 struct PartVibration {

@@ -22,6 +22,7 @@ void library(std::string_view bytes);
 void case_file(std::string_view bytes);
 void compressed_audio(std::string_view bytes);
 void mat(std::string_view bytes);
+void structure(std::string_view bytes);
 
 struct Target {
     std::string_view name;  // of its folder in the corpus
@@ -40,7 +41,8 @@ inline constexpr std::array targets{Target{"signal_csv", signal_csv},
                                     Target{"case_file", case_file},
                                     Target{"requests", requests},
                                     Target{"compressed_audio", compressed_audio},
-                                    Target{"mat", mat}};
+                                    Target{"mat", mat},
+                                    Target{"structure", structure}};
 
 /// Stops the program where a promise is broken, in every build.
 inline void require(bool promise) {

@@ -153,6 +153,14 @@ TEST(CraigBampton, KeepsPlacesAndSetsOfItsRows) {
     EXPECT_EQ(reduction.part.sets[0].nodes.size(), 12U);
 }
 
+TEST(CraigBampton, KeepsAllModesBelowAFrequency) {
+    const ElasticPart part = block();
+    const auto all = craig_bampton(part, foot(part, 30)).mode_frequencies;
+    ReductionRequest request = foot(part, 0);
+    request.below = 0.5 * (all[10] + all[11]);
+    EXPECT_EQ(craig_bampton(part, request).mode_frequencies.size(), 11U);
+}
+
 TEST(CraigBampton, OfAFreePartNeedsABoundaryThatHoldsIt) {
     const ElasticPart part = lattice_part({4, 3, 4}, LatticeSupport::free);
     const Reduction reduction = craig_bampton(part, foot(part, 6));

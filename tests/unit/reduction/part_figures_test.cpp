@@ -20,7 +20,7 @@ TEST(PartSize, TellsTheMassOfEachDirection) {
     EXPECT_EQ(size.mass[1], 0.0);
     EXPECT_EQ(size.rows, 7);
     EXPECT_FALSE(size.extent);
-    EXPECT_EQ(size.units_guess, nullptr);
+    EXPECT_EQ(guessed_units(size), nullptr);
 }
 
 TEST(PartSize, GuessesTheUnits) {
@@ -28,16 +28,18 @@ TEST(PartSize, GuessesTheUnits) {
     const PartSize size = part_size(si);
     ASSERT_TRUE(size.extent);
     EXPECT_NEAR((*size.extent - Eigen::Vector3d(0.04, 0.03, 0.02)).norm(), 0.0, 1e-15);
-    ASSERT_NE(size.units_guess, nullptr);
-    EXPECT_EQ(size.units_guess->name, "m-kg-s");
-    EXPECT_NEAR(size.density, size.mass[0] / (0.04 * 0.03 * 0.02), 1e-9 * size.density);
+    ASSERT_NE(guessed_units(size), nullptr);
+    EXPECT_EQ(guessed_units(size)->name, "m-kg-s");
+    const double density = density_in(size, unit_system("m-kg-s")).value();
+    EXPECT_NEAR(density, size.mass[0] / (0.04 * 0.03 * 0.02), 1e-9 * density);
     ElasticPart tonnes = si;  // the same in mm and t
     tonnes.mass *= 1e-3;
     for (auto& [node, position] : tonnes.positions)
         position *= 1e3;
-    ASSERT_NE(part_size(tonnes).units_guess, nullptr);
-    EXPECT_EQ(part_size(tonnes).units_guess->name, "mm-t-s");
-    EXPECT_NEAR(part_size(tonnes).density, size.density, 1e-9 * size.density);
+    ASSERT_NE(guessed_units(part_size(tonnes)), nullptr);
+    EXPECT_EQ(guessed_units(part_size(tonnes))->name, "mm-t-s");
+    EXPECT_NEAR(density_in(part_size(tonnes), unit_system("mm-t-s")).value(), density, 1e-9 * density);
+    EXPECT_FALSE(density_in(part_size(tonnes), unit_system("m-kg-s")));
 }
 
 TEST(PartVibration, CountsRigidBodyModes) {

@@ -51,8 +51,8 @@ TEST(CalculixBlock, HasSixFrequenciesToTheNinthDigit) {
 
 TEST(CalculixBlock, IsGuessedToBeInMetresAndKilograms) {
     const auto size = part_size(block_part());
-    ASSERT_NE(size.units_guess, nullptr);
-    EXPECT_EQ(size.units_guess->name, "m-kg-s");
+    ASSERT_NE(guessed_units(size), nullptr);
+    EXPECT_EQ(guessed_units(size)->name, "m-kg-s");
     // the layer next to the support moves with it: of 20 x 8 x 12 mm at 1200 kg/m^3 some is missing
     EXPECT_GT(size.mass[0], 0.75 * 0.02 * 0.008 * 0.012 * 1200.0);
     EXPECT_LT(size.mass[0], 0.02 * 0.008 * 0.012 * 1200.0);

@@ -1,0 +1,130 @@
+#include "structure/structure.hpp"
+
+#include "commands.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/console/results/structure_text.hpp"
+#include "stridor/console/terminal.hpp"
+#include "stridor/io/structure/json_structure.hpp"
+#include "stridor/io/structure/reduced_netcdf.hpp"
+#include "stridor/recordings/bytes.hpp"
+#include "stridor/reduction/part_figures.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace stridor::app {
+
+namespace {
+
+bool is_reduced(const PartOptions& options) {
+    if (options.files.files.size() != 1) return false;
+    return io::is_netcdf(recordings::text_at(*recordings::open_plain_bytes(options.files.files.front()), 0, 8));
+}
+
+// the mass per volume of a material tells which units the files are in
+void tell_units(const reduction::ElasticPart& part, const reduction::UnitSystem& units) {
+    const reduction::PartSize size = part_size(part);
+    if (!size.extent || density_in(size, units)) return;
+    const reduction::UnitSystem* guess = guessed_units(size);
+    if (guess == nullptr)
+        console::say("stridor: note: in no system of units is its mass per volume a material's");
+    else
+        console::say(
+            fmt::format("stridor: note: in {} its mass per volume is no material's; in {} it is {:.3g} kg/m^3. "
+                        "Say --units {}?",
+                        units.name, guess->name, density_in(size, *guess).value_or(0.0), guess->name));
+}
+
+struct PartInfoOptions {
+    PartOptions part;
+    bool json = false;
+};
+
+void info(const PartInfoOptions& options) {
+    const reduction::ElasticPart part = load_part(options.part);
+    const reduction::PartSize size = part_size(part);
+    console::print(options.json ? io::part_json(part, size, nullptr) + "\n" : console::part_text(part, size));
+}
+
+struct PartCheckOptions {
+    PartOptions part;
+    int modes = 6;
+    bool json = false;
+};
+
+void check(const PartCheckOptions& options) {
+    const reduction::ElasticPart part = load_part(options.part);
+    const reduction::PartSize size = part_size(part);
+    const reduction::PartVibration vibration = part_vibration(part, options.modes);
+    console::print(options.json ? io::part_json(part, size, &vibration) + "\n"
+                                : console::part_text(part, size) + console::vibration_text(vibration));
+}
+
+}  // namespace
+
+void add_part_options(CLI::App& command, PartOptions& options) {
+    command.add_option("files", options.files.files, "the part: what a finite-element program wrote of it, or a .nc");
+    command.add_option("--stiffness", options.files.stiffness, "a matrix that does not say that it is the stiffness")
+        ->type_name("FILE");
+    command.add_option("--mass", options.files.mass, "a matrix that does not say that it is the mass")
+        ->type_name("FILE");
+    command.add_option("--damping", options.files.damping, "a matrix that does not say that it is the damping")
+        ->type_name("FILE");
+    command.add_option("--labels", options.files.labels, "node and component of each row: CSV, or Ansys' mapping")
+        ->type_name("FILE");
+    command.add_option("--units", options.units, "of the files: m-kg-s, mm-t-s, mm-kg-ms, mm-kg-s or cm-g-s")
+        ->type_name("UNITS")
+        ->capture_default_str();
+}
+
+reduction::ElasticPart load_part(const PartOptions& options) {
+    const io::PartFiles& files = options.files;
+    if (files.files.empty() && files.stiffness.empty() && files.mass.empty())
+        base::refuse("no file of a part is named", "", "`stridor structure info job.sti`, or --stiffness and --mass.");
+    const reduction::UnitSystem& units = reduction::unit_system(options.units);
+    const bool is_in_si = is_reduced(options);
+    reduction::ElasticPart part = is_in_si ? io::read_reduced_part(files.files.front()).part : io::read_part(files);
+    expect_sound(part);
+    for (const std::string& note : part.notes)
+        console::say("stridor: note: " + note);
+    if (is_in_si) return part;
+    tell_units(part, units);
+    return in_si(std::move(part), units);
+}
+
+void add_structure_info(CLI::App& structure) {
+    auto options = std::make_shared<PartInfoOptions>();
+    CLI::App* command = structure.add_subcommand("info", "What a part holds: rows, nodes, sets, mass, units.");
+    add_part_options(*command, options->part);
+    command->add_flag("--json", options->json, "print one JSON document (schema stridor.part/1)");
+    command->footer(
+        "Examples:\n  stridor structure info block.sti\n"
+        "  stridor structure info --stiffness k.mtx --mass m.mtx --labels rows.csv --units mm-t-s");
+    command->callback([options] { info(*options); });
+}
+
+void add_structure_check(CLI::App& structure) {
+    auto options = std::make_shared<PartCheckOptions>();
+    CLI::App* command =
+        structure.add_subcommand("check", "Is it a structure? Its rigid-body modes and frequencies as well.");
+    add_part_options(*command, options->part);
+    command->add_option("--modes", options->modes, "how many frequencies")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "print one JSON document (schema stridor.part/1)");
+    command->footer("Example:\n  stridor structure check block.sti --modes 10");
+    command->callback([options] { check(*options); });
+}
+
+void add_structure(CLI::App& program) {
+    CLI::App* structure =
+        program.add_subcommand("structure", "Parts of finite-element programs: look at them, check them, reduce them.");
+    structure->require_subcommand(1);
+    add_structure_info(*structure);
+    add_structure_check(*structure);
+    add_structure_reduce(*structure);
+}
+
+}  // namespace stridor::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "stridor/io/structure/part_files.hpp"
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+/// What the commands over finite-element parts share.
+namespace stridor::app {
+
+/// Which part, and in which units it is.
+struct PartOptions {
+    io::PartFiles files;
+    std::string units = "m-kg-s";
+};
+
+void add_part_options(CLI::App& command, PartOptions& options);
+
+/// Reads the part in SI and refuses it if it is no structure; its notes, and what its units seem to be if they are
+/// others, go to stderr.
+reduction::ElasticPart load_part(const PartOptions& options);
+
+void add_structure_info(CLI::App& structure);
+void add_structure_check(CLI::App& structure);
+void add_structure_reduce(CLI::App& structure);
+
+}  // namespace stridor::app

@@ -1,0 +1,122 @@
+#include "arguments.hpp"
+#include "stridor/base/quantity.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/console/results/structure_text.hpp"
+#include "stridor/console/terminal.hpp"
+#include "stridor/io/structure/json_structure.hpp"
+#include "stridor/io/structure/reduced_netcdf.hpp"
+#include "stridor/reduction/reduction_errors.hpp"
+#include "structure/structure.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace stridor::app {
+
+namespace {
+
+struct ReduceOptions {
+    PartOptions part;
+    std::vector<std::string> boundary;
+    std::vector<std::string> recovered;
+    int modes = 20;
+    std::string below;
+    int normal = 0;
+    std::string inertia = "lumped";
+    std::string file;
+    bool json = false;
+};
+
+// a node in two sets is one boundary row all the same
+std::vector<Eigen::Index> rows_named(const reduction::ElasticPart& part, const std::vector<std::string>& names) {
+    std::vector<Eigen::Index> rows;
+    for (const std::string& name : names)
+        for (const Eigen::Index row : named_rows(part, name))
+            if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    return rows;
+}
+
+std::string origin_of(const io::PartFiles& files) {
+    std::string origin;
+    for (const std::string& file : files.files)
+        origin += (origin.empty() ? "" : ", ") + file;
+    for (const std::string& file : {files.stiffness, files.mass, files.damping, files.labels})
+        if (!file.empty()) origin += (origin.empty() ? "" : ", ") + file;
+    return origin;
+}
+
+// an error beyond this makes another part of it
+void warn_of_errors(const reduction::ReductionErrors& errors) {
+    constexpr double most = 0.01;
+    int beyond = 0;
+    for (const reduction::StateErrors& state : errors.states)
+        beyond +=
+            static_cast<int>(std::count_if(state.frequencies.begin(), state.frequencies.end(),
+                                           [&](const auto& pair) { return std::abs(relative_error(pair)) > most; }));
+    if (beyond > 0)
+        console::say(
+            fmt::format("stridor: note: {} frequenc{} more than 1 % off. Keep more modes; if --inertia "
+                        "consistent is closer, refine the mesh at the contact.",
+                        beyond, beyond == 1 ? "y is" : "ies are"));
+}
+
+void reduce(const ReduceOptions& options) {
+    const reduction::ElasticPart part = load_part(options.part);
+    const reduction::ReductionRequest request{
+        .boundary = rows_named(part, options.boundary),
+        .modes = options.modes,
+        .below = options.below.empty() ? 0.0 : base::parse_quantity(options.below, "Hz"),
+        .inertia =
+            options.inertia == "lumped" ? reduction::BoundaryInertia::lumped : reduction::BoundaryInertia::consistent,
+        .recovered = rows_named(part, options.recovered)};
+    const reduction::Reduction reduced = craig_bampton(part, request);
+    constexpr Eigen::Index compared = 6;
+    const reduction::ReductionErrors errors =
+        reduction_errors(part, request, reduced, contact_states(reduced, options.normal), compared);
+    io::write_reduced_part(options.file, reduced, origin_of(options.part.files));
+    console::print(options.json ? io::reduction_json(reduced, errors) + "\n"
+                                : console::reduction_text(reduced, errors) + options.file + "\n");
+    warn_of_errors(errors);
+}
+
+}  // namespace
+
+void add_structure_reduce(CLI::App& structure) {
+    auto options = std::make_shared<ReduceOptions>();
+    CLI::App* command = structure.add_subcommand(
+        "reduce", "Reduce a part to its contact nodes and modes (Craig-Bampton), and tell the errors.");
+    add_part_options(*command, options->part);
+    command
+        ->add_option("--boundary", options->boundary,
+                     "rows that stay: a set (FOOT), some components of it (FOOT:13), a node, a row (1000.3)")
+        ->type_name("ROWS")
+        ->required()
+        ->take_all();
+    command->add_option("--recover", options->recovered, "further rows whose motion is wanted, likewise")
+        ->type_name("ROWS")
+        ->take_all();
+    CLI::Option* modes = command->add_option("--modes", options->modes, "modes with the boundary held that are kept")
+                             ->check(CLI::Range(0, 5000))
+                             ->capture_default_str();
+    command->add_option("--below", options->below, "keep all modes below this frequency instead")
+        ->type_name("FREQUENCY")
+        ->excludes(modes);
+    command
+        ->add_option("--normal", options->normal,
+                     "component of the contact's normal (1 to 3), to compare sliding as well")
+        ->check(CLI::Range(1, 3));
+    command->add_option("--inertia", options->inertia, "mass that a contact meets: lumped or consistent")
+        ->check(CLI::IsMember({"lumped", "consistent"}))
+        ->capture_default_str();
+    add_output_file(*command, options->file, "netCDF file of the reduced part")->required();
+    command->add_flag("--json", options->json, "print the errors as one JSON document (schema stridor.reduction/1)");
+    command->footer(
+        "Examples:\n  stridor structure reduce block.sti --boundary FOOT --modes 12 --normal 3 -o block.nc\n"
+        "  stridor structure reduce lip.sti --boundary EDGE --below \"8 kHz\" --recover 1040 -o lip.nc");
+    command->callback([options] { reduce(*options); });
+}
+
+}  // namespace stridor::app

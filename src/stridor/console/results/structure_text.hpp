@@ -1,0 +1,19 @@
+#pragma once
+
+#include "stridor/reduction/part_figures.hpp"
+#include "stridor/reduction/reduction_errors.hpp"
+
+#include <string>
+
+namespace stridor::console {
+
+/// What a part holds, in SI.
+std::string part_text(const reduction::ElasticPart& part, const reduction::PartSize& size);
+
+/// Its rigid-body modes and frequencies.
+std::string vibration_text(const reduction::PartVibration& vibration);
+
+/// What a reduction kept, and its errors.
+std::string reduction_text(const reduction::Reduction& reduction, const reduction::ReductionErrors& errors);
+
+}  // namespace stridor::console

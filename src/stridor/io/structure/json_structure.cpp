@@ -1,0 +1,57 @@
+#include "stridor/io/structure/json_structure.hpp"
+
+#include "stridor/base/version.hpp"
+#include "stridor/io/json_parts.hpp"
+
+namespace stridor::io {
+
+namespace {
+
+using base::Json;
+
+Json head_of(const char* schema) {
+    return {{"schema", schema}, {"version", base::version()}, {"commit", base::commit()}};
+}
+
+}  // namespace
+
+std::string part_json(const reduction::ElasticPart& part, const reduction::PartSize& size,
+                      const reduction::PartVibration* vibration) {
+    Json document = head_of("stridor.part/1");
+    document["rows"] = size.rows;
+    document["entries"] = size.entries;
+    document["damping"] = part.damping.rows() != 0;
+    document["mass"] = size.mass;
+    document["extent"] = size.extent ? Json{(*size.extent)[0], (*size.extent)[1], (*size.extent)[2]} : Json();
+    Json sets = Json::object();
+    for (const reduction::NodeSet& set : part.sets)
+        sets[set.name] = set.nodes;
+    document["sets"] = std::move(sets);
+    document["notes"] = part.notes;
+    if (vibration != nullptr) {
+        document["rigid_body_modes"] = vibration->rigid_body_modes;
+        document["frequencies"] = vibration->frequencies;
+        document["highest_frequency"] = vibration->highest_frequency;  // infinite becomes null
+    }
+    return base::text_of(document);
+}
+
+std::string reduction_json(const reduction::Reduction& reduction, const reduction::ReductionErrors& errors) {
+    Json document = head_of("stridor.reduction/1");
+    document["boundary_rows"] = reduction.boundary_rows;
+    document["mode_frequencies"] = reduction.mode_frequencies;
+    document["inertia"] = reduction.inertia == reduction::BoundaryInertia::lumped ? "lumped" : "consistent";
+    document["coupling"] = errors.coupling;
+    document["flexibility_error"] = errors.flexibility ? Json(*errors.flexibility) : Json();
+    Json states = Json::object();
+    for (const reduction::StateErrors& state : errors.states) {
+        Json pairs = Json::array();
+        for (const reduction::FrequencyPair& pair : state.frequencies)
+            pairs.push_back({{"full", pair.full}, {"reduced", pair.reduced}, {"error", relative_error(pair)}});
+        states[state.name] = std::move(pairs);
+    }
+    document["states"] = std::move(states);
+    return base::text_of(document);
+}
+
+}  // namespace stridor::io

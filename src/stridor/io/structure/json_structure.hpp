@@ -1,0 +1,17 @@
+#pragma once
+
+#include "stridor/reduction/part_figures.hpp"
+#include "stridor/reduction/reduction_errors.hpp"
+
+#include <string>
+
+namespace stridor::io {
+
+/// What a part holds (schema stridor.part/1), in SI; with its frequencies where they are known.
+std::string part_json(const reduction::ElasticPart& part, const reduction::PartSize& size,
+                      const reduction::PartVibration* vibration);
+
+/// What a reduction kept, and its errors (schema stridor.reduction/1).
+std::string reduction_json(const reduction::Reduction& reduction, const reduction::ReductionErrors& errors);
+
+}  // namespace stridor::io

@@ -1,0 +1,352 @@
+#include "stridor/io/structure/reduced_netcdf.hpp"
+
+#include "stridor/base/confined_process.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/packed_text.hpp"
+#include "stridor/io/netcdf_dataset.hpp"
+#include "stridor/io/netcdf_library.hpp"
+#include "stridor/recordings/bytes.hpp"
+#include "stridor/recordings/refusal.hpp"
+#include "stridor/storage/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace stridor::io {
+
+namespace {
+
+using reduction::BoundaryInertia;
+using reduction::ElasticPart;
+using reduction::Reduction;
+using reduction::RowLabel;
+
+constexpr std::array<std::string_view, 7> component_names{"none",       "x",          "y",         "z",
+                                                          "rotation_x", "rotation_y", "rotation_z"};
+constexpr std::string_view schema = "stridor.structure/1";
+constexpr std::string_view lumped_word = "lumped";
+constexpr std::string_view consistent_word = "consistent";
+
+std::vector<double> row_major(const Eigen::MatrixXd& matrix) {
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(matrix.size()));
+    for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+        for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+            values.push_back(matrix(row, column));
+    return values;
+}
+
+void put_labels(NetcdfDataset& file, const std::string& prefix, int along, const std::vector<RowLabel>& labels) {
+    std::vector<std::string> nodes;
+    std::vector<signed char> components;
+    for (const RowLabel& label : labels) {
+        nodes.push_back(label.node);
+        components.push_back(static_cast<signed char>(label.component));
+    }
+    file.words(prefix + "_node", std::array{along}, nodes, {"", "node, or the mode's name"});
+    file.flags(prefix + "_component", std::array{along}, components, component_names, {"", "direction of motion"});
+}
+
+// places, and the sets that each node is in
+void put_nodes(NetcdfDataset& file, const ElasticPart& part) {
+    if (part.positions.empty()) return;
+    std::vector<std::string> names;
+    std::vector<std::string> sets;
+    std::vector<double> places;
+    for (const auto& [node, position] : part.positions) {
+        names.push_back(node);
+        places.insert(places.end(), position.begin(), position.end());
+        std::string its;
+        for (const reduction::NodeSet& set : part.sets)
+            for (const std::string& member : set.nodes)
+                if (member == node && (" " + its + " ").find(" " + set.name + " ") == std::string::npos)
+                    its += (its.empty() ? "" : " ") + set.name;
+        sets.push_back(its);
+    }
+    const int node = file.dimension("node", names.size());
+    const int axis = file.dimension("axis", 3);
+    file.words("node", std::array{node}, names, {"", "node"});
+    file.words("node_sets", std::array{node}, sets, {"", "sets that the node is in, with blanks between"});
+    file.doubles("position", std::array{node, axis}, places, {"m", "place of the node", MissingNumbers::no});
+}
+
+}  // namespace
+
+void write_reduced_part(const std::string& path, const Reduction& reduction, const std::string& origin) {
+    const ElasticPart& part = reduction.part;
+    NetcdfDataset file(path);
+    put_origin(file, "structure", "reduced finite-element part");
+    file.attribute("origin", origin);
+    file.attribute("method", "Craig-Bampton");
+    file.attribute("contact_inertia",
+                   std::string(reduction.inertia == BoundaryInertia::lumped ? lumped_word : consistent_word));
+    const int row = file.dimension("row", part.labels.size());
+    const int column = file.dimension("column", part.labels.size());
+    put_labels(file, "row", row, part.labels);
+    const auto put = [&](const std::string& name, const Eigen::MatrixXd& matrix, const Description& description) {
+        file.doubles(name, std::array{row, column}, row_major(matrix), description);
+    };
+    put("stiffness", Eigen::MatrixXd(part.stiffness), {"N/m", "stiffness", MissingNumbers::no});
+    put("mass", Eigen::MatrixXd(part.mass), {"kg", "mass", MissingNumbers::no});
+    if (part.damping.rows() != 0)
+        put("damping", Eigen::MatrixXd(part.damping), {"N*s/m", "damping", MissingNumbers::no});
+    if (!reduction.mode_frequencies.empty()) {
+        const int mode = file.dimension("mode", reduction.mode_frequencies.size());
+        file.doubles("mode_frequency", std::array{mode}, reduction.mode_frequencies,
+                     {"Hz", "frequency of the mode with the boundary held", MissingNumbers::no});
+    }
+    put_nodes(file, part);
+    if (!reduction.recovered.empty()) {
+        const int recovered = file.dimension("recovered", reduction.recovered.size());
+        put_labels(file, "recovered", recovered, reduction.recovered);
+        file.doubles("recovery", std::array{recovered, column}, row_major(reduction.recovery),
+                     {"1", "displacement of other rows = recovery * coordinates", MissingNumbers::no});
+    }
+    file.finish([&](std::string_view bytes) { storage::write_file(path, bytes); });
+}
+
+bool is_netcdf(std::string_view beginning) {
+    return beginning.starts_with("\x89HDF\r\n\x1a\n") || beginning.starts_with("CDF");
+}
+
+namespace {
+
+constexpr std::size_t most_numbers = std::size_t{1} << 26U;  // of a variable: 8000 rows
+constexpr std::size_t most_words = std::size_t{1} << 20U;
+constexpr std::uint64_t longest_answer = std::uint64_t{4} << 30U;
+constexpr std::uint64_t largest_file = std::uint64_t{2} << 30U;
+
+/// The confined side: asks the library and packs what it says. A variable that is not there has no sizes.
+class OpenedPart {
+public:
+    OpenedPart(const Netcdf& library, int file) : library_(library), file_(file) {}
+
+    void text(const char* name, base::Packing& into) const {
+        std::size_t length = 0;
+        nc_type type = NC_NAT;
+        const bool is_there = library_.nc_inq_atttype(file_, NC_GLOBAL, name, &type) == NC_NOERR && type == NC_CHAR &&
+                              library_.nc_inq_attlen(file_, NC_GLOBAL, name, &length) == NC_NOERR && length < 65536;
+        std::string value(is_there ? length : 0, '\0');
+        if (is_there) library_.nc_get_att_text(file_, NC_GLOBAL, name, value.data());
+        into.add(std::string_view(value));
+    }
+
+    void numbers(const char* name, base::Packing& into) const {
+        const auto found = variable(name, NC_DOUBLE, NC_BYTE);
+        std::vector<double> values(found && found->size <= most_numbers ? found->size : 0);
+        const bool is_read =
+            !values.empty() && library_.nc_get_var_double(file_, found->number, values.data()) == NC_NOERR;
+        into.add(std::uint64_t{is_read ? values.size() : 0});
+        for (std::size_t k = 0; is_read && k < values.size(); ++k)
+            into.add(values[k]);
+    }
+
+    void words(const char* name, base::Packing& into) const {
+        const auto found = variable(name, NC_STRING, NC_STRING);
+        std::vector<char*> values(found && found->size <= most_words ? found->size : 0, nullptr);
+        const bool is_read =
+            !values.empty() && library_.nc_get_var_string(file_, found->number, values.data()) == NC_NOERR;
+        into.add(std::uint64_t{is_read ? values.size() : 0});
+        for (std::size_t k = 0; is_read && k < values.size(); ++k)
+            into.add(std::string_view(values[k] == nullptr ? "" : values[k]));
+    }
+
+private:
+    struct FoundVariable {
+        int number = -1;
+        std::size_t size = 0;
+    };
+
+    std::optional<FoundVariable> variable(const char* name, nc_type type, nc_type other) const {
+        FoundVariable found;
+        nc_type its = NC_NAT;
+        int dimensions = 0;
+        if (library_.nc_inq_varid(file_, name, &found.number) != NC_NOERR ||
+            library_.nc_inq_vartype(file_, found.number, &its) != NC_NOERR || (its != type && its != other) ||
+            library_.nc_inq_varndims(file_, found.number, &dimensions) != NC_NOERR || dimensions < 1 || dimensions > 2)
+            return std::nullopt;
+        std::array<int, 2> numbers{};
+        if (library_.nc_inq_vardimid(file_, found.number, numbers.data()) != NC_NOERR) return std::nullopt;
+        found.size = 1;
+        for (int k = 0; k < dimensions; ++k) {
+            std::size_t length = 0;
+            if (library_.nc_inq_dimlen(file_, numbers.at(static_cast<std::size_t>(k)), &length) != NC_NOERR ||
+                length == 0 || length > most_numbers)
+                return std::nullopt;
+            found.size *= length;
+        }
+        return found;
+    }
+
+    const Netcdf& library_;
+    int file_;
+};
+
+constexpr std::array numeric{"stiffness",      "mass",     "damping",  "row_component",
+                             "mode_frequency", "position", "recovery", "recovered_component"};
+constexpr std::array worded{"row_node", "node", "node_sets", "recovered_node"};
+constexpr std::array said{"schema", "contact_inertia"};
+
+// runs where it may do nothing but read its file and answer
+void answer(const Netcdf& library, const base::ConfinedProcess::Channel& channel, std::uint64_t size) {
+    constexpr int descriptor = 4;  // what a confined process gets
+    std::string bytes(size, '\0');
+    for (std::size_t done = 0; done < bytes.size();) {
+        const ssize_t got = ::pread(descriptor, bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
+        if (got <= 0) return;
+        done += static_cast<std::size_t>(got);
+    }
+    int file = -1;
+    base::Packing packing;
+    if (library.nc_open_mem("part.nc", NC_NOWRITE, bytes.size(), bytes.data(), &file) == NC_NOERR) {
+        const OpenedPart opened(library, file);
+        for (const char* name : said)
+            opened.text(name, packing);
+        for (const char* name : numeric)
+            opened.numbers(name, packing);
+        for (const char* name : worded)
+            opened.words(name, packing);
+    }
+    const std::string text = packing.take();
+    const std::uint64_t length = text.size();
+    channel.send(std::as_bytes(std::span(&length, 1)));
+    channel.send(std::as_bytes(std::span(text)));
+}
+
+/// What the confined process answered.
+struct PartAnswer {
+    std::map<std::string, std::string> texts;
+    std::map<std::string, std::vector<double>> numbers;
+    std::map<std::string, std::vector<std::string>> words;
+};
+
+std::optional<PartAnswer> unpacked(const std::string& text) {
+    base::Unpacking unpacking(text);
+    PartAnswer found;
+    for (const char* name : said)
+        found.texts[name] = unpacking.words();
+    for (const char* name : numeric) {
+        const std::uint64_t count = unpacking.count();
+        for (std::uint64_t k = 0; k < count && unpacking.is_good(); ++k)
+            found.numbers[name].push_back(unpacking.number());
+    }
+    for (const char* name : worded) {
+        const std::uint64_t count = unpacking.count();
+        for (std::uint64_t k = 0; k < count && unpacking.is_good(); ++k)
+            found.words[name].push_back(unpacking.words());
+    }
+    return unpacking.is_complete() ? std::optional(std::move(found)) : std::nullopt;
+}
+
+PartAnswer asked(const std::string& path) {
+    const auto bytes = recordings::open_plain_bytes(path);
+    const auto descriptor = bytes->descriptor();
+    if (!descriptor || bytes->size() > largest_file) throw recordings::refusal(path, "it is no reduced part");
+    const Netcdf& library = netcdf();
+    base::ConfinedProcess process(
+        {.memory = std::uint64_t{8} << 30U, .file = *descriptor},
+        [&](const base::ConfinedProcess::Channel& channel) { answer(library, channel, bytes->size()); });
+    std::uint64_t length = 0;
+    std::string text;
+    bool is_whole = process.receive(std::as_writable_bytes(std::span(&length, 1))) && length <= longest_answer;
+    if (is_whole) {
+        text.resize(length);
+        is_whole = process.receive(std::as_writable_bytes(std::span(text)));
+    }
+    if (!is_whole) {
+        const std::string ending = process.ending();
+        if (process.was_not_confined())
+            throw Error(ErrorKind::io, {"no netCDF file is read on this machine",
+                                        "it does not let a process be confined (seccomp)", ""});
+        throw recordings::refusal(path, "the file is damaged", "reading it, " + ending);
+    }
+    auto found = unpacked(text);
+    if (!found || found->texts["schema"] != schema)
+        throw recordings::refusal(path, "it is no reduced part",
+                                  "its schema is not " + std::string(schema) + ", or it is damaged",
+                                  "Make one with `stridor structure reduce`.");
+    return std::move(*found);
+}
+
+std::vector<RowLabel> labels_in(PartAnswer& found, const std::string& prefix) {
+    const std::vector<std::string>& nodes = found.words[prefix + "_node"];
+    const std::vector<double>& components = found.numbers[prefix + "_component"];
+    std::vector<RowLabel> labels;
+    for (std::size_t k = 0; k < nodes.size() && nodes.size() == components.size(); ++k) {
+        const bool is_known = components[k] >= 0.0 && components[k] <= 6.0;
+        labels.push_back({nodes[k], is_known ? static_cast<int>(components[k]) : -1});
+    }
+    return labels;
+}
+
+Eigen::MatrixXd matrix_in(const PartAnswer& found, const char* name, std::size_t rows, std::size_t columns,
+                          const std::string& path) {
+    const auto values = found.numbers.find(name);
+    const std::size_t size = values == found.numbers.end() ? 0 : values->second.size();
+    if (size != rows * columns)
+        throw recordings::refusal(path, fmt::format("its {} has {} numbers", name, size),
+                                  fmt::format("{} rows and {} columns need {}", rows, columns, rows * columns));
+    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < columns; ++column)
+            matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+                values->second[row * columns + column];
+    return matrix;
+}
+
+void take_nodes(ElasticPart& part, PartAnswer& found, const std::string& path) {
+    const std::vector<std::string>& nodes = found.words["node"];
+    if (nodes.empty()) return;
+    const std::vector<std::string>& sets = found.words["node_sets"];
+    const Eigen::MatrixXd places = matrix_in(found, "position", nodes.size(), 3, path);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        part.positions[nodes[k]] = places.row(static_cast<Eigen::Index>(k)).transpose();
+        const std::string its = k < sets.size() ? sets[k] : std::string();
+        for (std::size_t from = its.find_first_not_of(' '); from < its.size();) {
+            const std::size_t end = std::min(its.find(' ', from), its.size());
+            const std::string name = its.substr(from, end - from);
+            auto set = std::find_if(part.sets.begin(), part.sets.end(),
+                                    [&](const reduction::NodeSet& each) { return each.name == name; });
+            if (set == part.sets.end()) set = part.sets.insert(part.sets.end(), {name, {}});
+            set->nodes.push_back(nodes[k]);
+            from = std::min(its.find_first_not_of(' ', end), its.size());
+        }
+    }
+}
+
+}  // namespace
+
+Reduction read_reduced_part(const std::string& path) {
+    PartAnswer found = asked(path);
+    Reduction reduction;
+    ElasticPart& part = reduction.part;
+    part.labels = labels_in(found, "row");
+    const std::size_t rows = part.labels.size();
+    if (rows == 0) throw recordings::refusal(path, "it has no rows", "a reduced part names a node for each");
+    part.stiffness = matrix_in(found, "stiffness", rows, rows, path).sparseView(0.0, 0.0);
+    part.mass = matrix_in(found, "mass", rows, rows, path).sparseView(0.0, 0.0);
+    if (!found.numbers["damping"].empty())
+        part.damping = matrix_in(found, "damping", rows, rows, path).sparseView(0.0, 0.0);
+    reduction.mode_frequencies = found.numbers["mode_frequency"];
+    if (reduction.mode_frequencies.size() > rows)
+        throw recordings::refusal(path, "it has more modes than rows", "each mode is a row");
+    reduction.boundary_rows = static_cast<Eigen::Index>(rows - reduction.mode_frequencies.size());
+    reduction.inertia =
+        found.texts["contact_inertia"] == lumped_word ? BoundaryInertia::lumped : BoundaryInertia::consistent;
+    reduction.recovered = labels_in(found, "recovered");
+    if (!reduction.recovered.empty())
+        reduction.recovery = matrix_in(found, "recovery", reduction.recovered.size(), rows, path);
+    take_nodes(part, found, path);
+    return reduction;
+}
+
+}  // namespace stridor::io

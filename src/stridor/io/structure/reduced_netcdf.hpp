@@ -1,0 +1,21 @@
+#pragma once
+
+#include "stridor/reduction/craig_bampton.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace stridor::io {
+
+/// Writes a reduced part (schema stridor.structure/1): rows with node and component, matrices, places, sets, recovery
+/// rows, in SI. `origin` tells the files it was made from. Throws `Error` (io).
+void write_reduced_part(const std::string& path, const reduction::Reduction& reduction, const std::string& origin);
+
+/// Does a file begin as netCDF-4, which is HDF5?
+bool is_netcdf(std::string_view beginning);
+
+/// Reads such a file. The library works in a process of its own that may do nothing else (base/confined_process); what
+/// it answers is checked. Throws `Error` (input) for a file that is no reduced part, or is damaged.
+reduction::Reduction read_reduced_part(const std::string& path);
+
+}  // namespace stridor::io
