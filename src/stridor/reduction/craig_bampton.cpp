@@ -95,7 +95,7 @@ Basis basis_of(const ElasticPart& part, const Parting& parting, const ReductionR
                      "Add nodes to the boundary, or supports to the model.");
     const Index modes = request.below > 0.0 ? modes_below(inner_stiffness, inner_mass, request.below) : request.modes;
     return {factor.solve(MatrixXd(block(part.stiffness, parting, 0, 1))) * -1.0,
-            lowest_modes(inner_stiffness, inner_mass, modes)};
+            lowest_modes(inner_stiffness, inner_mass, modes, factor, ModeCount::counted)};
 }
 
 // T' A T of a symmetric matrix

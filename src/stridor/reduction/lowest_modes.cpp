@@ -1,7 +1,6 @@
 #include "stridor/reduction/lowest_modes.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/reduction/sparse_factor.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Spectra/MatOp/SparseSymMatProd.h>
@@ -99,6 +98,12 @@ struct Shifted {
     SparseFactor factor;
 };
 
+/// Factors of K - sigma M that belong to somebody else.
+struct FactorAt {
+    double sigma = 0.0;  // [rad^2/s^2]
+    const SparseFactor& factor;
+};
+
 // zero itself where the structure is held, else a little below the rigid-body modes
 Shifted shifted(const SparseMatrix& stiffness, const SparseMatrix& mass) {
     SparseFactor at_zero(stiffness, mass, 0.0);
@@ -151,7 +156,7 @@ Modes dense_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, doubl
     return modes;
 }
 
-void find_more(Modes& modes, const Shifted& at, const SparseMatrix& mass, Index more) {
+void find_more(Modes& modes, const FactorAt& at, const SparseMatrix& mass, Index more) {
     using Product = Spectra::SparseSymMatProd<double>;
     if (modes.shapes.rows() == 0) modes.shapes.resize(mass.rows(), 0);
     const MatrixXd known = modes.shapes;
@@ -180,14 +185,10 @@ Index missed(const Modes& modes, const SparseMatrix& stiffness, const SparseMatr
     return factor.negative_pivots() - (modes.squared.array() < below).count();
 }
 
-}  // namespace
-
-Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count) {
-    const Index rows = stiffness.rows();
-    if (count <= 0 || rows == 0) return {VectorXd(0), MatrixXd(rows, 0)};
-    const Shifted at = shifted(stiffness, mass);
+Modes modes_at(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count, const FactorAt& at,
+               ModeCount mode_count) {
     Modes modes;
-    if (rows <= few_rows || 3 * count > rows) {
+    if (stiffness.rows() <= few_rows || 3 * count > stiffness.rows()) {
         modes = dense_modes(stiffness, mass, at.sigma);
         keep_lowest(modes, count);
         return modes;
@@ -195,7 +196,7 @@ Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Inde
     find_more(modes, at, mass, count);
     keep_lowest(modes, count);
     constexpr int most_searches = 20;
-    for (int search = 0; modes.squared.size() > 0; ++search) {
+    for (int search = 0; modes.squared.size() > 0 && mode_count == ModeCount::counted; ++search) {
         const Index lacking = missed(modes, stiffness, mass);
         if (lacking == 0) return modes;
         if (lacking < 0 || search == most_searches) give_up("some of them hide behind others of the same frequency");
@@ -203,6 +204,21 @@ Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Inde
         keep_lowest(modes, count);
     }
     return modes;
+}
+
+}  // namespace
+
+Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count) {
+    const Index rows = stiffness.rows();
+    if (count <= 0 || rows == 0) return {VectorXd(0), MatrixXd(rows, 0)};
+    const Shifted at = shifted(stiffness, mass);
+    return modes_at(stiffness, mass, count, {at.sigma, at.factor}, ModeCount::counted);
+}
+
+Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count, const SparseFactor& factor,
+                   ModeCount mode_count) {
+    if (count <= 0) return {VectorXd(0), MatrixXd(stiffness.rows(), 0)};
+    return modes_at(stiffness, mass, count, {0.0, factor}, mode_count);
 }
 
 Index modes_below(const SparseMatrix& stiffness, const SparseMatrix& mass, double frequency) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/reduction/part.hpp"
+#include "stridor/reduction/sparse_factor.hpp"
 
 namespace stridor::reduction {
 
@@ -18,6 +19,13 @@ struct Modes {
 /// law of inertia) as were found; where they count more, the search goes on in what is orthogonal to those found, as it
 /// must for modes of one frequency. Throws `Error` (numerical) where that does not help.
 Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Eigen::Index count);
+
+/// Is it counted that no mode is missed? That costs another factorisation, most of the time of a large part.
+enum class ModeCount { counted, trusted };
+
+/// The same with the factors of K, which is not singular.
+Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Eigen::Index count,
+                   const SparseFactor& factor, ModeCount mode_count);
 
 /// How many modes lie below a frequency [Hz] (Sylvester's law of inertia).
 Eigen::Index modes_below(const SparseMatrix& stiffness, const SparseMatrix& mass, double frequency);

@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr Index most_rigid_modes = 6;
-constexpr double is_free = 1e-10;      // [1] of the diagonal
+constexpr double free_pivot = 1e-10;   // [1] of the diagonal
 constexpr double rigid_share = 1e-10;  // [1] of the highest omega^2 looked at: as good as zero
 
 // without the rows that are held
@@ -39,8 +39,7 @@ SparseMatrix without(const SparseMatrix& matrix, const std::vector<Index>& held)
     return left;
 }
 
-std::vector<double> frequencies_of(const ElasticPart& part, const std::vector<Index>& held, Index count) {
-    const Modes modes = lowest_modes(without(part.stiffness, held), without(part.mass, held), count + most_rigid_modes);
+std::vector<double> without_rigid_body(const Modes& modes, Index count) {
     std::vector<double> frequencies;
     const double small = modes.squared.size() == 0 ? 0.0 : rigid_share * modes.squared.maxCoeff();
     for (Index k = 0; k < modes.squared.size(); ++k)
@@ -49,15 +48,37 @@ std::vector<double> frequencies_of(const ElasticPart& part, const std::vector<In
     return frequencies;
 }
 
+/// A part with some of its rows held, and its factors, which are most of the work.
+struct HeldPart {
+    SparseMatrix stiffness;
+    SparseMatrix mass;
+    SparseFactor factor;
+    bool is_free;  // as it is held, it can still move without a force
+};
+
+HeldPart held_part(const ElasticPart& part, const std::vector<Index>& held) {
+    SparseMatrix stiffness = without(part.stiffness, held);
+    SparseMatrix mass = without(part.mass, held);
+    SparseFactor factor(stiffness, mass, 0.0);
+    const bool is_free = !factor.is_whole() || factor.negative_pivots() > 0 || factor.weakest_pivot() < free_pivot;
+    return {std::move(stiffness), std::move(mass), std::move(factor), is_free};
+}
+
+// a mode that was missed would stand out: all behind it would seem to be wrong
+std::vector<double> frequencies_of(const HeldPart& part, Index count) {
+    if (part.is_free)
+        return without_rigid_body(lowest_modes(part.stiffness, part.mass, count + most_rigid_modes), count);
+    return without_rigid_body(lowest_modes(part.stiffness, part.mass, count, part.factor, ModeCount::trusted), count);
+}
+
 // (K^-1)_bb; nothing where the part is free
-std::optional<MatrixXd> flexibility_of(const ElasticPart& part, const std::vector<Index>& boundary) {
-    const SparseFactor factor(part.stiffness, part.mass, 0.0);
-    if (!factor.is_whole() || factor.negative_pivots() > 0 || factor.weakest_pivot() < is_free) return std::nullopt;
+std::optional<MatrixXd> flexibility_of(const HeldPart& part, const std::vector<Index>& boundary) {
+    if (part.is_free) return std::nullopt;
     const auto size = static_cast<Index>(boundary.size());
-    MatrixXd loads = MatrixXd::Zero(rows_of(part), size);
+    MatrixXd loads = MatrixXd::Zero(part.stiffness.rows(), size);
     for (Index k = 0; k < size; ++k)
         loads(boundary[static_cast<std::size_t>(k)], k) = 1.0;
-    const MatrixXd answers = factor.solve(loads);
+    const MatrixXd answers = part.factor.solve(loads);
     MatrixXd flexibility(size, size);
     for (Index k = 0; k < size; ++k)
         flexibility.row(k) = answers.row(boundary[static_cast<std::size_t>(k)]);
@@ -86,34 +107,37 @@ double relative_error(const FrequencyPair& pair) {
 }
 
 std::vector<HeldRows> contact_states(const Reduction& reduction, int normal) {
-    std::vector<HeldRows> states{{"open", {}}, {"sliding", {}}, {"stuck", {}}};
-    for (Index row = 0; row < reduction.boundary_rows; ++row) {
-        if (reduction.part.labels[static_cast<std::size_t>(row)].component == normal) states[1].held.push_back(row);
-        states[2].held.push_back(row);
-    }
-    if (states[1].held.empty() || states[1].held.size() == states[2].held.size()) states.erase(states.begin() + 1);
+    std::vector<HeldRows> states{{"open", {}}};
+    HeldRows sliding{"sliding", {}};
+    for (Index row = 0; row < reduction.boundary_rows; ++row)
+        if (reduction.part.labels[static_cast<std::size_t>(row)].component == normal) sliding.held.push_back(row);
+    if (normal != 0 && !sliding.held.empty()) states.push_back(std::move(sliding));
     return states;
 }
 
 ReductionErrors reduction_errors(const ElasticPart& full, const ReductionRequest& request, const Reduction& reduction,
                                  const std::vector<HeldRows>& states, Index count) {
     ReductionErrors errors;
+    std::vector<Index> boundary(static_cast<std::size_t>(reduction.boundary_rows));
+    for (std::size_t k = 0; k < boundary.size(); ++k)
+        boundary[k] = static_cast<Index>(k);
     for (const HeldRows& state : states) {
         std::vector<Index> held;
         for (const Index row : state.held)
             held.push_back(request.boundary[static_cast<std::size_t>(row)]);
-        const std::vector<double> wanted = frequencies_of(full, held, count);
-        const std::vector<double> got = frequencies_of(reduction.part, state.held, count);
+        const HeldPart exact = held_part(full, held);
+        const HeldPart reduced = held_part(reduction.part, state.held);
+        const std::vector<double> wanted = frequencies_of(exact, count);
+        const std::vector<double> got = frequencies_of(reduced, count);
         StateErrors& errors_of_state = errors.states.emplace_back(StateErrors{state.name, {}});
         for (std::size_t k = 0; k < std::min(wanted.size(), got.size()); ++k)
             errors_of_state.frequencies.push_back({wanted[k], got[k]});
+        if (!held.empty()) continue;
+        const auto flexibility = flexibility_of(exact, request.boundary);
+        const auto its = flexibility_of(reduced, boundary);
+        if (flexibility && its)
+            errors.flexibility = (*flexibility - *its).cwiseAbs().maxCoeff() / flexibility->cwiseAbs().maxCoeff();
     }
-    std::vector<Index> boundary(static_cast<std::size_t>(reduction.boundary_rows));
-    for (std::size_t k = 0; k < boundary.size(); ++k)
-        boundary[k] = static_cast<Index>(k);
-    const auto exact = flexibility_of(full, request.boundary);
-    const auto reduced = flexibility_of(reduction.part, boundary);
-    if (exact && reduced) errors.flexibility = (*exact - *reduced).cwiseAbs().maxCoeff() / exact->cwiseAbs().maxCoeff();
     errors.coupling = coupling_of(reduction);
     return errors;
 }

@@ -10,7 +10,7 @@ namespace stridor::reduction {
 
 /// A state of all contacts at once, in which some rows of the boundary do not move.
 struct HeldRows {
-    std::string name;                // "open", "sliding", "stuck"
+    std::string name;                // "open", "sliding"
     std::vector<Eigen::Index> held;  // rows of the reduced part, within its boundary
 };
 
@@ -31,15 +31,17 @@ struct StateErrors {
 
 struct ReductionErrors {
     std::vector<StateErrors> states;
-    std::optional<double> flexibility;  // [1] largest error of (K^-1)_bb over its largest entry; none for a free part
-    double coupling = 0.0;              // [1] largest |S_jk| / sqrt(S_jj S_kk) of the contact inertia, j != k
+    // [1] largest error of (K^-1)_bb over its largest entry; none for a free part, or without the state "open"
+    std::optional<double> flexibility;
+    double coupling = 0.0;  // [1] largest |S_jk| / sqrt(S_jj S_kk) of the contact inertia, j != k
 };
 
-/// The three states that contacts can be in together: nothing held, the component `normal` held, all that rub held. A
-/// normal of 0 leaves out the second.
+/// The states that contacts can be in together: "open", nothing held, and "sliding", their component `normal` held (0:
+/// left out). With all of the boundary held the reduced part has the full part's modes by construction.
 std::vector<HeldRows> contact_states(const Reduction& reduction, int normal);
 
-/// Holds a reduced part against the full one: so many frequencies of each state, and the static flexibility.
+/// Holds a reduced part against the full one: so many frequencies of each state, and in the state without held rows
+/// the static flexibility.
 ReductionErrors reduction_errors(const ElasticPart& full, const ReductionRequest& request, const Reduction& reduction,
                                  const std::vector<HeldRows>& states, Eigen::Index count);
 

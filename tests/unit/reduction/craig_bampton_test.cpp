@@ -44,7 +44,7 @@ TEST(CraigBampton, WithAllModesIsTheFullPart) {
     EXPECT_EQ(rows_of(reduction.part), rows_of(part));
     EXPECT_NO_THROW(expect_sound(reduction.part));
     const auto errors = reduction_errors(part, request, reduction, contact_states(reduction, 3), 6);
-    ASSERT_EQ(errors.states.size(), 3U);
+    ASSERT_EQ(errors.states.size(), 2U);
     for (const StateErrors& state : errors.states) {
         EXPECT_EQ(state.frequencies.size(), 6U);
         EXPECT_LT(worst_error(state), 1e-10) << state.name;
@@ -56,7 +56,7 @@ TEST(CraigBampton, IsExactInStaticsWhateverIsKept) {
     for (const Index modes : {0, 3, 12})
         for (const BoundaryInertia inertia : {BoundaryInertia::consistent, BoundaryInertia::lumped}) {
             const ReductionRequest request = foot(part, modes, inertia);
-            const auto errors = reduction_errors(part, request, craig_bampton(part, request), {}, 1);
+            const auto errors = reduction_errors(part, request, craig_bampton(part, request), {{"open", {}}}, 1);
             ASSERT_TRUE(errors.flexibility);
             EXPECT_LT(*errors.flexibility, 1e-12);
         }
@@ -164,7 +164,7 @@ TEST(CraigBampton, KeepsAllModesBelowAFrequency) {
 TEST(CraigBampton, OfAFreePartNeedsABoundaryThatHoldsIt) {
     const ElasticPart part = lattice_part({4, 3, 4}, LatticeSupport::free);
     const Reduction reduction = craig_bampton(part, foot(part, 6));
-    EXPECT_FALSE(reduction_errors(part, foot(part, 6), reduction, {}, 1).flexibility);
+    EXPECT_FALSE(reduction_errors(part, foot(part, 6), reduction, {{"open", {}}}, 1).flexibility);
     EXPECT_TRUE(thrown_by([&] {
                     craig_bampton(part, {.boundary = {0, 1, 2}, .modes = 2});
                 }).says("the boundary does not hold the part"));
