@@ -2,11 +2,9 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/field_table.hpp"
-#include "stridor/base/hash.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/damping_ratio.hpp"
-#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
@@ -352,67 +350,9 @@ std::string value_text(const Case& c, const Field& field) {
     return std::get<Text>(field.kind).get(c);
 }
 
-namespace {
-
-std::string listed(const std::vector<std::string>& texts) {
-    std::string list;
-    for (const std::string& text : texts)
-        list += (list.empty() ? "" : ", ") + text;
-    return list;
-}
-
-}  // namespace
-
 bool goes_without_saying(const Case& c, const Field& field) {
     const auto* choice = std::get_if<Choice>(&field.kind);
     return choice != nullptr && choice->canonical == Choice::Canonical::unless_first && choice->get(c) == 0;
-}
-
-namespace {
-
-bool is_of_joint(const Field& field) {
-    return field.section == "joint" || field.section == "contact";
-}
-
-// does a line of it stand in the canonical text?
-bool is_canonical(const Case& c, const Field& field) {
-    const bool names_a_thing = std::holds_alternative<Text>(field.kind);  // a title or a file name changes no result
-    const bool follows = temperature_column(c, key_of(field)) != nullptr;
-    return field.belongs(c) && !names_a_thing && !follows && !goes_without_saying(c, field);
-}
-
-// "joint.lip2.mass = 0.1 kg", "joint.lip2.contact.preload = 20 N"
-std::string joint_lines(const Case& c, std::size_t joint) {
-    const Case only = alone(c, joint);
-    const std::string opening = "joint." + joint_name(c, joint) + ".";
-    std::string text;
-    for (const Field& field : table)
-        if (is_of_joint(field) && is_canonical(only, field))
-            text += opening + (field.section == "contact" ? "contact." : "") + std::string(field.name) + " = " +
-                    value_text(only, field) + "\n";
-    return text;
-}
-
-}  // namespace
-
-std::string canonical_text(const Case& c) {
-    const bool has_several = !c.further_joints.empty();
-    std::string text;
-    for (std::size_t joint = 0; has_several && joint < joint_count(c); ++joint)
-        text += joint_lines(c, joint);
-    for (const Field& field : table)
-        if (is_canonical(c, field) && !(has_several && is_of_joint(field)))
-            text += key_of(field) + " = " + value_text(c, field) + "\n";
-    if (has_temperature_table(c)) text += "temperature.at = " + listed(node_texts(c)) + "\n";
-    for (const TemperatureColumn& column : c.temperature.columns)
-        text += "temperature." + column.key + " = " + listed(value_texts(column)) + "\n";
-    if (c.drive.kind == DriveKind::sampled) {
-        std::string samples;
-        for (std::size_t k = 0; k < c.drive.times.size(); ++k)
-            samples += base::shortest(c.drive.times[k]) + "," + base::shortest(c.drive.velocities[k]) + "\n";
-        text += "drive.samples = " + base::hash_text(samples) + "\n";
-    }
-    return text;
 }
 
 }  // namespace stridor::parameters

@@ -14,7 +14,7 @@
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/imposed_motion.hpp"
 #include "stridor/integration/taylor/event_polynomial.hpp"
-#include "stridor/integration/taylor/settling.hpp"
+#include "stridor/integration/taylor/taylor_run.hpp"
 #include "stridor/model/sized_structure.hpp"
 
 #include <algorithm>
@@ -34,75 +34,7 @@ constexpr int most_events_at_once = 1000;
 constexpr double pile_up_window = 1e-3;
 constexpr double most_unexplained_share = 1e-9;
 
-// Gauss' quadrature on [0, 1], exact to degree 15. Abramowitz and Stegun (1964), 25.4.30
-constexpr std::size_t nodes = 8;
-constexpr std::array<double, nodes> node{0.5 - 0.5 * 0.9602898564975363, 0.5 - 0.5 * 0.7966664774136267,
-                                         0.5 - 0.5 * 0.5255324099163290, 0.5 - 0.5 * 0.1834346424956498,
-                                         0.5 + 0.5 * 0.1834346424956498, 0.5 + 0.5 * 0.5255324099163290,
-                                         0.5 + 0.5 * 0.7966664774136267, 0.5 + 0.5 * 0.9602898564975363};
-constexpr std::array<double, nodes> node_weight{
-    0.5 * 0.1012285362903763, 0.5 * 0.2223810344533745, 0.5 * 0.3137066458778873, 0.5 * 0.3626837833783620,
-    0.5 * 0.3626837833783620, 0.5 * 0.3137066458778873, 0.5 * 0.2223810344533745, 0.5 * 0.1012285362903763};
-
-// a function of a contact that becomes zero
-struct Firing {
-    double theta = no_zero;  // [1]
-    std::size_t contact = 0;
-    std::size_t function = 0;
-    bool is_lost = false;  // a coefficient left double precision
-};
-
-class TaylorRun {
-public:
-    TaylorRun(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
-              record::Recorder& recorder);
-
-    Outcome run(const std::stop_token& stop);
-    EnergyBalance energy() const;
-
-private:
-    const std::vector<record::Span>& spans() const { return recorder_.schedule().spans; }
-    SurfaceSeries surface(double time) const;
-    double next_boundary() const;
-    Firing first_firing(double reach);
-    void account(double theta);
-    void add_vibration(const Eigen::VectorXd& speed, double duration);
-    void pass_samples(double theta);
-    void move(double theta);
-    std::optional<Outcome> fire(const Firing& firing);
-    bool pass_boundary();
-    void tell();
-    double stored() const;
-    bool is_finite() const;
-
-    const model::Structure& whole_;
-    parameters::Drive drive_;
-    ImposedMotion motion_;
-    record::Recorder& recorder_;
-    ModalStructure structure_;
-    double step_;
-    TaylorBlock block_;
-    Settling settling_;
-    TaylorState state_;
-    SurfaceSeries surface_{};
-    bool is_fresh_ = true;  // the block begins at an event
-    double time_ = 0.0;     // [s]
-    std::size_t span_ = 0;
-    std::size_t knot_ = 0;
-    long sample_ = 0;
-    long last_sample_ = -1;
-    std::vector<ContactMode> told_;
-    std::vector<record::Vibration> vibration_;
-    double vibrated_from_ = 0.0;  // [s]
-    EnergyBalance work_;          // dashpots, friction, drive
-    double initial_energy_ = 0.0;
-    std::vector<double> initial_q_;
-    std::vector<double> most_q_, most_v_;  // largest that they have been
-    double window_begin_ = 0.0;            // [s] of the search for pile-ups
-    int window_events_ = 0;
-    std::vector<double> scratch_;
-    std::vector<Settled> lost_;
-};
+}  // namespace
 
 TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                      record::Recorder& recorder)
@@ -161,7 +93,7 @@ double TaylorRun::next_boundary() const {
     return end;
 }
 
-Firing TaylorRun::first_firing(double reach) {
+TaylorRun::Firing TaylorRun::first_firing(double reach) {
     Firing first;
     for (std::size_t k = 0; k < state_.set.size(); ++k) {
         const ContactMode mode = state_.set[k];
@@ -175,98 +107,6 @@ Firing TaylorRun::first_firing(double reach) {
         }
     }
     return first;
-}
-
-// what the block adds up to its end
-void TaylorRun::account(double theta) {
-    const bool is_judged = record::is_judged(spans()[span_].use);
-    for (std::size_t i = 0; i < nodes; ++i) {
-        const double x = theta * node[i];
-        const double duration = node_weight[i] * theta * step_;
-        block_.velocity_at(x, scratch_);
-        const double* v = scratch_.data();
-        double dashpots = 0.0;
-        if (structure_.is_damped_by_mode()) {
-            for (std::size_t j = 0; j < scratch_.size(); ++j)
-                dashpots += structure_.damping[j] * v[j] * v[j];
-        } else {
-            for (std::size_t a = 0; a < scratch_.size(); ++a)
-                for (std::size_t b = 0; b < scratch_.size(); ++b)
-                    dashpots += structure_.damping[a * scratch_.size() + b] * v[a] * v[b];
-        }
-        work_.dashpot_loss += duration * dashpots;
-        const double V = value_of(std::span(surface_), x);
-        for (std::size_t k = 0; k < state_.set.size(); ++k) {
-            const ContactMode mode = state_.set[k];
-            if (mode == ContactMode::open) continue;
-            const ModalContact& c = structure_.contacts[k];
-            const double T = mode == ContactMode::stick
-                                 ? value_of(block_.friction_force(k), x)
-                                 : c.ratio[index_of(way_of(mode))] * value_of(block_.normal_force(k), x);
-            work_.drive_work += duration * T * c.drive_share * V;
-            if (!is_slip(mode)) continue;
-            double w = -c.drive_share * V;
-            for (std::size_t j = 0; j < scratch_.size(); ++j)
-                w += c.tangent[j] * v[j];
-            work_.friction_loss -= duration * T * w;
-        }
-        if (!is_judged) continue;
-        const Eigen::VectorXd speed =
-            structure_.shapes * Eigen::Map<const Eigen::VectorXd>(v, static_cast<Eigen::Index>(scratch_.size()));
-        add_vibration(speed, duration);
-    }
-}
-
-// peaks are of whole bodies: their degrees of freedom stand one after the other
-void TaylorRun::add_vibration(const Eigen::VectorXd& speed, double duration) {
-    const auto body = [this](std::size_t dof) {
-        return whole_.body.empty() ? static_cast<int>(dof) : whole_.body[dof];
-    };
-    for (std::size_t first = 0, end = 0; first < vibration_.size(); first = end) {
-        double whole = 0.0;
-        for (end = first; end < vibration_.size() && body(end) == body(first); ++end) {
-            const double square = speed(static_cast<Eigen::Index>(end)) * speed(static_cast<Eigen::Index>(end));
-            vibration_[end].square_time += duration * square;
-            whole += square;
-        }
-        for (std::size_t dof = first; dof < end; ++dof)
-            vibration_[dof].peak_square = std::max(vibration_[dof].peak_square, whole);
-    }
-}
-
-void TaylorRun::pass_samples(double theta) {
-    const double interval = recorder_.request().trace.interval;
-    const auto n = static_cast<Eigen::Index>(structure_.modes());
-    Eigen::VectorXd q(n), v(n), a(n);
-    for (; sample_ <= last_sample_; ++sample_) {
-        const double time = static_cast<double>(sample_) * interval;
-        const double x = std::max(0.0, (time - time_) / step_);
-        if (x > theta) return;
-        block_.displacement_at(x, {q.data(), structure_.modes()});
-        block_.velocity_at(x, {v.data(), structure_.modes()});
-        block_.acceleration_at(x, {a.data(), structure_.modes()});
-        std::vector<record::ContactSample> contacts(state_.set.size());
-        for (std::size_t k = 0; k < state_.set.size(); ++k) {
-            const ContactMode mode = state_.set[k];
-            const ModalContact& c = structure_.contacts[k];
-            record::ContactSample& sample = contacts[structure_.number[k]];
-            sample.state = contact_of(mode);
-            if (mode == ContactMode::open) {
-                sample.gap = c.initial_gap;
-                for (std::size_t j = 0; j < c.normal.size(); ++j)
-                    sample.gap += c.normal[j] * q(static_cast<Eigen::Index>(j));
-                sample.gap = std::max(0.0, sample.gap);
-                continue;
-            }
-            sample.normal_force = std::max(0.0, value_of(block_.normal_force(k), x));
-            sample.friction_force = mode == ContactMode::stick ? value_of(block_.friction_force(k), x)
-                                                               : c.ratio[index_of(way_of(mode))] * sample.normal_force;
-        }
-        const Eigen::VectorXd u = structure_.shapes * q, speed = structure_.shapes * v,
-                              acceleration = structure_.shapes * a;
-        recorder_.sample({time, model::numbers(u), model::numbers(speed), model::numbers(acceleration),
-                          value_of(std::span(surface_), x), contacts});
-    }
 }
 
 void TaylorRun::move(double theta) {
@@ -374,31 +214,6 @@ Outcome TaylorRun::run(const std::stop_token& stop) {
     }
     return {Reason::completed, time_};
 }
-
-double TaylorRun::stored() const {
-    double energy = 0.0;
-    for (std::size_t j = 0; j < state_.q.size(); ++j)
-        energy += 0.5 * state_.v[j] * state_.v[j] + 0.5 * structure_.square_frequency[j] * state_.q[j] * state_.q[j];
-    return energy;
-}
-
-EnergyBalance TaylorRun::energy() const {
-    EnergyBalance balance = work_;
-    const EnergyBalance& impacts = settling_.losses();
-    balance.impact_loss += impacts.impact_loss;
-    balance.friction_loss += impacts.friction_loss;
-    balance.drive_work += impacts.drive_work;
-    balance.stored = stored() - initial_energy_;
-    for (std::size_t j = 0; j < state_.q.size(); ++j) {
-        balance.preload_work += structure_.load[j] * (state_.q[j] - initial_q_[j]);
-        balance.held += 0.5 * std::abs(structure_.square_frequency[j]) * most_q_[j] * most_q_[j] +
-                        0.5 * most_v_[j] * most_v_[j] + std::abs(structure_.load[j]) * most_q_[j];
-    }
-    balance.residual = unexplained(balance);
-    return balance;
-}
-
-}  // namespace
 
 Motion integrate_taylor(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                         const Taylor&, record::Recorder recorder, std::stop_token stop) {
