@@ -6,7 +6,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/library/json_library.hpp"
 #include "stridor/io/library/recording_probe.hpp"
-#include "stridor/noise_library/add_starter.hpp"
+#include "stridor/noise_library/starter/add_starter.hpp"
 
 #include <CLI/CLI.hpp>
 

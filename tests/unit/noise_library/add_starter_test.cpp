@@ -1,6 +1,6 @@
-#include "stridor/noise_library/add_starter.hpp"
+#include "stridor/noise_library/starter/add_starter.hpp"
 
-#include "stridor/noise_library/starter_noises.hpp"
+#include "stridor/noise_library/starter/starter_noises.hpp"
 #include "support/error_text.hpp"
 #include "unit/noise_library/library_folder.hpp"
 

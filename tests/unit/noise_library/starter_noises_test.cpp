@@ -1,6 +1,6 @@
 // The starter library is what it promises: many systems, valid cases, and sounds that differ.
 
-#include "stridor/noise_library/starter_noises.hpp"
+#include "stridor/noise_library/starter/starter_noises.hpp"
 
 #include "stridor/parameters/check.hpp"
 

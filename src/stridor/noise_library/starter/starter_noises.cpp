@@ -1,7 +1,7 @@
 // The table of the starter library: a system each, with the joint, the plate and the drive it is made of, and below it
 // a row per noise. Which of them are heard, and as what, is the program's to say.
 
-#include "stridor/noise_library/starter_noises.hpp"
+#include "stridor/noise_library/starter/starter_noises.hpp"
 
 #include "stridor/sweep/soft_parts.hpp"
 

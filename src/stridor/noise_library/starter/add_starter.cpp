@@ -1,10 +1,10 @@
-#include "stridor/noise_library/add_starter.hpp"
+#include "stridor/noise_library/starter/add_starter.hpp"
 
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/noise_library/entry_filler.hpp"
-#include "stridor/noise_library/starter_noises.hpp"
+#include "stridor/noise_library/starter/starter_noises.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/storage/temporary.hpp"
 
