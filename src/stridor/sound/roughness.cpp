@@ -33,6 +33,8 @@ constexpr std::size_t first_modulation = 2;  // [lines] below it is what the win
 // what fluctuates less does so by rounding; its correlation with a neighbour would be a matter of chance
 constexpr double least_depth = 1e-9;  // [1]
 
+constexpr double most_amplitude = 1e15;  // [1] 300 dB: no sound, and where numbers end
+
 constexpr double down_slope = -27.0;  // [dB/Bark] from a component towards low rates
 
 // so that 1 kHz, 60 dB, wholly modulated with 70 Hz is 1 asper; Daniel and Weber have 0.25 and their own arithmetic
@@ -138,7 +140,7 @@ void RoughnessMeter::find_components() {
     const RoughEar& tables = rough_ear();
     for (std::size_t k = first_line; k <= last_line; ++k) {
         const double amplitude = tables.scales[k] * std::sqrt(power_of(lines_[k]));
-        if (!(amplitude > tables.thresholds[k])) continue;
+        if (!(amplitude > tables.thresholds[k] && amplitude < most_amplitude)) continue;
         const double place = tables.rates[k];
         const double frequency = line_step * static_cast<double>(k);
         // a slope that rises, of more than 120 dB, is none

@@ -68,6 +68,8 @@ TEST(Evidence, CountsWhatEndsSticks) {
 TEST(Evidence, IsThatOfTheContactAskedFor) {
     record::Tally tally = fading();
     tally.contacts.resize(2);
+    tally.vibration.resize(5);
+    tally.closing_vibration.resize(5);
     tally.contacts[1].time = tally.contacts[1].judged_time = {0.0, 1.0, 0.0};
     EXPECT_EQ(evidence(tally, 0).rates.slip, 1.0);
     EXPECT_EQ(evidence(tally, 1).rates.stick, 1.0);

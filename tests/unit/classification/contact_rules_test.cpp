@@ -237,8 +237,8 @@ record::ContactTally contact(double slip, double stick) {
 record::Tally phase(std::vector<record::ContactTally> contacts) {
     record::Tally tally;
     tally.contacts = std::move(contacts);
-    tally.vibration.resize(3);
-    tally.closing_vibration.resize(3);
+    tally.vibration.resize(2 * tally.contacts.size() + 1);
+    tally.closing_vibration.resize(tally.vibration.size());
     return tally;
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -133,6 +134,10 @@ TEST(Roughness, IsNoneOfASteadyToneAndOfSilence) {
     EXPECT_LT(roughness_of(modulated_tone(1000.0, 1.0, 60.0, 0.0)), 1e-3);
     EXPECT_EQ(roughness_of(Pressures(48000)), 0.0);
     EXPECT_EQ(roughness_of(modulated_tone(1000.0, 70.0, -20.0)), 0.0);  // below the threshold of hearing
+}
+
+TEST(Roughness, OfWhatIsBeyondAllNumbersIsNone) {
+    EXPECT_EQ(roughness_of(Pressures(9600, std::numeric_limits<double>::infinity())), 0.0);
 }
 
 TEST(Roughness, OfAShortSoundIsNone) {
