@@ -44,16 +44,12 @@ inline void put_fields(Json& object, const parameters::Case& c, bool (*is_wanted
     }
 }
 
-inline bool is_of_joint(const parameters::Field& field) {
-    return field.section == "joint" || field.section == "contact";
-}
-
 // of several joints a list, each with its name and its contact
 inline Json joints_array(const parameters::Case& c) {
     Json joints = Json::array();
     for (std::size_t k = 0; k < parameters::joint_count(c); ++k) {
         Json parts = Json::object();
-        put_fields(parts, parameters::alone(c, k), is_of_joint);
+        put_fields(parts, parameters::alone(c, k), parameters::is_of_joint);
         Json joint{{"name", parameters::joint_name(c, k)}};
         joint.update(parts["joint"]);
         joint["contact"] = parts["contact"];
@@ -69,7 +65,7 @@ inline Json case_object(const parameters::Case& c) {
     if (c.further_joints.empty()) {
         put_fields(object, c, [](const parameters::Field&) { return true; });
     } else {
-        put_fields(object, c, [](const parameters::Field& field) { return !is_of_joint(field); });
+        put_fields(object, c, [](const parameters::Field& field) { return !parameters::is_of_joint(field); });
         object["joint"] = joints_array(c);
     }
     if (!parameters::has_temperature_table(c)) return object;

@@ -19,10 +19,6 @@ std::string listed(const std::vector<std::string>& texts) {
     return list;
 }
 
-bool is_of_joint(const Field& field) {
-    return field.section == "joint" || field.section == "contact";
-}
-
 // does a line of it stand in the canonical text?
 bool is_canonical(const Case& c, const Field& field) {
     const bool names_a_thing = std::holds_alternative<Text>(field.kind);  // a title or a file name changes no result

@@ -1,7 +1,6 @@
 #include "stridor/parameters/joints.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/parameters/field.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -23,6 +22,10 @@ std::string joint_name(const Case& c, std::size_t joint) {
     STRIDOR_EXPECT(joint < joint_count(c));
     if (c.further_joints.empty()) return "joint";
     return joint == 0 ? c.joint_name : c.further_joints[joint - 1].name;
+}
+
+bool is_of_joint(const Field& field) {
+    return field.section == "joint" || field.section == "contact";
 }
 
 Case alone(const Case& c, std::size_t joint) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/parameters/case.hpp"
+#include "stridor/parameters/field.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -18,6 +18,9 @@ std::size_t joint_count(const Case& c);
 
 /// The name of a joint; "joint" where there is only one.
 std::string joint_name(const Case& c, std::size_t joint);
+
+/// Is it a field of [joint] or [contact], of which each of several joints has its own?
+bool is_of_joint(const Field& field);
 
 /// The case as if this joint were its only one: what a single joint's fields, checks and texts are made from.
 Case alone(const Case& c, std::size_t joint);

@@ -36,7 +36,7 @@ std::string fields_text(const parameters::Case& c, Shown shown) {
     std::string_view section;
     for (const parameters::Field& field : parameters::fields()) {
         if (!field.belongs(c) || field.section.empty()) continue;
-        const bool is_of_joint = field.section == "joint" || field.section == "contact";
+        const bool is_of_joint = parameters::is_of_joint(field);
         if (shown != Shown::all && is_of_joint != (shown == Shown::joint)) continue;
         if (field.section != section) text += (section.empty() ? "[" : "\n[") + std::string(field.section) + "]\n";
         section = field.section;

@@ -52,6 +52,25 @@ Eigen::MatrixXd compliance_of(const std::vector<ModalContact>& contacts, std::si
 
 }  // namespace
 
+double dot_of_sizes(std::span<const double> a, std::span<const double> b) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < a.size(); ++j)
+        sum += std::abs(a[j] * b[j]);
+    return sum;
+}
+
+double gap(const ModalContact& contact, std::span<const double> q) {
+    return dot(contact.normal, q) + contact.initial_gap;
+}
+
+double gap_velocity(const ModalContact& contact, std::span<const double> v) {
+    return dot(contact.normal, v);
+}
+
+double slip_velocity(const ModalContact& contact, std::span<const double> v, double surface_velocity) {
+    return dot(contact.tangent, v) - contact.drive_share * surface_velocity;
+}
+
 ModalStructure modal_structure(const model::Structure& structure) {
     require_symmetric(structure.mass, "mass");
     require_symmetric(structure.stiffness, "stiffness");

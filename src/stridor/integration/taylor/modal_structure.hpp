@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace stridor::integration {
@@ -19,6 +20,21 @@ struct ModalContact {
     std::array<double, 2> limit{};  // [1] of the stick, shape [slip]
     std::array<double, 2> ratio{};  // [1] T/N of the slip, shape [slip]
 };
+
+/// Sum of products [1], and that of their sizes: what rounding works on.
+inline double dot(std::span<const double> a, std::span<const double> b) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < a.size(); ++j)
+        sum += a[j] * b[j];
+    return sum;
+}
+double dot_of_sizes(std::span<const double> a, std::span<const double> b);
+
+/// Gap [m], its rate [m/s] and the slip velocity [m/s] of a contact, from coordinates or their rates and the surface's
+/// velocity [m/s].
+double gap(const ModalContact& contact, std::span<const double> q);
+double gap_velocity(const ModalContact& contact, std::span<const double> v);
+double slip_velocity(const ModalContact& contact, std::span<const double> v, double surface_velocity);
 
 /// A structure in the coordinates of its free eigenmodes, u = Φ q with Φ'M Φ = 1 and Φ'K Φ = diag(ω²):
 ///

@@ -25,31 +25,11 @@ double sign_of(ContactMode mode) {
     return mode == ContactMode::slip_forward ? forward_sign : -forward_sign;
 }
 
-double product(const std::vector<double>& a, std::span<const double> b) {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < a.size(); ++j)
-        sum += a[j] * b[j];
-    return sum;
-}
-
-double terms_of(const std::vector<double>& a, std::span<const double> b) {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < a.size(); ++j)
-        sum += std::abs(a[j] * b[j]);
-    return sum;
-}
-
-double gap_of(const ModalContact& c, const TaylorState& state) {
-    return product(c.normal, state.q) + c.initial_gap;
-}
 double gap_zero(const ModalContact& c, const TaylorState& state) {
-    return gap_rounding * (terms_of(c.normal, state.q) + std::abs(c.initial_gap));
-}
-double slip_of_contact(const ModalContact& c, const TaylorState& state, const SurfaceSeries& surface) {
-    return product(c.tangent, state.v) - c.drive_share * surface[0];
+    return gap_rounding * (dot_of_sizes(c.normal, state.q) + std::abs(c.initial_gap));
 }
 double slip_zero(const ModalContact& c, const TaylorState& state, const SurfaceSeries& surface) {
-    return function_rounding * (terms_of(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
+    return function_rounding * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
 }
 
 // the first coefficient above `zero`; none if all are below
@@ -116,11 +96,11 @@ void Settling::project(TaylorState& state, const SurfaceSeries& surface) const {
         if (state.set[k] == ContactMode::open) continue;
         const ModalContact& c = structure_.contacts[k];
         gaps.push_back(&c.normal);
-        gap_errors.push_back(gap_of(c, state));
-        rate_errors.push_back(product(c.normal, state.v));
+        gap_errors.push_back(gap(c, state.q));
+        rate_errors.push_back(gap_velocity(c, state.v));
         if (state.set[k] != ContactMode::stick && !begins_[k]) continue;
         slips.push_back(&c.tangent);
-        slip_errors.push_back(slip_of_contact(c, state, surface));
+        slip_errors.push_back(slip_velocity(c, state.v, surface[0]));
     }
     const auto remove = [&](const std::vector<const std::vector<double>*>& rows, const std::vector<double>& errors,
                             std::vector<double>& x) {
@@ -129,8 +109,7 @@ void Settling::project(TaylorState& state, const SurfaceSeries& surface) const {
         Eigen::MatrixXd gram(n, n);
         for (Eigen::Index a = 0; a < n; ++a)
             for (Eigen::Index b = 0; b <= a; ++b)
-                gram(a, b) = gram(b, a) =
-                    product(*rows[static_cast<std::size_t>(a)], *rows[static_cast<std::size_t>(b)]);
+                gram(a, b) = gram(b, a) = dot(*rows[static_cast<std::size_t>(a)], *rows[static_cast<std::size_t>(b)]);
         const Eigen::VectorXd share = gram.ldlt().solve(Eigen::Map<const Eigen::VectorXd>(errors.data(), n));
         for (Eigen::Index a = 0; a < n; ++a)
             for (std::size_t j = 0; j < x.size(); ++j)
@@ -147,7 +126,7 @@ void Settling::correct_modes(TaylorState& state, const SurfaceSeries& surface) c
     for (std::size_t k = 0; k < state.set.size(); ++k) {
         if (state.set[k] == ContactMode::open) continue;
         const ModalContact& c = structure_.contacts[k];
-        const double w = slip_of_contact(c, state, surface);
+        const double w = slip_velocity(c, state.v, surface[0]);
         if (std::abs(w) > slip_zero(c, state, surface))
             state.set[k] = slip_mode(model::slip_of(w));
         else if (!begins_[k])
@@ -161,9 +140,9 @@ bool Settling::meet(TaylorState& state, const SurfaceSeries& surface, std::size_
     Meeting meeting{std::vector<double>(p), std::vector<double>(p), state.set, std::vector<bool>(p)};
     for (std::size_t k = 0; k < p; ++k) {
         const ModalContact& c = structure_.contacts[k];
-        meeting.gap_velocity[k] = product(c.normal, state.v);
-        meeting.slip_velocity[k] = slip_of_contact(c, state, surface);
-        const bool is_near = gap_of(c, state) <= gap_zero(c, state);
+        meeting.gap_velocity[k] = gap_velocity(c, state.v);
+        meeting.slip_velocity[k] = slip_velocity(c, state.v, surface[0]);
+        const bool is_near = gap(c, state.q) <= gap_zero(c, state);
         meeting.touches[k] = state.set[k] != ContactMode::open || is_near || k == fired;
         if (k == fired || (state.set[k] == ContactMode::open && is_near && meeting.gap_velocity[k] < 0.0))
             meeting.mode[k] = ContactMode::stick;
@@ -226,7 +205,7 @@ Settling::Forces Settling::find_forces(TaylorState& state, const SurfaceSeries& 
         if (mode == ContactMode::open) {
             if (worst.order <= 1) return Forces::closing;
             const ModalContact& c = structure_.contacts[worst.contact];
-            const double w = slip_of_contact(c, state, surface);
+            const double w = slip_velocity(c, state.v, surface[0]);
             mode = std::abs(w) > slip_zero(c, state, surface) ? slip_mode(model::slip_of(w)) : ContactMode::stick;
         } else if (worst.function == 0) {
             mode = ContactMode::open;
@@ -268,8 +247,8 @@ bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
     for (std::size_t k = 0; k < state.set.size(); ++k) {
         const ModalContact& c = structure_.contacts[k];
         if (state.set[k] != ContactMode::stick || state.dropped[k].empty()) continue;
-        const double w = slip_of_contact(c, state, surface);
-        const double near = soon * (terms_of(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
+        const double w = slip_velocity(c, state.v, surface[0]);
+        const double near = soon * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
         if (std::abs(w) > near) state.set[k] = slip_mode(model::slip_of(w));
     }
     double before = 0.0, after = 0.0;

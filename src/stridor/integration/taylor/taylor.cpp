@@ -111,10 +111,8 @@ TaylorRun::Firing TaylorRun::first_firing(double reach) {
 
 void TaylorRun::move(double theta) {
     if (!(theta > 0.0)) return;
-    block_.displacement_at(theta, scratch_);
-    state_.q = scratch_;
-    block_.velocity_at(theta, scratch_);
-    state_.v = scratch_;
+    block_.displacement_at(theta, state_.q);
+    block_.velocity_at(theta, state_.v);
     for (std::size_t j = 0; j < scratch_.size(); ++j) {
         most_q_[j] = std::max(most_q_[j], std::abs(state_.q[j]));
         most_v_[j] = std::max(most_v_[j], std::abs(state_.v[j]));

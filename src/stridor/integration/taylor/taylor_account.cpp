@@ -101,10 +101,7 @@ void TaylorRun::pass_samples(double theta) {
             record::ContactSample& sample = contacts[structure_.number[k]];
             sample.state = contact_of(mode);
             if (mode == ContactMode::open) {
-                sample.gap = c.initial_gap;
-                for (std::size_t j = 0; j < c.normal.size(); ++j)
-                    sample.gap += c.normal[j] * q(static_cast<Eigen::Index>(j));
-                sample.gap = std::max(0.0, sample.gap);
+                sample.gap = std::max(0.0, gap(c, {q.data(), structure_.modes()}));
                 continue;
             }
             sample.normal_force = std::max(0.0, value_of(block_.normal_force(k), x));

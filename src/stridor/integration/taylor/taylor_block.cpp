@@ -16,20 +16,6 @@ constexpr double least_pivot_share = 1e-13;  // of the largest: rows with less d
 // a last term above this share of the first is not rounding
 constexpr double series_rounding = 1e-17;
 
-double dot(const double* a, const double* b, std::size_t n) {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < n; ++j)
-        sum += a[j] * b[j];
-    return sum;
-}
-
-double size_of(const double* a, const double* b, std::size_t n) {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < n; ++j)
-        sum += std::abs(a[j] * b[j]);
-    return sum;
-}
-
 }  // namespace
 
 TaylorBlock::TaylorBlock(const ModalStructure& structure, double step)
@@ -131,12 +117,12 @@ void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, c
         const double per_step = static_cast<double>(m + 1) / step_;
         double* a = acceleration_.data();
         for (std::size_t r = 0; r < rows; ++r)
-            right_[r] = -dot(rows_->constraint.data() + r * modes_, a, modes_);
+            right_[r] = -dot({rows_->constraint.data() + r * modes_, modes_}, acceleration_);
         for (std::size_t r = closed; r < rows; ++r)
             right_[r] += structure_.contacts[rows_->tangent[r - closed]].drive_share * per_step *
                          surface[static_cast<std::size_t>(m) + 1];
         for (std::size_t r = 0; r < rows; ++r)
-            force_[r] = dot(rows_->inverse.data() + r * rows, right_.data(), rows);
+            force_[r] = dot({rows_->inverse.data() + r * rows, rows}, right_);
         for (std::size_t r = 0; r < rows; ++r) {
             const double* push = rows_->push.data() + r * modes_;
             const double force = force_[r];
@@ -162,7 +148,7 @@ BlockSeries TaylorBlock::gap(std::size_t contact) const {
     const ModalContact& c = structure_.contacts[contact];
     BlockSeries series{};
     for (int m = 0; m <= order_; ++m)
-        series[static_cast<std::size_t>(m)] = dot(c.normal.data(), coefficient(q_, m).data(), modes_);
+        series[static_cast<std::size_t>(m)] = dot(c.normal, coefficient(q_, m));
     series[0] += c.initial_gap;
     return series;
 }
@@ -171,19 +157,19 @@ BlockSeries TaylorBlock::slip_velocity(std::size_t contact) const {
     const ModalContact& c = structure_.contacts[contact];
     BlockSeries series{};
     for (int m = 0; m <= order_; ++m)
-        series[static_cast<std::size_t>(m)] = dot(c.tangent.data(), coefficient(v_, m).data(), modes_) -
-                                              c.drive_share * surface_[static_cast<std::size_t>(m)];
+        series[static_cast<std::size_t>(m)] =
+            stridor::integration::slip_velocity(c, coefficient(v_, m), surface_[static_cast<std::size_t>(m)]);
     return series;
 }
 
 double TaylorBlock::gap_scale(std::size_t contact) const {
     const ModalContact& c = structure_.contacts[contact];
-    return size_of(c.normal.data(), q_.data(), modes_) + std::abs(c.initial_gap);
+    return dot_of_sizes(c.normal, q_) + std::abs(c.initial_gap);
 }
 
 double TaylorBlock::velocity_scale(std::size_t contact) const {
     const ModalContact& c = structure_.contacts[contact];
-    return size_of(c.tangent.data(), v_.data(), modes_) + std::abs(c.drive_share * surface_[0]);
+    return dot_of_sizes(c.tangent, v_) + std::abs(c.drive_share * surface_[0]);
 }
 
 // (R'B)^-1 R' a with all signs left out, at the block's beginning
@@ -205,7 +191,7 @@ double TaylorBlock::force_scale(std::size_t contact) const {
         if (rows_->normal[r] != contact) continue;
         for (std::size_t k = 0; k < rows; ++k)
             scale += std::abs(rows_->inverse[r * rows + k]) *
-                     size_of(rows_->constraint.data() + k * modes_, size.data(), modes_);
+                     dot_of_sizes({rows_->constraint.data() + k * modes_, modes_}, size);
     }
     return scale;
 }

@@ -166,7 +166,7 @@ enum class Sections { all, of_joint, but_joint };
 std::string section_lines(const Case& c, const TomlOptions& options, Sections sections, std::string text = {}) {
     std::string_view section;
     for (const Field& field : parameters::fields()) {
-        const bool is_of_joint = field.section == "joint" || field.section == "contact";
+        const bool is_of_joint = parameters::is_of_joint(field);
         const bool is_wanted =
             is_of_joint ? sections == Sections::of_joint : !field.section.empty() && sections == Sections::but_joint;
         if (sections != Sections::all && !is_wanted) continue;
