@@ -6,13 +6,13 @@
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/model/bowed_string.hpp"
 #include "stridor/model/chain_on_belt.hpp"
+#include "support/strip.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -28,6 +28,7 @@ using parameters::Initial;
 using support::plate_joint;
 using support::run_taylor;
 using support::shares;
+using support::Strip;
 
 constexpr std::size_t slip = 0;
 constexpr std::size_t stick = 1;
@@ -344,48 +345,9 @@ TEST(BowedString, SlipsSeveralTimesAPeriodAboveTheUpperLimit) {
 
 // --- a strip of rubber on a moving surface: 40 degrees of freedom, five contacts, lumped mass
 
-model::Structure read_strip(const std::string& path, integration::InitialState& start, double& velocity) {
-    std::ifstream file(path);
-    std::string name;
-    int n = 0, p = 0;
-    file >> name >> n >> p;
-    model::Structure structure = model::structure_of_size(n, p);
-    const auto read = [&](auto&& matrix) {
-        for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-            for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-                file >> matrix(i, j);
-    };
-    Eigen::MatrixXd normals(n, p), tangents(n, p), laws(5, p);
-    double omega = 0.0;
-    read(structure.mass);
-    read(structure.damping);
-    read(structure.stiffness);
-    read(structure.load);
-    read(normals);
-    read(tangents);
-    read(laws);
-    file >> omega;
-    start = {Eigen::VectorXd(n), Eigen::VectorXd(n)};
-    read(start.displacement);
-    read(start.velocity);
-    EXPECT_TRUE(static_cast<bool>(file)) << path;
-    for (int k = 0; k < p; ++k) {
-        model::ContactPoint& contact = structure.contacts[static_cast<std::size_t>(k)];
-        contact.normal = normals.col(k);
-        contact.tangent = tangents.col(k);
-        contact.initial_gap = laws(0, k);
-        contact.friction = model::Coulomb{laws(1, k), laws(2, k)};
-    }
-    velocity = laws(3, 0);
-    return structure;
-}
-
 TEST(Strip, HasTheMeanSharesOfThePrototype) {
-    integration::InitialState start;
-    double velocity = 0.0;
-    const model::Structure structure =
-        read_strip(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/strip_s1.txt", start, velocity);
-    const Motion motion = run_taylor(structure, velocity, start, {1.1, 1.0});
+    const Strip strip = support::read_strip(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/strip_s1.txt");
+    const Motion motion = run_taylor(strip.structure, strip.velocity, strip.start, {1.1, 1.0});
     expect_sound(motion);
     double mean[3]{};
     for (const auto& contact : shares(motion))

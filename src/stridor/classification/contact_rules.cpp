@@ -1,5 +1,7 @@
 #include "stridor/classification/contact_rules.hpp"
 
+#include "stridor/classification/interface_rules.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -99,7 +101,7 @@ Decision alternating(const analysis::Alternation& alternation, double regularity
 
 }  // namespace
 
-Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds) {
+Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds, Creak creak) {
     const analysis::Rates& rates = evidence.judged_rates;
     const analysis::Alternation& alternation = evidence.alternation;
     const double regularity = regularity_within(alternation, thresholds.squeal_beats);
@@ -127,7 +129,8 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
                            fmt::format("{} of the judged time, and nothing alternates", percent_text(rates.slip))));
     if (rates.stick >= 1.0) return decide(stuck(evidence, thresholds));
     verdict.reasons.push_back(fmt::format("slips only {} of the judged time", percent_text(rates.slip)));
-    if (rates.stick >= thresholds.creak_stick) return decide(sticking(evidence, thresholds));
+    if (creak == Creak::possible && rates.stick >= thresholds.creak_stick)
+        return decide(sticking(evidence, thresholds));
     const Decision decision = alternating(alternation, regularity, thresholds);
     const bool repeats_later = alternation.repetition >= thresholds.squeal_regularity;
     if (decision.category == Category::squeak && repeats_later)
@@ -143,7 +146,15 @@ std::vector<Verdict> classify_contacts(const record::Tally& phase, const paramet
 }
 
 Verdict classify_phase(const record::Tally& phase, const parameters::Thresholds& thresholds) {
-    std::vector<Verdict> verdicts = classify_contacts(phase, thresholds);
+    std::vector<bool> is_alone(phase.contacts.size(), true);
+    std::vector<Verdict> verdicts;
+    for (std::size_t interface = 0; interface < phase.interfaces.size(); ++interface) {
+        verdicts.push_back(classify_interface(phase, interface, thresholds).whole);
+        for (const std::size_t contact : phase.interfaces[interface].contacts)
+            is_alone[contact] = false;
+    }
+    for (std::size_t contact = 0; contact < phase.contacts.size(); ++contact)
+        if (is_alone[contact]) verdicts.push_back(classify(analysis::evidence(phase, contact), thresholds));
     const auto quieter = [](const Verdict& a, const Verdict& b) { return loudness(a.category) < loudness(b.category); };
     return std::move(*std::max_element(verdicts.begin(), verdicts.end(), quieter));
 }

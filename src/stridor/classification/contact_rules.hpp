@@ -10,6 +10,9 @@
 
 namespace stridor::classification {
 
+/// May stick that predominates be a creak? Not where only single nodes of an interface slip.
+enum class Creak { possible, impossible };
+
 /// The category of one phase from its contact states (Elmaian et al. 2012, section 3.2), by these rules in this order:
 ///
 ///     proven to stick for ever, or to slide      none    whatever came before does not come again
@@ -25,13 +28,14 @@ namespace stridor::classification {
 ///
 /// Shares are those of the judged part. Stick dominance comes before regularity because a creak may be regular too.
 /// A vibration pattern is named, not a sound: docs/methods/verdict.md says what that leaves out.
-Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds);
+Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds,
+                 Creak creak = Creak::possible);
 
 /// The verdict of each contact in one phase; shape [contact].
 std::vector<Verdict> classify_contacts(const record::Tally& phase, const parameters::Thresholds& thresholds);
 
-/// The verdict of one phase: that of its loudest contact (`loudness`), of equals the first. A phase is quiet only if
-/// all of its contacts are.
+/// The verdict of one phase: that of its loudest interface (`loudness`), of equals the first, where a contact that
+/// shares its interface with no other is one by itself. A phase is quiet only if all of its loaded contacts are.
 Verdict classify_phase(const record::Tally& phase, const parameters::Thresholds& thresholds);
 
 /// The verdict of each phase of a run, in their order.

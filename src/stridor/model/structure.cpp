@@ -21,6 +21,13 @@ int dofs_of(const Structure& structure) {
     return static_cast<int>(structure.load.size());
 }
 
+std::vector<int> interfaces_of(const Structure& structure) {
+    std::vector<int> numbers;
+    for (const ContactPoint& contact : structure.contacts)
+        numbers.push_back(contact.interface);
+    return numbers;
+}
+
 std::vector<std::size_t> canonical_order(const Structure& structure) {
     std::vector<std::size_t> order(structure.contacts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

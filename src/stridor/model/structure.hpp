@@ -19,6 +19,7 @@ struct ContactPoint {
     FrictionLaw friction{};
     ImpactLaw impact{};
     double drive_share = 1.0;  // [1] of V(t) that the surface has here
+    int interface = -1;        // contacts of one number are one interface, judged as a whole; below 0: one by itself
 };
 
 /// A linear structure with unilateral frictional contacts, what every engine sees:
@@ -40,6 +41,9 @@ struct Structure {
 
 /// Matrices and load of zeros for so many degrees of freedom, and as many contacts with normals and tangents of zeros.
 Structure structure_of_size(int dofs, int contacts = 1);
+
+/// The number of each contact's interface; shape [contact].
+std::vector<int> interfaces_of(const Structure& structure);
 
 /// Number of degrees of freedom.
 int dofs_of(const Structure& structure);

@@ -31,10 +31,11 @@ void add(std::vector<Vibration>& sum, std::span<const Vibration> more) {
 
 }  // namespace
 
-Recorder::Recorder(Schedule schedule, Request request, int dofs, int contacts)
+Recorder::Recorder(Schedule schedule, Request request, int dofs, int contacts, const std::vector<int>& interfaces)
     : schedule_(std::move(schedule)),
       request_(std::move(request)),
-      places_(static_cast<std::size_t>(contacts)) {
+      places_(static_cast<std::size_t>(contacts)),
+      interfaces_(interface_counters(schedule_, interfaces)) {
     for (const Phase phase : schedule_.phases) {
         Tally tally;
         tally.phase = phase;
@@ -111,6 +112,8 @@ void Recorder::enter(std::size_t contact, const ContactInterval& interval) {
     }
     place.current = interval;
     place.has_state = true;
+    for (InterfaceCounter& counter : interfaces_)
+        counter.enter(contact, interval.state, interval.from);
 }
 
 void Recorder::vibrate(std::size_t span, double duration, std::span<const Vibration> vibration) {
@@ -121,6 +124,15 @@ void Recorder::vibrate(std::size_t span, double duration, std::span<const Vibrat
     if (schedule_.spans[span].use != Use::closing) return;
     tally.closing_time += duration;
     add(tally.closing_vibration, vibration);
+}
+
+void Recorder::load(std::size_t span, std::span<const Load> loads) {
+    if (span >= schedule_.spans.size() || !is_judged(schedule_.spans[span].use)) return;
+    Tally& tally = *tally_of(schedule_.spans[span].phase);
+    for (std::size_t contact = 0; contact < loads.size(); ++contact) {
+        tally.contacts[contact].load.normal_impulse += loads[contact].normal_impulse;
+        tally.contacts[contact].load.friction_loss += loads[contact].friction_loss;
+    }
 }
 
 void Recorder::sample(const Sample& sample) {
@@ -147,6 +159,11 @@ Record Recorder::finish(double time, const std::vector<Outlook>& outlooks) {
         const Outlook outlook = outlooks.empty() ? Outlook{} : outlooks[contact];
         for (Tally& tally : record_.phases)
             tally.contacts[contact].ending = {place.current.state, place.current.from, outlook};
+    }
+    for (InterfaceCounter& counter : interfaces_) {
+        std::vector<InterfaceTally> tallies = counter.finish(time);
+        for (std::size_t phase = 0; phase < record_.phases.size(); ++phase)
+            record_.phases[phase].interfaces.push_back(std::move(tallies[phase]));
     }
     if (kept_ > most_history)
         throw Error(ErrorKind::input, {"the run has more than " + std::to_string(most_history) + " contact states",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/record/contact_history.hpp"
+#include "stridor/record/interface_counter.hpp"
 #include "stridor/record/tally.hpp"
 #include "stridor/record/trace.hpp"
 
@@ -32,11 +33,13 @@ struct Record {
 /// Takes what an engine tells it and keeps what was asked for.
 ///
 /// The engine says `enter` at each change of state of a contact, `vibrate` for each stretch between two span
-/// boundaries, `sample` for each sample of a trace and `finish` once. The times of a contact never decrease.
+/// boundaries, `load` likewise where there are several contacts, `sample` for each sample of a trace and `finish` once.
+/// The times of a contact never decrease.
 class Recorder {
 public:
-    /// `request` may ask for a trace; `dofs` and `contacts` are those of the structure.
-    Recorder(Schedule schedule, Request request, int dofs, int contacts = 1);
+    /// `request` may ask for a trace; `dofs` and `contacts` are those of the structure. `interfaces` says to which
+    /// interface each contact belongs (`model::ContactPoint::interface`); empty: each to its own.
+    Recorder(Schedule schedule, Request request, int dofs, int contacts = 1, const std::vector<int>& interfaces = {});
 
     /// The schedule of the run.
     const Schedule& schedule() const { return schedule_; }
@@ -48,6 +51,10 @@ public:
 
     /// Adds the vibration of a stretch of time that lies within span number `span`; shape [dof].
     void vibrate(std::size_t span, double duration, std::span<const Vibration> vibration);
+
+    /// Adds what the contacts carried in a stretch of time that lies within span number `span`; shape [contact]. Only
+    /// of structures with several contacts.
+    void load(std::size_t span, std::span<const Load> loads);
 
     /// Takes a sample of the trace.
     void sample(const Sample& sample);
@@ -76,7 +83,8 @@ private:
     Request request_;
     Record record_;
     std::vector<Place> places_;  // shape [contact]
-    std::size_t kept_ = 0;       // contact states in the histories
+    std::vector<InterfaceCounter> interfaces_;
+    std::size_t kept_ = 0;  // contact states in the histories
 };
 
 }  // namespace stridor::record

@@ -59,12 +59,31 @@ struct Ending {
     Outlook outlook;
 };
 
+/// What a contact carried over some time.
+struct Load {
+    double normal_impulse = 0.0;  // [N*s] integral of N
+    double friction_loss = 0.0;   // [J] turned into heat: integral of |T w|
+};
+
+/// What the closed contacts of a structure do together. Open ones do not count as long as one is closed.
+enum class InterfaceState { sticks, partly, slides, open };  // all stick; some do; none does; none is closed
+
+inline constexpr std::array<std::string_view, 4> interface_state_names{"sticks", "partly", "slides", "open"};
+
+/// What one phase leaves behind of the contacts of one interface together, judged part.
+struct InterfaceTally {
+    std::vector<std::size_t> contacts{};                            // their numbers, at least two, rising
+    std::array<double, interface_state_names.size()> state_time{};  // [s] in each state
+    std::vector<double> free_together{};                            // [s] two of them not stuck, shape [its][its]
+};
+
 /// What one phase of a run leaves behind of one contact: of bounded size (1.2 MB at most), whatever the simulated time.
 struct ContactTally {
     std::array<double, model::contact_states> time{};         // [s] in each state, whole phase
     std::array<double, model::contact_states> judged_time{};  // [s] in each state, judged part
     std::array<Instants, change_kinds> changes;               // judged part, by kind
     long releases = 0;                                        // [1] sticks that ended, whole phase
+    Load load;                                                // judged part, of structures with several contacts
     Ending ending;                                            // of the run: the same for all its phases
 };
 
@@ -72,6 +91,7 @@ struct ContactTally {
 struct Tally {
     Phase phase = Phase::all;
     std::vector<ContactTally> contacts = std::vector<ContactTally>(1);  // shape [contact]
+    std::vector<InterfaceTally> interfaces{};                           // those of several contacts
     std::vector<Vibration> vibration;                                   // judged part, shape [dof]
     double vibration_time = 0.0;                                        // [s] time the vibration was integrated over
     std::vector<Vibration> closing_vibration;                           // closing part, shape [dof]; zero without one

@@ -49,6 +49,7 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
       block_(structure_, step_),
       settling_(structure_, step_),
       vibration_(static_cast<std::size_t>(model::dofs_of(structure))),
+      load_(structure.contacts.size()),
       scratch_(structure_.modes()) {
     const Eigen::VectorXd q = modal(structure_, structure, start.displacement);
     const Eigen::VectorXd v = modal(structure_, structure, start.velocity);
@@ -154,7 +155,9 @@ bool TaylorRun::pass_boundary() {
     const double end = spans()[span_].to;
     if (time_ >= end) {
         recorder_.vibrate(span_, spans()[span_].to - vibrated_from_, vibration_);
+        recorder_.load(span_, load_);
         std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
+        std::fill(load_.begin(), load_.end(), record::Load());
         vibrated_from_ = end;
         ++span_;
     }

@@ -24,6 +24,14 @@ constexpr std::array<double, nodes> node_weight{
     0.5 * 0.1012285362903763, 0.5 * 0.2223810344533745, 0.5 * 0.3137066458778873, 0.5 * 0.3626837833783620,
     0.5 * 0.3626837833783620, 0.5 * 0.3137066458778873, 0.5 * 0.2223810344533745, 0.5 * 0.1012285362903763};
 
+// of a series from 0 to x, in units of x
+double integral(const BlockSeries& c, double x) {
+    double sum = 0.0;
+    for (std::size_t m = c.size(); m-- > 0;)
+        sum = sum * x + c[m] / static_cast<double>(m + 1);
+    return sum * x;
+}
+
 }  // namespace
 
 // what the block adds up to its end
@@ -57,13 +65,19 @@ void TaylorRun::account(double theta) {
             double w = -c.drive_share * V;
             for (std::size_t j = 0; j < scratch_.size(); ++j)
                 w += c.tangent[j] * v[j];
-            work_.friction_loss -= duration * T * w;
+            const double loss = -duration * T * w;
+            work_.friction_loss += loss;
+            if (is_judged) load_[structure_.number[k]].friction_loss += loss;
         }
         if (!is_judged) continue;
         const Eigen::VectorXd speed =
             structure_.shapes * Eigen::Map<const Eigen::VectorXd>(v, static_cast<Eigen::Index>(scratch_.size()));
         add_vibration(speed, duration);
     }
+    if (!is_judged) return;
+    for (std::size_t k = 0; k < state_.set.size(); ++k)
+        if (state_.set[k] != ContactMode::open)
+            load_[structure_.number[k]].normal_impulse += step_ * integral(block_.normal_force(k), theta);
 }
 
 // peaks are of whole bodies: their degrees of freedom stand one after the other

@@ -62,8 +62,9 @@ private:
     long last_sample_ = -1;
     std::vector<ContactMode> told_;
     std::vector<record::Vibration> vibration_;
-    double vibrated_from_ = 0.0;  // [s]
-    EnergyBalance work_;          // dashpots, friction, drive
+    double vibrated_from_ = 0.0;      // [s]
+    std::vector<record::Load> load_;  // of the span so far, shape [contact]
+    EnergyBalance work_;              // dashpots, friction, drive
     double initial_energy_ = 0.0;
     std::vector<double> initial_q_;
     std::vector<double> most_q_, most_v_;  // largest that they have been

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "stridor/analysis/interface.hpp"
+#include "stridor/classification/verdict.hpp"
+#include "stridor/parameters/case.hpp"
+#include "stridor/record/tally.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace stridor::classification {
+
+/// From this share of the load on [1] that is free at once a release is one of the interface, and not of single nodes.
+inline constexpr double most_of_the_load = 0.5;
+
+/// What one interface of several contacts does in one phase.
+struct InterfaceVerdict {
+    Verdict whole;                                 // its `evidence.contact` leads: most friction power of the noisy
+    std::vector<std::optional<Verdict>> contacts;  // shape [its contacts]; none of an unloaded one
+    analysis::Interface figures;
+    double free_together = 0.0;  // [1] of the load of the noisy contacts; NaN where there are none
+    bool differs = false;        // its loaded contacts have unlike categories
+};
+
+/// The verdict of interface number `interface`, by these rules:
+///
+///     a contact with less than `analysis::least_load` of the mean load has no verdict
+///     every loaded contact is none               none    a category is never a mean of verdicts
+///     otherwise                                          by `classify`, from what the noisy contacts do together:
+///       rates                                            theirs, weighted by load
+///       regularity, period, releases                     those of the one that turns most power into heat
+///       stick predominates, yet less than
+///       `most_of_the_load` of it is free at once         no creak: nodes slip one by one
+///
+/// See docs/methods/verdict.md.
+InterfaceVerdict classify_interface(const record::Tally& phase, std::size_t interface,
+                                    const parameters::Thresholds& thresholds);
+
+}  // namespace stridor::classification
