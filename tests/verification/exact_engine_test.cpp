@@ -31,7 +31,7 @@ constexpr std::size_t slip_index = model::index_of(ContactState::slip);
 constexpr std::size_t stick_index = model::index_of(ContactState::stick);
 constexpr std::size_t separation_index = model::index_of(ContactState::separation);
 
-Case constant_case(PaperCase which, double velocity, double duration) {
+Case evenly_driven(PaperCase which, double velocity, double duration) {
     Case c = parameters::paper_case(which);
     c.drive.kind = DriveKind::constant;
     c.drive.velocity = velocity;
@@ -42,7 +42,7 @@ Case constant_case(PaperCase which, double velocity, double duration) {
 }
 
 Case sampled_case(PaperCase which, double duration) {
-    Case c = constant_case(which, 0.0, duration);
+    Case c = evenly_driven(which, 0.0, duration);
     c.run.initial = parameters::Initial::rest;
     c.drive.kind = DriveKind::sampled;
     return c;
@@ -61,7 +61,7 @@ double share(const record::Record& record, std::size_t state) {
 // physics.md, converged to all printed digits: stick share between 1 s and 2 s, and period
 TEST(ExactEngine, SticksForTheKnownShareAndPeriod) {
     for (const auto& [preload, fraction, period] : verification::stick_slips) {
-        Case c = constant_case(PaperCase::squeak, -0.1257, 2.0);
+        Case c = evenly_driven(PaperCase::squeak, -0.1257, 2.0);
         c.contact.preload = preload;
         c.run.window = 1.0;
         const Motion motion = integration::simulate(c, with_history);
@@ -73,7 +73,7 @@ TEST(ExactEngine, SticksForTheKnownShareAndPeriod) {
 }
 
 TEST(ExactEngine, SquealIsPeriodicAt430Hertz) {
-    const Motion motion = integration::simulate(constant_case(PaperCase::squeal, 0.1257, 0.6), with_history);
+    const Motion motion = integration::simulate(evenly_driven(PaperCase::squeal, 0.1257, 0.6), with_history);
     const auto periods = support::whole_periods(motion.record.histories.front(), ContactState::separation, 0.3);
     EXPECT_NEAR(1.0 / periods.period, 430.4, 0.05);
     EXPECT_NEAR(periods.shares[slip_index], 0.263, 1e-3);
@@ -83,7 +83,7 @@ TEST(ExactEngine, SquealIsPeriodicAt430Hertz) {
 
 // beta_2 at h = 1e-5 and 1e-6 says 33 % and 30 % stick (constant_drive_test)
 TEST(ExactEngine, SlipsThroughoutWhereLargeStepsSayStickSlip) {
-    Case c = constant_case(PaperCase::squeak, -0.1, 2.0);
+    Case c = evenly_driven(PaperCase::squeak, -0.1, 2.0);
     c.run.initial = parameters::Initial::rest;
     const Motion motion = integration::simulate(c, with_history);
     ASSERT_EQ(motion.record.histories.front().size(), 1U);
@@ -95,7 +95,7 @@ TEST(ExactEngine, BalancesItsEnergyOverTheWholeOfTable1) {
     for (const PaperCase which : paper_cases) {
         EXPECT_LT(std::abs(integration::simulate(parameters::paper_case(which)).energy.relative_residual()), 1e-10);
         for (const double velocity : {-0.1257, 0.1257})
-            EXPECT_LT(std::abs(integration::simulate(constant_case(which, velocity, 1.0)).energy.relative_residual()),
+            EXPECT_LT(std::abs(integration::simulate(evenly_driven(which, velocity, 1.0)).energy.relative_residual()),
                       1e-10);
     }
 }
@@ -105,7 +105,7 @@ TEST(ExactEngine, BalancesItsEnergyOverTheWholeOfTable1) {
 TEST(ExactEngine, ChangesStateWhenTheIndependentEngineDoes) {
     for (const PaperCase which : paper_cases)
         for (const double velocity : {-0.1257, 0.1257}) {
-            const Case c = constant_case(which, velocity, 0.05);
+            const Case c = evenly_driven(which, velocity, 0.05);
             const record::ContactHistory known = support::event_driven(c, 1e-6, 1 << 30).history;
             const record::ContactHistory found = integration::simulate(c, with_history).record.histories.front();
             ASSERT_EQ(found.size(), known.size()) << velocity;
@@ -161,7 +161,7 @@ TEST(ExactSampledDrive, ComesNearTheSineItIsSampledFrom) {
 // --- impacts
 
 Case bouncing(parameters::ImpactKind law, double restitution) {
-    Case c = constant_case(PaperCase::squeal, 0.1257, 0.2);
+    Case c = evenly_driven(PaperCase::squeal, 0.1257, 0.2);
     c.contact.impact = law;
     c.contact.restitution = restitution;
     return c;

@@ -1,4 +1,4 @@
-// What an interface of several contacts does as a whole: loads against equilibrium, heat against the energy balance, and
+// What an interface of several contacts does as a whole: loads against equilibrium, heat against the energy balance,
 // the strip of rubber against its prototype.
 
 #include "stridor/classification/interface_rules.hpp"

@@ -4,15 +4,6 @@
 
 namespace stridor::integration {
 
-namespace {
-
-// distance of two states, as a share of the velocities, up to which a motion has returned
-constexpr double tolerance = 1e-9;
-// below this a distance is rounding and need not shrink any more
-constexpr double rounding = 1e-12;
-
-}  // namespace
-
 double CycleWatch::distance(const Event& a, const Event& b) const {
     double difference = 0.0, scale = std::abs(velocity_);
     for (int i = 0; i < closed_; ++i) {
@@ -26,44 +17,12 @@ double CycleWatch::distance(const Event& a, const Event& b) const {
 }
 
 CycleWatch::Finding CycleWatch::note(double time, ContactMode mode, const Lanes& s) {
-    const Event here{time, mode, s};
-    if (!has_anchor_) {
-        anchor_ = here;
-        has_anchor_ = true;
-        since_ = length_ = 0;
-        return Finding::nothing;
-    }
-    ++since_;
-    if (length_ == 0) {
-        sequence_[static_cast<std::size_t>(since_ - 1)] = mode;
-        if (mode == anchor_.mode) {
-            first_distance_ = distance(here, anchor_);
-            if (first_distance_ <= tolerance) {
-                first_ = here;
-                length_ = since_;
-                since_ = 0;
-                return Finding::first_return;
-            }
-        }
-        if (since_ == longest) {
-            anchor_ = here;
-            since_ = 0;
-        }
-        return Finding::nothing;
-    }
-    const bool follows = sequence_[static_cast<std::size_t>(since_ - 1)] == mode;
-    if (follows && since_ < length_) return Finding::nothing;
-    const double second = follows ? distance(here, first_) : 1.0;
-    if (follows && second <= tolerance && (second <= first_distance_ || second <= rounding)) {
-        cycle_ = {time, time - first_.time, second, length_};
-        period_begin_ = first_.time;
-        anchor_ = here;
-        since_ = length_ = 0;
-        return Finding::cycle;
-    }
-    anchor_ = here;
-    since_ = length_ = 0;
-    return Finding::nothing;
+    const Finding finding =
+        watch_.note({time, mode, s}, [this](const Event& a, const Event& b) { return distance(a, b); });
+    if (finding != Finding::cycle) return finding;
+    const Return<Event>& found = watch_.found();
+    cycle_ = {time, time - found.first.time, found.distance, found.length};
+    return finding;
 }
 
 std::vector<record::ContactInterval> RecentChanges::since(double time) const {

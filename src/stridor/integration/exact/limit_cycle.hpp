@@ -2,6 +2,7 @@
 
 #include "stridor/integration/exact/account.hpp"
 #include "stridor/integration/motion.hpp"
+#include "stridor/integration/return_watch.hpp"
 #include "stridor/record/recorder.hpp"
 
 #include <array>
@@ -11,12 +12,16 @@
 
 namespace stridor::integration {
 
-/// Watches the events of a motion under a constant drive for a limit cycle: the same sequence of contact states twice,
-/// and the same state at its end as at its beginning, closer the second time than the first.
+/// Watches the events of one contact for a limit cycle.
 class CycleWatch {
+    struct Event {
+        double time = 0.0;
+        ContactMode mode = ContactMode::open;
+        Lanes s{};
+    };
+
 public:
-    /// What an event showed.
-    enum class Finding { nothing, first_return, cycle };
+    using Finding = ReturnWatch<Event>::Finding;
 
     /// `velocity` [m/s] is the drive's, `rate` [1/s] makes positions comparable with velocities.
     CycleWatch(double velocity, double rate, int closed) : velocity_(velocity), rate_(rate), closed_(closed) {}
@@ -28,28 +33,16 @@ public:
     const LimitCycle& cycle() const { return cycle_; }
 
     /// [s] when the last whole period began.
-    double period_begin() const { return period_begin_; }
+    double period_begin() const { return watch_.found().first.time; }
 
 private:
     static constexpr int longest = 64;  // events of a period
-
-    struct Event {
-        double time = 0.0;
-        ContactMode mode = ContactMode::open;
-        Lanes s{};
-    };
 
     double distance(const Event& a, const Event& b) const;
 
     double velocity_, rate_;
     int closed_;
-    Event anchor_, first_;
-    std::array<ContactMode, longest> sequence_{};
-    int since_ = 0;   // events since the anchor
-    int length_ = 0;  // events of a period; 0: no return seen yet
-    double first_distance_ = 0.0;
-    bool has_anchor_ = false;
-    double period_begin_ = 0.0;  // [s]
+    ReturnWatch<Event> watch_{longest};
     LimitCycle cycle_;
 };
 

@@ -33,11 +33,12 @@ constexpr long blocks_between_projections = 64;
 constexpr int most_events_at_once = 1000;
 constexpr double pile_up_window = 1e-3;
 constexpr double most_unexplained_share = 1e-9;
+constexpr int longest_period = 512;  // events
 
 }  // namespace
 
 TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
-                     record::Recorder& recorder)
+                     const Taylor& settings, record::Recorder& recorder)
     : whole_(structure),
       drive_(drive),
       motion_(drive, 1.0),
@@ -48,8 +49,9 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
                                                    : 0.0)),
       block_(structure_, step_),
       settling_(structure_, step_),
-      vibration_(static_cast<std::size_t>(model::dofs_of(structure))),
-      load_(structure.contacts.size()),
+      sums_{std::vector<record::Vibration>(static_cast<std::size_t>(model::dofs_of(structure))),
+            std::vector<record::Load>(structure.contacts.size())},
+      watch_(longest_period),
       scratch_(structure_.modes()) {
     const Eigen::VectorXd q = modal(structure_, structure, start.displacement);
     const Eigen::VectorXd v = modal(structure_, structure, start.velocity);
@@ -62,6 +64,9 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
     told_ = state_.set;
     most_q_.assign(structure_.modes(), 0.0);
     most_v_ = most_q_;
+    may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven &&
+                     !(recorder_.request().trace.interval > 0.0) && drive.kind == parameters::DriveKind::constant &&
+                     drive.velocity != 0.0;
     const record::TraceRequest& trace = recorder_.request().trace;
     if (trace.interval > 0.0) {
         sample_ = static_cast<long>(std::ceil(trace.from / trace.interval - 1e-6));
@@ -131,7 +136,9 @@ void TaylorRun::tell() {
             w += c.tangent[j] * state_.v[j];
             rate += c.normal[j] * state_.v[j];
         }
-        recorder_.enter(structure_.number[k], {contact_of(state_.set[k]), time_, 0.0, w, rate});
+        const record::ContactInterval interval{contact_of(state_.set[k]), time_, 0.0, w, rate};
+        recorder_.enter(structure_.number[k], interval);
+        if (is_measuring_) period_changes_.emplace_back(structure_.number[k], interval);
     }
     told_ = state_.set;
 }
@@ -141,6 +148,7 @@ std::optional<Outcome> TaylorRun::fire(const Firing& firing) {
     if (settling_.fire(state_, surface_, firing.contact, firing.function) != Settled::done)
         return Outcome{Reason::no_forces, time_};
     is_fresh_ = true;
+    blocks_since_event_ = 0;
     tell();
     if (time_ - window_begin_ > pile_up_window * step_) {
         window_begin_ = time_;
@@ -150,17 +158,18 @@ std::optional<Outcome> TaylorRun::fire(const Firing& firing) {
     return std::nullopt;
 }
 
+void TaylorRun::end_span() {
+    recorder_.vibrate(span_, spans()[span_].to - sums_from_, sums_.vibration);
+    recorder_.load(span_, sums_.load);
+    std::fill(sums_.vibration.begin(), sums_.vibration.end(), record::Vibration());
+    std::fill(sums_.load.begin(), sums_.load.end(), record::Load());
+    sums_from_ = spans()[span_].to;
+    ++span_;
+}
+
 // returns whether the run goes on
 bool TaylorRun::pass_boundary() {
-    const double end = spans()[span_].to;
-    if (time_ >= end) {
-        recorder_.vibrate(span_, spans()[span_].to - vibrated_from_, vibration_);
-        recorder_.load(span_, load_);
-        std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
-        std::fill(load_.begin(), load_.end(), record::Load());
-        vibrated_from_ = end;
-        ++span_;
-    }
+    if (time_ >= spans()[span_].to) end_span();
     if (drive_.kind == parameters::DriveKind::sampled)
         while (knot_ < drive_.times.size() && drive_.times[knot_] <= time_)
             ++knot_;
@@ -174,7 +183,7 @@ bool TaylorRun::is_finite() const {
     return sum == 0.0;
 }
 
-Outcome TaylorRun::run(const std::stop_token& stop) {
+Outcome TaylorRun::advance(const std::stop_token& stop) {
     surface_ = surface(0.0);
     initial_energy_ = stored();
     initial_q_ = state_.q;
@@ -199,10 +208,13 @@ Outcome TaylorRun::run(const std::stop_token& stop) {
         time_ = fires || reach * step_ + time_ < boundary ? time_ + theta * step_ : boundary;
         if (fires) {
             if (const auto outcome = fire(firing)) return *outcome;
+            if (watch_for_cycle(stop))
+                return {stop.stop_requested() ? Reason::cancelled : Reason::settled, cycle_->time};
             continue;
         }
         if (time_ < boundary) {
             if (blocks % blocks_between_projections == 0) settling_.project(state_, surface(time_));
+            if (watch_for_silence()) return {Reason::settled, silence_->time};
             continue;
         }
         const bool is_corner = drive_.kind == parameters::DriveKind::sampled;
@@ -216,16 +228,21 @@ Outcome TaylorRun::run(const std::stop_token& stop) {
     return {Reason::completed, time_};
 }
 
+Motion TaylorRun::run(const std::stop_token& stop) {
+    const Outcome outcome = advance(stop);
+    const bool is_filled = outcome.reason == Reason::settled;
+    const EnergyBalance balance = is_filled ? final_balance_ : energy();
+    record::Record record = recorder_.finish(is_filled ? spans().back().to : outcome.time, outlooks(outcome));
+    return {weighed(outcome, balance, most_unexplained_share), balance, std::move(record), silence_, cycle_};
+}
+
 Motion integrate_taylor(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
-                        const Taylor&, record::Recorder recorder, std::stop_token stop) {
+                        const Taylor& settings, record::Recorder recorder, std::stop_token stop) {
     for (const model::ContactPoint& contact : structure.contacts)
         if (!std::holds_alternative<model::Plastic>(contact.impact))
             throw Error(ErrorKind::input, {"the Taylor engine cannot solve this structure",
                                            "it knows plastic impacts only", "Use impact = \"plastic\"."});
-    TaylorRun runner(structure, drive, start, recorder);
-    const Outcome outcome = runner.run(stop);
-    const EnergyBalance balance = runner.energy();
-    return {weighed(outcome, balance, most_unexplained_share), balance, recorder.finish(outcome.time)};
+    return TaylorRun(structure, drive, start, settings, recorder).run(stop);
 }
 
 }  // namespace stridor::integration

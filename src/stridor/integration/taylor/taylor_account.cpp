@@ -67,33 +67,40 @@ void TaylorRun::account(double theta) {
                 w += c.tangent[j] * v[j];
             const double loss = -duration * T * w;
             work_.friction_loss += loss;
-            if (is_judged) load_[structure_.number[k]].friction_loss += loss;
+            if (is_judged) sums_.load[structure_.number[k]].friction_loss += loss;
+            if (is_measuring_) period_.load[structure_.number[k]].friction_loss += loss;
         }
-        if (!is_judged) continue;
+        if (!is_judged && !is_measuring_) continue;
         const Eigen::VectorXd speed =
             structure_.shapes * Eigen::Map<const Eigen::VectorXd>(v, static_cast<Eigen::Index>(scratch_.size()));
-        add_vibration(speed, duration);
+        if (is_judged) add_vibration(speed, duration, sums_);
+        if (is_measuring_) add_vibration(speed, duration, period_);
     }
-    if (!is_judged) return;
+    if (is_judged) add_normal_impulse(theta, sums_);
+    if (is_measuring_) add_normal_impulse(theta, period_);
+}
+
+void TaylorRun::add_normal_impulse(double theta, Sums& sums) const {
     for (std::size_t k = 0; k < state_.set.size(); ++k)
         if (state_.set[k] != ContactMode::open)
-            load_[structure_.number[k]].normal_impulse += step_ * integral(block_.normal_force(k), theta);
+            sums.load[structure_.number[k]].normal_impulse += step_ * integral(block_.normal_force(k), theta);
 }
 
 // peaks are of whole bodies: their degrees of freedom stand one after the other
-void TaylorRun::add_vibration(const Eigen::VectorXd& speed, double duration) {
+void TaylorRun::add_vibration(const Eigen::VectorXd& speed, double duration, Sums& sums) const {
+    std::vector<record::Vibration>& vibration = sums.vibration;
     const auto body = [this](std::size_t dof) {
         return whole_.body.empty() ? static_cast<int>(dof) : whole_.body[dof];
     };
-    for (std::size_t first = 0, end = 0; first < vibration_.size(); first = end) {
+    for (std::size_t first = 0, end = 0; first < vibration.size(); first = end) {
         double whole = 0.0;
-        for (end = first; end < vibration_.size() && body(end) == body(first); ++end) {
+        for (end = first; end < vibration.size() && body(end) == body(first); ++end) {
             const double square = speed(static_cast<Eigen::Index>(end)) * speed(static_cast<Eigen::Index>(end));
-            vibration_[end].square_time += duration * square;
+            vibration[end].square_time += duration * square;
             whole += square;
         }
         for (std::size_t dof = first; dof < end; ++dof)
-            vibration_[dof].peak_square = std::max(vibration_[dof].peak_square, whole);
+            vibration[dof].peak_square = std::max(vibration[dof].peak_square, whole);
     }
 }
 

@@ -1,25 +1,27 @@
 #pragma once
 
 #include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/return_watch.hpp"
 #include "stridor/integration/taylor/event_polynomial.hpp"
+#include "stridor/integration/taylor/lasting_set.hpp"
 #include "stridor/integration/taylor/settling.hpp"
 #include "stridor/integration/taylor/taylor.hpp"
 
 #include <optional>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 namespace stridor::integration {
 
-/// One run of the Taylor engine: where the motion is, and what takes it from event to event (taylor.cpp) and writes it
-/// down (taylor_account.cpp).
+/// One run of the Taylor engine: where the motion is, and what takes it from event to event (taylor.cpp), writes it
+/// down (taylor_account.cpp) and ends it early (taylor_endings.cpp).
 class TaylorRun {
 public:
     TaylorRun(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
-              record::Recorder& recorder);
+              const Taylor& settings, record::Recorder& recorder);
 
-    Outcome run(const std::stop_token& stop);
-    EnergyBalance energy() const;
+    Motion run(const std::stop_token& stop);
 
 private:
     // a function of a contact that becomes zero
@@ -30,17 +32,40 @@ private:
         bool is_lost = false;  // a coefficient left double precision
     };
 
+    // what a stretch of time leaves behind
+    struct Sums {
+        std::vector<record::Vibration> vibration;  // shape [dof]
+        std::vector<record::Load> load;            // shape [contact]
+    };
+
+    // the state at an event, to which the motion may return
+    struct Event {
+        double time = 0.0;  // [s]
+        std::vector<ContactMode> mode;
+        std::vector<double> q, v;
+    };
+
+    Outcome advance(const std::stop_token& stop);
+    EnergyBalance energy() const;
     const std::vector<record::Span>& spans() const { return recorder_.schedule().spans; }
     SurfaceSeries surface(double time) const;
     double next_boundary() const;
     Firing first_firing(double reach);
     void account(double theta);
-    void add_vibration(const Eigen::VectorXd& speed, double duration);
+    void add_vibration(const Eigen::VectorXd& speed, double duration, Sums& sums) const;
+    void add_normal_impulse(double theta, Sums& sums) const;
     void pass_samples(double theta);
     void move(double theta);
     std::optional<Outcome> fire(const Firing& firing);
     bool pass_boundary();
+    void end_span();
     void tell();
+    bool watch_for_silence();
+    void fill_with_silence(LastingSet& set);
+    bool watch_for_cycle(const std::stop_token& stop);
+    void fill_with_cycle(double duration, const std::stop_token& stop);
+    double distance(const Event& a, const Event& b) const;
+    std::vector<record::Outlook> outlooks(const Outcome& outcome) const;
     double stored() const;
     bool is_finite() const;
 
@@ -61,10 +86,18 @@ private:
     long sample_ = 0;
     long last_sample_ = -1;
     std::vector<ContactMode> told_;
-    std::vector<record::Vibration> vibration_;
-    double vibrated_from_ = 0.0;      // [s]
-    std::vector<record::Load> load_;  // of the span so far, shape [contact]
-    EnergyBalance work_;              // dashpots, friction, drive
+    Sums sums_;               // of the span so far
+    double sums_from_ = 0.0;  // [s]
+    Sums period_;             // of the period that is being measured
+    bool is_measuring_ = false;
+    std::vector<std::pair<std::size_t, record::ContactInterval>> period_changes_;  // in it, with their contacts
+    bool may_end_early_ = false;
+    ReturnWatch<Event> watch_;
+    long blocks_since_event_ = 0;
+    std::optional<Silence> silence_;
+    std::optional<LimitCycle> cycle_;
+    EnergyBalance final_balance_;  // of a run that ended early, up to there
+    EnergyBalance work_;           // dashpots, friction, drive
     double initial_energy_ = 0.0;
     std::vector<double> initial_q_;
     std::vector<double> most_q_, most_v_;  // largest that they have been
