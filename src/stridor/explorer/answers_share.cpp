@@ -66,7 +66,7 @@ Response value(const World&, const Json& body, const std::stop_token&) {
 
 Response share(const World& world, const Json& body, const std::stop_token&) {
     const Case c = case_in(world, body);
-    if (c.drive.kind == parameters::DriveKind::sampled)
+    if (parameters::is_of_file(c.drive))
         throw Error(ErrorKind::input, {"a sampled drive does not travel in a link",
                                        "its samples are in a file of this machine", "Send the case with that file."});
     if (parameters::has_temperature_table(c))

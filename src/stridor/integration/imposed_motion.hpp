@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/model/contact_forces.hpp"
-#include "stridor/parameters/case.hpp"
+#include "stridor/parameters/drive.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -14,8 +14,11 @@ namespace stridor::integration {
 /// the same run has the same bits however it is cut into blocks.
 class ImposedMotion {
 public:
-    /// `step` [s] is h; `increment` alone needs it.
-    ImposedMotion(const parameters::Drive& drive, double step);
+    /// `step` [s] is h; `increment` alone needs it. `until` [s] is as far as the motion is asked for.
+    ImposedMotion(const parameters::Drive& drive, double step, double until = 0.0);
+
+    /// V(t), as the drive describes it.
+    const parameters::VelocityProfile& profile() const { return profile_; }
 
     /// Velocity and acceleration at time t [s].
     model::SurfaceMotion at(double time) const;
@@ -24,17 +27,13 @@ public:
     double increment(long k) const;
 
 private:
-    double sampled_position(double time) const;
-    std::size_t sample_before(double time) const;
+    double cornered_position(double time) const;
+    std::size_t corner_before(double time) const;
 
-    parameters::DriveKind kind_;
-    double step_;                     // [s]
-    double velocity_;                 // [m/s] constant: V; sinusoidal: peak of V
-    double frequency_;                // [Hz]
-    double chord_;                    // [m] constant: V h; sinusoidal: 2 A sin(pi f h)
-    std::vector<double> times_;       // [s]
-    std::vector<double> velocities_;  // [m/s]
-    std::vector<double> positions_;   // [m] x2 at the samples
+    parameters::VelocityProfile profile_;
+    double step_;                    // [s]
+    double chord_;                   // [m] steady: V h; harmonic: V/(pi f) sin(pi f h)
+    std::vector<double> positions_;  // [m] x2 at the corners
 };
 
 }  // namespace stridor::integration

@@ -180,14 +180,15 @@ Outlook judge(const std::array<ForceMargin, 2>& margins, double time) {
 
 }  // namespace
 
-Outlook outlook_of_stick(const model::Structure& structure, const parameters::Drive& drive, const StuckState& now) {
+Outlook outlook_of_stick(const model::Structure& structure, const parameters::VelocityProfile& profile,
+                         const StuckState& now) {
     const model::ContactPoint& contact = model::only_contact(structure, "the outlook of a stick");
-    if (drive.kind == parameters::DriveKind::sampled) return {};
+    if (!profile.times.empty()) return {};
     const Stick stick(structure, contact, now);
     if (!stick.is_dissipative()) return {};
-    if (drive.kind == parameters::DriveKind::constant) return judge(stick.under_constant_drive(), now.time);
+    if (!(profile.frequency > 0.0)) return judge(stick.under_constant_drive(), now.time);
     constexpr double two_pi = 6.283185307179586476925;
-    return judge(stick.under_sinusoidal_drive(two_pi * drive.frequency), now.time);
+    return judge(stick.under_sinusoidal_drive(two_pi * profile.frequency), now.time);
 }
 
 }  // namespace stridor::integration

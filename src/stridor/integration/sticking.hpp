@@ -23,7 +23,7 @@ struct StuckState {
 /// itself builds up (derivation: sticking.cpp); `unknown` where that vibration may or may not end the stick, for a
 /// sampled drive, and where a free motion has no stiffness or negative damping. A release under a constant drive comes
 /// with its time, about. Throws `Error` (input) what `only_contact` refuses.
-record::Outlook outlook_of_stick(const model::Structure& structure, const parameters::Drive& drive,
+record::Outlook outlook_of_stick(const model::Structure& structure, const parameters::VelocityProfile& profile,
                                  const StuckState& now);
 
 }  // namespace stridor::integration

@@ -131,17 +131,14 @@ void EntryFiller::remember(const EntryField& field) {
 }
 
 double peak_velocity(const parameters::Drive& drive) {
-    constexpr double two_pi = 6.28318530717958647692;
-    const bool is_constant = drive.kind == parameters::DriveKind::constant;
-    if (!is_constant && drive.kind != parameters::DriveKind::sinusoidal) return unknown;
-    const double velocity = is_constant ? std::abs(drive.velocity) : two_pi * drive.frequency * drive.amplitude;
-    return base::parse_quantity(fmt::format("{:.6g}", velocity), "1");
+    const double velocity = parameters::greatest_speed(drive);
+    return std::isnan(velocity) ? unknown : base::parse_quantity(fmt::format("{:.6g}", velocity), "1");
 }
 
 std::string profile_of(const parameters::Drive& drive) {
-    if (drive.kind == parameters::DriveKind::constant) return "constant";
-    if (drive.kind == parameters::DriveKind::sinusoidal) return fmt::format("sinusoidal {:g} Hz", drive.frequency);
-    return "";
+    if (parameters::is_of_file(drive)) return "";
+    const double rate = parameters::repetition_rate(drive);
+    return std::string(parameters::kind_name(drive)) + (rate > 0.0 ? fmt::format(" {:g} Hz", rate) : "");
 }
 
 }  // namespace stridor::noise_library

@@ -51,7 +51,7 @@ std::string canonical_text(const Case& c) {
     if (has_temperature_table(c)) text += "temperature.at = " + listed(node_texts(c)) + "\n";
     for (const TemperatureColumn& column : c.temperature.columns)
         text += "temperature." + column.key + " = " + listed(value_texts(column)) + "\n";
-    if (c.drive.kind == DriveKind::sampled) {
+    if (is_of_file(c.drive)) {
         std::string samples;
         for (std::size_t k = 0; k < c.drive.times.size(); ++k)
             samples += base::shortest(c.drive.times[k]) + "," + base::shortest(c.drive.velocities[k]) + "\n";

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/parameters/drive.hpp"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -79,25 +81,6 @@ struct Contact {
     double kinetic_friction_coming = 0.6;  // [1] directional: mu_d there
     ImpactKind impact = ImpactKind::plastic;
     double restitution = 0.5;  // [1] impact = restitution: velocity after over velocity before an impact
-};
-
-/// How the plate's velocity V follows time.
-enum class DriveKind { sinusoidal, constant, sampled };
-
-/// Which way the plate moves under the joint: going is V > 0, coming V < 0.
-enum class Direction { going, coming };
-
-inline constexpr std::array<std::string_view, 2> direction_names{"going", "coming"};
-
-/// The imposed tangential motion of the plate, x2(t), with V = dx2/dt > 0 called *going* and V < 0 *coming*.
-struct Drive {
-    DriveKind kind = DriveKind::sinusoidal;
-    double amplitude = 4e-3;         // [m] A_exc, sinusoidal: x2 = A sin(2 pi f t)
-    double frequency = 5.0;          // [Hz] f_exc, sinusoidal
-    double velocity = 0.1;           // [m/s] constant: V
-    std::string file;                // sampled: a CSV with the columns time and velocity
-    std::vector<double> times;       // [s] sampled: instants, strictly increasing from 0, shape [sample]
-    std::vector<double> velocities;  // [m/s] sampled: V at them, linear in between, shape [sample]
 };
 
 /// Where a motion begins.

@@ -100,16 +100,17 @@ void check_samples(const Case& c, std::vector<Finding>& found) {
 }
 
 void check_drive(const Case& c, std::vector<Finding>& found) {
-    if (c.drive.kind == DriveKind::sampled) check_samples(c, found);
-    const bool stands_still = c.drive.kind == DriveKind::constant && c.drive.velocity == 0.0;
+    if (is_of_file(c.drive)) check_samples(c, found);
+    const bool stands_still = is_steady(c.drive) && c.drive.velocity == 0.0;
     if (stands_still)
         found.push_back({"drive.velocity",
                          {"drive.velocity = 0 moves nothing", "a contact at rest has nothing to judge",
                           "Give it a sign: going is positive."},
                          {"drive.kind"}});
     // a window of one and a half periods holds a complete going and a complete coming phase wherever it starts
-    const double shortest_window = 1.5 / c.drive.frequency;
-    const bool is_short = c.drive.kind == DriveKind::sinusoidal && c.run.window < shortest_window * (1.0 - 1e-9);
+    const double rate = repetition_rate(c.drive);
+    const double shortest_window = rate > 0.0 ? 1.5 / rate : 0.0;
+    const bool is_short = c.run.window < shortest_window * (1.0 - 1e-9);
     if (is_short)
         found.push_back(
             {"run.window",
@@ -119,10 +120,12 @@ void check_drive(const Case& c, std::vector<Finding>& found) {
              {"run.duration", "drive.kind", "drive.frequency"}});
 }
 
+bool starts_still(const VelocityProfile& profile) {
+    return !profile.velocities.empty() && profile.velocities.front() == 0.0;
+}
+
 void check_run(const Case& c, std::vector<Finding>& found) {
-    const bool starts_still =
-        c.drive.kind == DriveKind::sampled && !c.drive.velocities.empty() && c.drive.velocities.front() == 0.0;
-    if (starts_still && c.run.initial == Initial::sliding)
+    if (c.run.initial == Initial::sliding && starts_still(velocity_profile(c.drive)))
         found.push_back({"run.initial",
                          {"run.initial = \"sliding\" has no direction", "the drive stands still at the start",
                           "Start with \"rest\"."}});
@@ -149,9 +152,8 @@ void check_run(const Case& c, std::vector<Finding>& found) {
              {"run.duration / run.step asks for more than 1e12 steps", "that would take hours", "Use a larger step."},
              {"run.duration", "run.engine"}});
     // of a phase the part between settling and reversal is judged
-    const double judged = c.drive.kind == DriveKind::sinusoidal
-                              ? 0.5 / c.drive.frequency * (1.0 - c.verdict.settling - c.verdict.reversal)
-                              : c.run.window;
+    const double rate = repetition_rate(c.drive);
+    const double judged = rate > 0.0 ? 0.5 / rate * (1.0 - c.verdict.settling - c.verdict.reversal) : c.run.window;
     if (c.run.step <= c.run.duration && judged < least_steps * c.run.step)
         found.push_back({"run.step",
                          {"run.step = " + shortest(c.run.step) + " s leaves fewer than ten steps in a judged time of " +
@@ -160,7 +162,7 @@ void check_run(const Case& c, std::vector<Finding>& found) {
 }
 
 void check_verdict(const Case& c, std::vector<Finding>& found) {
-    if (c.drive.kind == DriveKind::constant || c.verdict.settling + c.verdict.reversal <= most_cut) return;
+    if (is_steady(c.drive) || c.verdict.settling + c.verdict.reversal <= most_cut) return;
     found.push_back({"verdict.settling",
                      {"verdict.settling + verdict.reversal = " + shortest(c.verdict.settling + c.verdict.reversal) +
                           " leaves nothing to judge",

@@ -47,7 +47,6 @@ constexpr UsualRange usual_frequency = octaves(2.0, 50.0);
 
 constexpr std::array<std::string_view, 2> friction_names{"coulomb", "directional"};
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
-constexpr std::array<std::string_view, 3> drive_names{"sinusoidal", "constant", "sampled"};
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
 constexpr std::array<std::string_view, 2> engine_names{"exact", "beta_2"};
 constexpr std::array<std::string_view, 2> early_ending_names{"proven", "never"};
@@ -65,7 +64,7 @@ bool is_sampled(const Case& c) {
     return c.drive.kind == DriveKind::sampled;
 }
 bool has_phases(const Case& c) {
-    return !is_constant(c);
+    return !is_steady(c.drive);
 }
 bool has_friction_each_way(const Case& c) {
     return c.contact.friction == FrictionKind::directional;

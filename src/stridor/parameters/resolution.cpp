@@ -75,7 +75,7 @@ Named fastest_rate(const Case& c, double friction) {
                        {"joint.axial_damping", decay(c.joint.axial_damping, c.joint.mass)},
                        {"joint.flexural_damping", decay(c.joint.flexural_damping, c.joint.mass)},
                        {"plate.damping", decay(c.plate.damping, c.plate.mass)},
-                       {"drive.frequency", c.drive.kind == DriveKind::sinusoidal ? two_pi * c.drive.frequency : 0.0}});
+                       {"drive.frequency", two_pi * repetition_rate(c.drive)}});
 }
 
 void find_fast(const Case& c, std::vector<Finding>& found) {
@@ -106,14 +106,14 @@ void find_ratio(const Case& c, const Named& large, const Named& small, std::vect
 }
 
 void find_reversals(const Case& c, std::vector<Finding>& found) {
-    const double reversals = 2.0 * c.drive.frequency * c.run.duration;
-    if (c.drive.kind != DriveKind::sinusoidal || reversals <= most_reversals) return;
+    const double reversals = 2.0 * repetition_rate(c.drive) * c.run.duration;
+    if (reversals <= most_reversals) return;
     found.push_back(
         {"drive.frequency",
          {setting(c, "drive.frequency") + " reverses " + shortest(std::ceil(reversals)) +
               " times in run.duration = " + shortest(c.run.duration) + " s",
           "each reversal is kept in memory, " + shortest(most_reversals) + " at most",
-          "Shorten run.duration to at most " + shortest(0.5 * most_reversals / c.drive.frequency) + " s."}});
+          "Shorten run.duration to at most " + shortest(0.5 * most_reversals / repetition_rate(c.drive)) + " s."}});
 }
 
 void find_short_window(const Case& c, std::vector<Finding>& found) {

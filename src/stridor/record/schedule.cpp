@@ -8,7 +8,6 @@ namespace stridor::record {
 namespace {
 
 using parameters::Case;
-using parameters::DriveKind;
 
 // a whole going or coming phase of the drive, wherever the run starts and ends
 struct HalfPeriod {
@@ -18,10 +17,10 @@ struct HalfPeriod {
 };
 
 // x2 = A sin(2 pi f t): V > 0 for f t in (k - 1/4, k + 1/4)
-std::vector<HalfPeriod> sinusoidal_phases(const Case& c) {
+std::vector<HalfPeriod> harmonic_phases(double frequency, double duration) {
     std::vector<HalfPeriod> halves;
-    const double half_period = 0.5 / c.drive.frequency;
-    const auto count = static_cast<long>(std::ceil(c.run.duration / half_period)) + 2;
+    const double half_period = 0.5 / frequency;
+    const auto count = static_cast<long>(std::ceil(duration / half_period)) + 2;
     halves.reserve(static_cast<std::size_t>(count));
     for (long k = 0; k < count; ++k) {
         const auto number = static_cast<double>(k);
@@ -31,10 +30,8 @@ std::vector<HalfPeriod> sinusoidal_phases(const Case& c) {
     return halves;
 }
 
-// V linear between samples; a phase ends where V changes sign, standing still belongs to the phase before it
-std::vector<HalfPeriod> sampled_phases(const Case& c) {
-    const std::vector<double>& t = c.drive.times;
-    const std::vector<double>& v = c.drive.velocities;
+// V linear between corners; a phase ends where V changes sign, standing still belongs to the phase before it
+std::vector<HalfPeriod> cornered_phases(const std::vector<double>& t, const std::vector<double>& v) {
     std::vector<HalfPeriod> halves;
     double from = 0.0;
     double sign = 0.0;
@@ -87,15 +84,20 @@ void add_constant_drive(std::vector<Span>& spans, const Case& c) {
 
 }  // namespace
 
+double end_of(const Schedule& schedule) {
+    return schedule.spans.empty() ? 0.0 : schedule.spans.back().to;
+}
+
 Schedule schedule(const Case& c) {
     Schedule plan;
-    if (c.drive.kind == DriveKind::constant) {
+    if (parameters::is_steady(c.drive)) {
         add_constant_drive(plan.spans, c);
         plan.phases = {Phase::all};
         return plan;
     }
-    const std::vector<HalfPeriod> halves =
-        c.drive.kind == DriveKind::sinusoidal ? sinusoidal_phases(c) : sampled_phases(c);
+    const parameters::VelocityProfile profile = parameters::velocity_profile(c.drive, c.run.duration);
+    const std::vector<HalfPeriod> halves = profile.frequency > 0.0 ? harmonic_phases(profile.frequency, c.run.duration)
+                                                                   : cornered_phases(profile.times, profile.velocities);
     plan.spans.reserve(4 * halves.size());  // growing would take twice the memory
     for (const HalfPeriod& half : halves)
         add_phase(plan.spans, c, half);

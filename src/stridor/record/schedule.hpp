@@ -44,6 +44,9 @@ struct Schedule {
     std::vector<Phase> phases;  // those that occur, going before coming
 };
 
+/// When a run ends [s]; 0 without spans.
+double end_of(const Schedule& schedule);
+
 /// The plan of a case's run, from t = 0 to its duration.
 ///
 /// A constant drive has one phase, `all`. Any other is cut at its reversals into going and coming phases.

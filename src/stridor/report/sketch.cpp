@@ -203,7 +203,7 @@ std::string plate(const parameters::Case& c) {
     text += sign({contact.x + 18, contact.y + 48}, "k", "2y") + sign({contact.x - 36, contact.y + 48}, "c", "2y");
     text += sign({28, contact.y + 14}, "m", "2");
     text += arrow({262, contact.y + 36}, {312, contact.y + 36});
-    const bool is_constant = c.drive.kind == parameters::DriveKind::constant;
+    const bool is_constant = parameters::is_steady(c.drive);
     text +=
         sign({262, contact.y + 54}, "V", "", is_constant ? fmt::format("{:g} m/s", std::abs(c.drive.velocity)) : "");
     return text;

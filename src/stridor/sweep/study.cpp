@@ -36,7 +36,7 @@ std::string in_quotes(std::string_view text) {
 }
 
 bool is_constant(const Study& study) {
-    return study.base.drive.kind == parameters::DriveKind::constant;
+    return parameters::is_steady(study.base.drive);
 }
 
 std::string_view direction_name(Direction direction) {
@@ -290,8 +290,8 @@ Study preview(Study study) {
     if (is_constant(study)) {
         study.base.run.duration *= shorter;
         study.base.run.window = 0.5 * study.base.run.duration;
-    } else if (study.base.drive.kind == parameters::DriveKind::sinusoidal) {
-        study.base.run.duration = std::min(study.base.run.duration, periods / study.base.drive.frequency);
+    } else if (const double rate = parameters::repetition_rate(study.base.drive); rate > 0.0) {
+        study.base.run.duration = std::min(study.base.run.duration, periods / rate);
         study.base.run.window = std::min(study.base.run.window, study.base.run.duration);
     }
     return study;
@@ -299,7 +299,7 @@ Study preview(Study study) {
 
 std::string canonical_text(const Study& study) {
     Case c = widest_case(study);
-    c.drive.velocity = std::abs(c.drive.velocity);
+    if (is_constant(study)) c.drive.velocity = std::abs(c.drive.velocity);
     std::string text = parameters::canonical_text(c);
     remove_line(text, study.x.parameter);
     remove_line(text, study.y.parameter);

@@ -25,7 +25,7 @@ record::Recorder whole_run(double from, double to, record::TraceRequest trace) {
 integration::Motion run_belt(const model::Belt& belt, const parameters::Drive& drive, parameters::Engine engine,
                              record::Recorder recorder) {
     const auto structure = model::mass_on_belt(belt);
-    const bool sticks = drive.kind == parameters::DriveKind::constant;
+    const bool sticks = parameters::is_steady(drive);
     const integration::Start start{sticks ? parameters::Initial::stuck : parameters::Initial::rest, 0.0};
     if (engine == parameters::Engine::exact)
         return integration::integrate_exact(structure, drive, start, {}, std::move(recorder));

@@ -29,7 +29,8 @@ record::Ending ending(const Case& c) {
 record::Outlook at_rest(const Case& c) {
     const model::Structure structure = model::rubbing_system(c);
     const Eigen::Vector3d carried(c.drive.velocity, 0.0, 0.0);
-    return outlook_of_stick(structure, c.drive, {Eigen::Vector3d::Zero(), carried, c.drive.velocity, 0.0, 0.0});
+    return outlook_of_stick(structure, velocity_profile(c.drive),
+                            {Eigen::Vector3d::Zero(), carried, c.drive.velocity, 0.0, 0.0});
 }
 
 // N grows with x by k2y Kxy/(Kyy + k2y), T by Kxx - Kxy²/(Kyy + k2y): their ratio is the friction that locks
@@ -172,9 +173,11 @@ TEST(Stick, UnderASinusoidalDriveIsJudgedAlikeAtEveryInstant) {
     for (int eighth = 0; eighth < 8; ++eighth) {
         const StuckState now = swing.at(0.25 * std::acos(-1.0) * eighth + 0.3);
         c.contact.static_friction = sticks * (1.0 + 1e-6);
-        EXPECT_EQ(outlook_of_stick(model::rubbing_system(c), c.drive, now).future, Future::sticks) << eighth;
+        EXPECT_EQ(outlook_of_stick(model::rubbing_system(c), velocity_profile(c.drive), now).future, Future::sticks)
+            << eighth;
         c.contact.static_friction = sticks * (1.0 - 1e-6);
-        EXPECT_EQ(outlook_of_stick(model::rubbing_system(c), c.drive, now).future, Future::releases) << eighth;
+        EXPECT_EQ(outlook_of_stick(model::rubbing_system(c), velocity_profile(c.drive), now).future, Future::releases)
+            << eighth;
     }
 }
 
@@ -189,7 +192,8 @@ TEST(Stick, WithMuchVibrationLeftIsUnknown) {
     Case c = support::seal_lip();
     const model::Structure structure = model::rubbing_system(c);
     const Eigen::Vector3d shaken(0.05, -0.5, -0.5);
-    EXPECT_EQ(outlook_of_stick(structure, c.drive, {Eigen::Vector3d::Zero(), shaken, 0.05, 0.0, 0.0}).future,
+    EXPECT_EQ(outlook_of_stick(structure, velocity_profile(c.drive), {Eigen::Vector3d::Zero(), shaken, 0.05, 0.0, 0.0})
+                  .future,
               Future::unknown);
 }
 
@@ -199,8 +203,8 @@ TEST(Stick, WithoutFreeMotionsIsDecidedByTheDrive) {
     parameters::Drive drive;
     drive.kind = parameters::DriveKind::constant;
     drive.velocity = 0.1;
-    const record::Outlook outlook =
-        outlook_of_stick(belt, drive, {Eigen::Vector2d::Zero(), Eigen::Vector2d(0.1, 0.0), 0.1, 0.0, 0.0});
+    const record::Outlook outlook = outlook_of_stick(
+        belt, velocity_profile(drive), {Eigen::Vector2d::Zero(), Eigen::Vector2d(0.1, 0.0), 0.1, 0.0, 0.0});
     EXPECT_EQ(outlook.future, Future::releases);
 }
 

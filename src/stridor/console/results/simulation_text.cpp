@@ -19,17 +19,23 @@ namespace {
 using classification::Category;
 using classification::Verdict;
 
+// "sinusoidal drive of 4 mm at 5 Hz": its kind and the values that mean something for it
 std::string drive_text(const parameters::Case& c) {
-    using parameters::DriveKind;
-    switch (c.drive.kind) {
-        case DriveKind::sinusoidal:
-            return fmt::format("sinusoidal drive of {:g} mm at {:g} Hz", 1e3 * c.drive.amplitude, c.drive.frequency);
-        case DriveKind::constant:
-            return fmt::format("constant drive of {:g} m/s", c.drive.velocity);
-        case DriveKind::sampled:
-            return "sampled drive " + c.drive.file;
+    std::string text = std::string(parameters::kind_name(c.drive)) + " drive";
+    std::string_view before = " of ";
+    for (const parameters::Field& field : parameters::fields()) {
+        if (field.section != "drive" || field.name == "kind" || !field.belongs(c)) continue;
+        const bool is_number = std::holds_alternative<parameters::Quantity>(field.kind);
+        const std::string_view unit = is_number ? parameters::unit_of(field) : "";
+        if (unit == "Hz") before = " at ";
+        if (parameters::names_file(field)) before = " ";
+        text += before;
+        text += !is_number    ? parameters::value_text(c, field)
+                : unit == "m" ? fmt::format("{:g} mm", 1e3 * parameters::get_quantity(c, field))
+                              : fmt::format("{:g} {}", parameters::get_quantity(c, field), unit);
+        before = ", ";
     }
-    return {};
+    return text;
 }
 
 std::string figure_or_dash(double value, const char* format) {
@@ -68,7 +74,7 @@ std::string proof_text(const integration::Motion& motion) {
 
 // what of the window no verdict looks at
 std::string left_out(const parameters::Case& c, const std::vector<Verdict>& verdicts) {
-    if (c.drive.kind != parameters::DriveKind::constant)
+    if (!parameters::is_steady(c.drive))
         return "shares are of the whole phase; the verdict is made from its steady part (verdict.settling, "
                "verdict.reversal).\n";
     const analysis::Evidence& e = verdicts.front().evidence;

@@ -181,8 +181,7 @@ public:
         : whole_(structure),
           structure_(structure, contact),
           coefficients_(prepare(structure_, contact.friction, settings)),
-          drive_settings_(drive),
-          drive_(drive, settings.step),
+          drive_(drive, settings.step, record::end_of(recorder.schedule())),
           recorder_(recorder),
           vibration_(static_cast<std::size_t>(structure_.load.size())),
           far_(Vector::Zero(structure_.load.size())),
@@ -214,7 +213,6 @@ private:
     const model::Structure& whole_;
     SizedStructure<dofs> structure_;  // the same
     Coefficients<dofs> coefficients_;
-    const parameters::Drive& drive_settings_;
     ImposedMotion drive_;
     record::Recorder& recorder_;
     State<dofs> state_;
@@ -363,7 +361,7 @@ record::Outlook Stepping<dofs>::outlook(const Outcome& outcome) const {
     if (outcome.reason != Reason::completed || state_.contact != ContactState::stick) return {};
     const model::SurfaceMotion surface = drive_.at(outcome.time);
     // p is the velocity half a step ago: what it misses of the vibration is far below any margin that proves something
-    return outlook_of_stick(whole_, drive_settings_,
+    return outlook_of_stick(whole_, drive_.profile(),
                             {state_.u, state_.p, surface.velocity, surface.acceleration, outcome.time});
 }
 

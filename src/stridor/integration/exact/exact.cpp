@@ -51,18 +51,16 @@ ExactRun<dofs>::ExactRun(const model::Structure& structure, const model::Contact
       structure_(structure, contact),
       coordinates_(contact_coordinates(structure_)),
       kernel_(kernel(settings.instruction_set, dofs)),
-      flows_(shared.of(coordinates_, contact.friction,
-                       drive.kind == parameters::DriveKind::sinusoidal ? drive.frequency : 0.0, kernel_)),
+      drive_(drive, 1.0, record::end_of(recorder.schedule())),
+      flows_(shared.of(coordinates_, contact.friction, drive_.profile().frequency, kernel_)),
       settings_(settings),
-      drive_settings_(drive),
-      drive_(drive, 1.0),
       recorder_(recorder),
       stop_(std::move(stop)),
-      book_(recorder, flows_, drive.kind == parameters::DriveKind::sampled ? drive.times : std::vector<double>()),
-      watch_(drive.velocity, 1.0 / flows_.flow[static_cast<int>(ContactMode::stick)].step, closed) {
+      book_(recorder, flows_, drive_.profile().times),
+      watch_(drive_.profile().velocity, 1.0 / flows_.flow[static_cast<int>(ContactMode::stick)].step, closed) {
     may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven && !book_.has_samples() &&
-                     drive.kind == parameters::DriveKind::constant && drive.velocity != 0.0;
-    sliding_mode_ = drive.velocity > 0.0 ? ContactMode::slip_backward : ContactMode::slip_forward;
+                     parameters::is_steady(drive) && drive_.profile().velocity != 0.0;
+    sliding_mode_ = drive_.profile().velocity > 0.0 ? ContactMode::slip_backward : ContactMode::slip_forward;
     begin(start);
 }
 
@@ -283,7 +281,7 @@ record::Outlook ExactRun<dofs>::outlook(const Outcome& outcome) const {
     if (outcome.reason != Reason::completed || mode_ != ContactMode::stick) return {};
     const Position last = position(s_, mode_);
     const model::SurfaceMotion motion = drive_.at(outcome.time);
-    return outlook_of_stick(whole_, drive_settings_,
+    return outlook_of_stick(whole_, drive_.profile(),
                             {last.displacement, last.velocity, motion.velocity, motion.acceleration, outcome.time});
 }
 

@@ -22,7 +22,7 @@ Logbook::Logbook(record::Recorder& recorder, const Flows& flows, std::vector<dou
     : recorder_(recorder),
       flows_(flows),
       knots_(std::move(knots)),
-      end_(spans().empty() ? 0.0 : spans().back().to) {
+      end_(record::end_of(recorder.schedule())) {
     while (knot_ < knots_.size() && knots_[knot_] <= 0.0)
         ++knot_;
     const record::TraceRequest& trace = recorder_.request().trace;

@@ -82,10 +82,9 @@ private:
     model::SizedStructure<dofs> structure_;  // the same
     ContactCoordinates<dofs> coordinates_;
     const Kernel& kernel_;
+    ImposedMotion drive_;
     const Flows& flows_;
     Exact settings_;
-    const parameters::Drive& drive_settings_;
-    ImposedMotion drive_;
     record::Recorder& recorder_;
     std::stop_token stop_;
     Logbook book_;

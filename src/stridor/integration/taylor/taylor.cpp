@@ -40,13 +40,10 @@ constexpr int longest_period = 512;  // events
 TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                      const Taylor& settings, record::Recorder& recorder)
     : whole_(structure),
-      drive_(drive),
-      motion_(drive, 1.0),
+      drive_(drive, 1.0, record::end_of(recorder.schedule())),
       recorder_(recorder),
       structure_(modal_structure(structure)),
-      step_(2.0 / std::max(structure_.fastest, drive.kind == parameters::DriveKind::sinusoidal
-                                                   ? 2.0 * std::numbers::pi * drive.frequency
-                                                   : 0.0)),
+      step_(2.0 / std::max(structure_.fastest, 2.0 * std::numbers::pi * drive_.profile().frequency)),
       block_(structure_, step_),
       settling_(structure_, step_),
       sums_{std::vector<record::Vibration>(static_cast<std::size_t>(model::dofs_of(structure))),
@@ -64,9 +61,9 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
     told_ = state_.set;
     most_q_.assign(structure_.modes(), 0.0);
     most_v_ = most_q_;
+    is_steady_ = parameters::is_steady(drive);
     may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven &&
-                     !(recorder_.request().trace.interval > 0.0) && drive.kind == parameters::DriveKind::constant &&
-                     drive.velocity != 0.0;
+                     !(recorder_.request().trace.interval > 0.0) && is_steady_ && drive_.profile().velocity != 0.0;
     const record::TraceRequest& trace = recorder_.request().trace;
     if (trace.interval > 0.0) {
         sample_ = static_cast<long>(std::ceil(trace.from / trace.interval - 1e-6));
@@ -75,13 +72,13 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
 }
 
 SurfaceSeries TaylorRun::surface(double time) const {
-    const model::SurfaceMotion now = motion_.at(time);
+    const model::SurfaceMotion now = drive_.at(time);
     SurfaceSeries series{};
     series[0] = now.velocity;
-    if (drive_.kind == parameters::DriveKind::sampled) series[1] = now.acceleration * step_;
-    if (drive_.kind != parameters::DriveKind::sinusoidal) return series;
+    series[1] = now.acceleration * step_;
+    const double omega = 2.0 * std::numbers::pi * drive_.profile().frequency;
+    if (!(omega > 0.0)) return series;
     // V(t + x) = V cos(omega x) + V'/omega sin(omega x)
-    const double omega = 2.0 * std::numbers::pi * drive_.frequency;
     const double turn = omega * step_;
     double power = 1.0;
     for (std::size_t m = 0; m < series.size(); ++m) {
@@ -94,8 +91,8 @@ SurfaceSeries TaylorRun::surface(double time) const {
 
 double TaylorRun::next_boundary() const {
     double end = spans()[span_].to;
-    if (drive_.kind == parameters::DriveKind::sampled && knot_ < drive_.times.size())
-        end = std::min(end, drive_.times[knot_]);
+    const std::vector<double>& corners = drive_.profile().times;
+    if (corner_ < corners.size()) end = std::min(end, corners[corner_]);
     return end;
 }
 
@@ -170,9 +167,9 @@ void TaylorRun::end_span() {
 // returns whether the run goes on
 bool TaylorRun::pass_boundary() {
     if (time_ >= spans()[span_].to) end_span();
-    if (drive_.kind == parameters::DriveKind::sampled)
-        while (knot_ < drive_.times.size() && drive_.times[knot_] <= time_)
-            ++knot_;
+    const std::vector<double>& corners = drive_.profile().times;
+    while (corner_ < corners.size() && corners[corner_] <= time_)
+        ++corner_;
     return span_ < spans().size();
 }
 
@@ -217,9 +214,9 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
             if (watch_for_silence()) return {Reason::settled, silence_->time};
             continue;
         }
-        const bool is_corner = drive_.kind == parameters::DriveKind::sampled;
+        const bool has_corners = !drive_.profile().times.empty();
         if (!pass_boundary()) break;
-        if (!is_corner) continue;
+        if (!has_corners) continue;
         surface_ = surface(time_);
         if (settling_.settle(state_, surface_) != Settled::done) return {Reason::no_forces, time_};
         is_fresh_ = true;

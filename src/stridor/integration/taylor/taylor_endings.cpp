@@ -66,7 +66,7 @@ void TaylorRun::fill_with_silence(LastingSet& set) {
 
 // a share of the velocities
 double TaylorRun::distance(const Event& a, const Event& b) const {
-    double difference = 0.0, scale = std::abs(drive_.velocity);
+    double difference = 0.0, scale = std::abs(drive_.profile().velocity);
     for (std::size_t j = 0; j < a.q.size(); ++j) {
         difference +=
             std::sqrt(std::abs(structure_.square_frequency[j])) * std::abs(a.q[j] - b.q[j]) + std::abs(a.v[j] - b.v[j]);
@@ -125,8 +125,7 @@ std::vector<record::Outlook> TaylorRun::outlooks(const Outcome& outcome) const {
     std::vector<record::Outlook> known(structure_.number.size());
     if (silence_) std::fill(known.begin(), known.end(), record::Outlook{record::Future::slides, silence_->time});
     if (cycle_) std::fill(known.begin(), known.end(), record::Outlook{record::Future::repeats, cycle_->time});
-    const bool may_know = outcome.reason == Reason::completed && drive_.kind == parameters::DriveKind::constant &&
-                          structure_.modes() <= most_proven_modes;
+    const bool may_know = outcome.reason == Reason::completed && is_steady_ && structure_.modes() <= most_proven_modes;
     if (!may_know) return known;
     const LastingSet set(structure_, state_.set, surface(outcome.time)[0]);
     const std::vector<record::Outlook> found = set.outlooks(state_.q, state_.v, outcome.time);

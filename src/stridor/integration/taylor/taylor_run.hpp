@@ -70,8 +70,7 @@ private:
     bool is_finite() const;
 
     const model::Structure& whole_;
-    parameters::Drive drive_;
-    ImposedMotion motion_;
+    ImposedMotion drive_;
     record::Recorder& recorder_;
     ModalStructure structure_;
     double step_;
@@ -82,7 +81,7 @@ private:
     bool is_fresh_ = true;  // the block begins at an event
     double time_ = 0.0;     // [s]
     std::size_t span_ = 0;
-    std::size_t knot_ = 0;
+    std::size_t corner_ = 0;
     long sample_ = 0;
     long last_sample_ = -1;
     std::vector<ContactMode> told_;
@@ -91,6 +90,7 @@ private:
     Sums period_;             // of the period that is being measured
     bool is_measuring_ = false;
     std::vector<std::pair<std::size_t, record::ContactInterval>> period_changes_;  // in it, with their contacts
+    bool is_steady_ = false;  // the drive, so that the future can be known
     bool may_end_early_ = false;
     ReturnWatch<Event> watch_;
     long blocks_since_event_ = 0;

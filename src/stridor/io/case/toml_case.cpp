@@ -131,7 +131,7 @@ private:
 };
 
 void read_samples(Case& c, const TomlDocument& document, const SamplesReader& samples) {
-    if (c.drive.kind != parameters::DriveKind::sampled) return;
+    if (!parameters::is_of_file(c.drive)) return;
     const TomlEntry* entry = document.find("drive.file");
     const std::filesystem::path folder =
         entry->origin == TomlOrigin::file ? std::filesystem::path(document.name).parent_path() : "";

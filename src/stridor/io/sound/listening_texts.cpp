@@ -24,7 +24,6 @@ namespace {
 
 using parameters::Direction;
 using parameters::direction_names;
-using parameters::DriveKind;
 using signal::MotionQuantity;
 
 constexpr double normal_peak = -1.0;  // [dBFS] where the largest sample of a normalised sound lies
@@ -84,15 +83,15 @@ sound::Pickup pickup_in(const ListeningTexts& texts) {
 // the part of the motion that is heard; all of it if no direction is named
 std::vector<sound::Stretch> stretches_in(const ListeningTexts& texts, const parameters::Case& c) {
     const std::optional<Direction> direction = direction_of(texts);
-    const bool is_constant = c.drive.kind == DriveKind::constant;
-    if (is_constant && direction && texts.cell.empty() && (*direction == Direction::going) != (c.drive.velocity > 0.0))
+    const bool is_steady = parameters::is_steady(c.drive);
+    if (is_steady && direction && texts.cell.empty() && *direction != parameters::steady_direction(c.drive))
         base::refuse("this drive has no " + texts.direction + " phase", "its velocity is constant",
                      "Change its sign: --set drive.velocity=" + base::shortest(-c.drive.velocity));
-    if (!texts.is_judged && (is_constant || !direction)) return {{0.0, c.run.duration}};
-    if (!is_constant && !direction)
+    if (!texts.is_judged && (is_steady || !direction)) return {{0.0, c.run.duration}};
+    if (!is_steady && !direction)
         base::refuse("--judged needs a direction", "going and coming phases are judged by themselves",
                      "Add --direction going or coming.");
-    const record::Phase phase = is_constant                      ? record::Phase::all
+    const record::Phase phase = is_steady                        ? record::Phase::all
                                 : *direction == Direction::going ? record::Phase::going
                                                                  : record::Phase::coming;
     std::vector<sound::Stretch> found =

@@ -32,8 +32,7 @@ std::string contact_verdict(const parameters::Case& c, const sweep::Attempt& att
     const auto category = [&](Direction direction) {
         return std::string(classification::name(sweep::cell_of(c, direction, attempt).category));
     };
-    if (c.drive.kind == parameters::DriveKind::constant)
-        return category(c.drive.velocity > 0.0 ? Direction::going : Direction::coming);
+    if (parameters::is_steady(c.drive)) return category(parameters::steady_direction(c.drive));
     return "going " + category(Direction::going) + ", coming " + category(Direction::coming);
 }
 
@@ -75,8 +74,7 @@ Entry given(const StarterNoise& noise, const std::string& contact, const std::st
     entry.recorded = "simulation";
     entry.preload = noise.c.contact.preload;
     entry.velocity = peak_velocity(drive);
-    entry.velocity_profile =
-        drive.kind == parameters::DriveKind::constant ? "constant" : fmt::format("sinusoidal {:g} Hz", drive.frequency);
+    entry.velocity_profile = profile_of(drive);
     entry.temperature = noise.temperature;
     entry.humidity = noise.humidity;
     entry.sensor = "none: the joint's velocity along the contact";

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The imposed motion of the plate, and what the rest of the program asks of it. Which kind it is, only this file pair,
+/// the field table and the check know.
+namespace stridor::parameters {
+
+/// How the plate's velocity V follows time.
+enum class DriveKind { sinusoidal, constant, sampled };
+
+inline constexpr std::array<std::string_view, 3> drive_names{"sinusoidal", "constant", "sampled"};
+
+/// Which way the plate moves under the joint: going is V > 0, coming V < 0.
+enum class Direction { going, coming };
+
+inline constexpr std::array<std::string_view, 2> direction_names{"going", "coming"};
+
+/// The imposed tangential motion of the plate, x2(t), with V = dx2/dt > 0 called *going* and V < 0 *coming*.
+struct Drive {
+    DriveKind kind = DriveKind::sinusoidal;
+    double amplitude = 4e-3;         // [m] A_exc, sinusoidal: x2 = A sin(2 pi f t)
+    double frequency = 5.0;          // [Hz] f_exc, sinusoidal
+    double velocity = 0.1;           // [m/s] constant: V
+    std::string file;                // sampled: a CSV with the columns time and velocity
+    std::vector<double> times;       // [s] sampled: instants, strictly increasing from 0, shape [sample]
+    std::vector<double> velocities;  // [m/s] sampled: V at them, linear in between, shape [sample]
+};
+
+/// V(t) as engines, schedules and checks see it. It is one of three, whatever the kind of drive:
+///
+///     steady     V = velocity, for ever           no frequency, no corners
+///     harmonic   V = velocity cos(2 pi f t)       f = frequency
+///     cornered   V linear from corner to corner   `times` and `velocities`
+struct VelocityProfile {
+    double velocity = 0.0;           // [m/s] steady: V; harmonic: its peak
+    double frequency = 0.0;          // [Hz] harmonic: f, else 0
+    double amplitude = 0.0;          // [m] harmonic: of x2
+    std::vector<double> times;       // [s] cornered: where the slope of V changes, rising from 0, shape [corner]
+    std::vector<double> velocities;  // [m/s] V there, shape [corner]
+};
+
+/// Its kind, as a case names it.
+std::string_view kind_name(const Drive& drive);
+
+/// V(t) from 0 to `until` [s] at least. A sampled drive ends with its samples.
+VelocityProfile velocity_profile(const Drive& drive, double until = 0.0);
+
+/// Is V the same for ever? Then a run has one phase, and may end once its future is proven.
+bool is_steady(const Drive& drive);
+
+/// How often the motion repeats itself, with one going and one coming phase [Hz]; 0 if it does not.
+double repetition_rate(const Drive& drive);
+
+/// Does it come from a file? Then its numbers are no fields, and nobody knows them who has only the case's text.
+bool is_of_file(const Drive& drive);
+
+/// Which way a steady drive moves the plate: the sign of its velocity.
+Direction steady_direction(const Drive& drive);
+
+/// The largest |V| [m/s] that the fields of a drive say; not a number for one of a file.
+double greatest_speed(const Drive& drive);
+
+}  // namespace stridor::parameters
