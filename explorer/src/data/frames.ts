@@ -35,6 +35,7 @@ export function floatsOf(base64: string): Float32Array<ArrayBuffer> {
 
 /** The stays of a contact in its states. */
 export interface Stays {
+  name: string; // of the joint, where there are several
   from: Float64Array; // [s] when each stay began; one more: when the last ended
   state: ContactState[]; // of each stay
 }
@@ -50,7 +51,7 @@ export interface Motion {
 
 /** The contact that views of one contact show: the first. */
 export function shownContact(motion: Motion): Stays {
-  return motion.contacts[0] ?? { from: new Float64Array([0]), state: [] };
+  return motion.contacts[0] ?? { name: "", from: new Float64Array([0]), state: [] };
 }
 
 function aligned(offset: number): number {
@@ -69,12 +70,13 @@ export function motionOf(buffer: ArrayBuffer): Motion {
     columns.set(column.name, { unit: column.unit, sentence: column.sentence, values });
     offset = aligned(offset + 4 * header.samples);
   }
-  const contacts = header.contacts.map(({ intervals }): Stays => {
+  const contacts = header.contacts.map(({ intervals, name }, k): Stays => {
     const from = new Float64Array(buffer, offset, intervals + 1);
     offset += 8 * (intervals + 1);
     const numbers = new Uint8Array(buffer, offset, intervals);
     offset = aligned(offset + intervals);
-    return { from, state: Array.from(numbers, (number) => header.states[number] ?? "separation") };
+    const known = name ?? (header.contacts.length > 1 ? `contact ${k + 1}` : "");
+    return { name: known, from, state: Array.from(numbers, (number) => header.states[number] ?? "separation") };
   });
   return { samples: header.samples, start: header.start, interval: header.interval, columns, contacts };
 }

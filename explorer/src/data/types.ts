@@ -203,7 +203,7 @@ export interface MotionHeader {
   start: number;
   interval: number;
   columns: { name: string; unit: string; sentence: string }[];
-  contacts: { intervals: number }[];
+  contacts: { intervals: number; name?: string }[]; // names of joints, where there are several
   states: ContactState[];
 }
 

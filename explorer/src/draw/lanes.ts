@@ -1,59 +1,25 @@
 /** Time histories below each other on one canvas, with the contact's states above them. Painting only. */
-import { shownContact, type Motion } from "../data/frames.ts";
+import type { Motion, Stays } from "../data/frames.ts";
 import { staysWithin } from "../data/motions.ts";
 import { columns, pyramid, type Pyramid } from "../data/pyramid.ts";
 import type { ContactState } from "../program/words.ts";
 import type { Palette } from "./colours.ts";
 import { plain, unitText } from "./format.ts";
+import type { LaneSpec } from "./lane_specs.ts";
 import { ticks } from "./scale.ts";
 import { font, type Surface } from "./surface.ts";
-
-export interface LaneSpec {
-  name: string;
-  title: string;
-  /** Peaks of single samples, as impacts make them, do not set the scale. */
-  spiky: boolean;
-  curves: { column: string; label: string; colour: 0 | 1 | 2 | 3 | "muted" }[];
-}
-
-export const laneSpecs: readonly LaneSpec[] = [
-  {
-    name: "velocity",
-    title: "velocity",
-    spiky: false,
-    curves: [
-      { column: "surface_velocity", label: "plate V", colour: "muted" },
-      { column: "x1_velocity", label: "joint ẋ₁", colour: 0 },
-    ],
-  },
-  {
-    name: "displacement",
-    title: "displacement",
-    spiky: false,
-    curves: [
-      { column: "x1", label: "x₁", colour: 0 },
-      { column: "y1", label: "y₁", colour: 1 },
-      { column: "y2", label: "y₂", colour: 2 },
-    ],
-  },
-  {
-    name: "force",
-    title: "force",
-    spiky: true,
-    curves: [
-      { column: "normal_force", label: "normal N", colour: 0 },
-      { column: "friction_force", label: "friction T", colour: 1 },
-    ],
-  },
-  { name: "gap", title: "gap", spiky: false, curves: [{ column: "gap", label: "gap", colour: 3 }] },
-];
 
 export const marginLeft = 62;
 export const marginRight = 10;
 const bandRow = 8;
 export const bandStates: readonly ContactState[] = ["separation", "stick", "slip"];
 const bandHeight = bandRow * bandStates.length + 6;
+const nameHeight = 12; // above a band, where several contacts have one each
 const axisHeight = 20;
+
+function bandsHeight({ contacts }: Motion): number {
+  return contacts.length > 1 ? contacts.length * (nameHeight + bandHeight) : bandHeight;
+}
 
 export interface LanesView {
   span: readonly [number, number];
@@ -89,11 +55,12 @@ export function paintLanes(surface: Surface, trees: Pyramids, view: LanesView): 
   const inner = width - marginLeft - marginRight;
   if (inner < 20) return;
   const x = (time: number): number => marginLeft + (inner * (time - view.span[0])) / (view.span[1] - view.span[0]);
-  paintBand(surface, trees.motion, view, inner);
-  const room = (height - bandHeight - axisHeight) / Math.max(view.lanes.length, 1);
-  paintTimes(surface, view, x);
+  paintBands(surface, trees.motion, view, inner);
+  const bands = bandsHeight(trees.motion);
+  const room = (height - bands - axisHeight) / Math.max(view.lanes.length, 1);
+  paintTimes(surface, view, x, bands);
   view.lanes.forEach((lane, k) =>
-    paintLane(surface, trees, view, lane, { top: bandHeight + k * room + 6, height: room - 10, inner }),
+    paintLane(surface, trees, view, lane, { top: bands + k * room + 6, height: room - 10, inner }),
   );
   pen.lineWidth = 1;
   for (const [time, colour] of [
@@ -109,14 +76,29 @@ export function paintLanes(surface: Surface, trees: Pyramids, view: LanesView): 
   }
 }
 
-/** A row per state; as dark as the state's share of the time in that pixel. */
-function paintBand(surface: Surface, motion: Motion, view: LanesView, inner: number): void {
+/** A band per contact; of several each has its name above. */
+function paintBands(surface: Surface, { contacts }: Motion, view: LanesView, inner: number): void {
   const { pen } = surface;
+  contacts.forEach((stays, k) => {
+    if (contacts.length < 2) return paintBand(surface, stays, view, { top: 0, height: bandHeight, inner });
+    const top = k * (nameHeight + bandHeight);
+    pen.font = font(10, 600);
+    pen.textAlign = "left";
+    pen.textBaseline = "top";
+    pen.fillStyle = view.palette.ink;
+    pen.fillText(stays.name, marginLeft, top + 1);
+    paintBand(surface, stays, view, { top: top + nameHeight, height: bandHeight, inner });
+  });
+}
+
+/** A row per state; as dark as the state's share of the time in that pixel. */
+function paintBand(surface: Surface, stays: Stays, view: LanesView, box: LaneBox): void {
+  const { pen } = surface;
+  const { inner } = box;
   const [from, to] = view.span;
   const count = Math.round(inner);
   const shares = bandStates.map(() => new Float32Array(count));
   const perSecond = count / (to - from);
-  const stays = shownContact(motion);
   const [first, last] = staysWithin(stays, from, to);
   for (let stay = first; stay <= last; ++stay) {
     const share = shares[bandStates.indexOf(stays.state[stay] as ContactState)];
@@ -130,7 +112,7 @@ function paintBand(surface: Surface, motion: Motion, view: LanesView, inner: num
   pen.textAlign = "right";
   pen.textBaseline = "middle";
   bandStates.forEach((state, row) => {
-    const top = row * bandRow + 1;
+    const top = box.top + row * bandRow + 1;
     pen.fillStyle = view.palette.muted;
     pen.fillText(state, marginLeft - 5, top + bandRow / 2);
     pen.fillStyle = view.palette.grid;
@@ -151,7 +133,7 @@ function paintBand(surface: Surface, motion: Motion, view: LanesView, inner: num
   });
 }
 
-function paintTimes(surface: Surface, view: LanesView, x: (time: number) => number): void {
+function paintTimes(surface: Surface, view: LanesView, x: (time: number) => number, top: number): void {
   const { pen, height } = surface;
   const [from, to] = view.span;
   const milli = to - from < 0.5;
@@ -165,7 +147,7 @@ function paintTimes(surface: Surface, view: LanesView, x: (time: number) => numb
     const at = Math.round(x(mark / factor)) + 0.5;
     pen.strokeStyle = view.palette.grid;
     pen.beginPath();
-    pen.moveTo(at, bandHeight);
+    pen.moveTo(at, top);
     pen.lineTo(at, height - axisHeight + 3);
     pen.stroke();
     pen.fillStyle = view.palette.muted;

@@ -1,9 +1,10 @@
 /** The response in time: histories that zoom and pan over a million samples, contact states, phase portrait. */
-import { shownContact, stateAt, valueAt, type Motion } from "../data/frames.ts";
+import { stateAt, valueAt, type Motion } from "../data/frames.ts";
 import type { Motions } from "../data/motions.ts";
 import { button, h, setText } from "../draw/dom.ts";
 import { inRow, quantity } from "../draw/format.ts";
-import { laneSpecs, marginLeft, marginRight, paintLanes, Pyramids, timeAt } from "../draw/lanes.ts";
+import { contactColumn, jointColumn, laneSpecs, lanesOf } from "../draw/lane_specs.ts";
+import { marginLeft, marginRight, paintLanes, Pyramids, timeAt } from "../draw/lanes.ts";
 import { paintPortrait } from "../draw/portrait.ts";
 import { moved, stretched } from "../draw/scale.ts";
 import { surface, type Surface } from "../draw/surface.ts";
@@ -225,10 +226,9 @@ export class Response implements ViewPart {
 
   private paint_(s: Surface): void {
     if (!this.trees_) return;
-    const lanes = laneSpecs.filter(({ name }) => this.wanted_.has(name));
     paintLanes(s, this.trees_, {
       span: this.shown_,
-      lanes,
+      lanes: lanesOf(this.trees_.motion, this.wanted_),
       playhead: this.clock_.time,
       hover: this.hover_,
       palette: palette(),
@@ -245,12 +245,16 @@ export class Response implements ViewPart {
 
 function readAt(motion: Motion, time: number): string {
   const value = (name: string, unit: string): string => quantity(valueAt(motion, name, time), unit, 3);
+  const several = motion.contacts.length > 1;
   return inRow([
     `t = ${(1000 * time).toFixed(3)} ms`,
-    stateAt(shownContact(motion), time),
-    `ẋ₁ = ${value("x1_velocity", "m/s")}`,
-    `V = ${value("surface_velocity", "m/s")}`,
-    `N = ${value("normal_force", "N")}`,
-    `T = ${value("friction_force", "N")}`,
+    ...(several ? [`V = ${value("surface_velocity", "m/s")}`] : []),
+    ...motion.contacts.flatMap((contact, k) => [
+      several ? `${contact.name}: ${stateAt(contact, time)}` : stateAt(contact, time),
+      `${several ? "ẋ" : "ẋ₁"} = ${value(`${jointColumn(motion, "x", k)}_velocity`, "m/s")}`,
+      ...(several ? [] : [`V = ${value("surface_velocity", "m/s")}`]),
+      `N = ${value(contactColumn(motion, "normal_force", k), "N")}`,
+      `T = ${value(contactColumn(motion, "friction_force", k), "N")}`,
+    ]),
   ]);
 }

@@ -1,0 +1,127 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { motionOf } from "../../../src/data/frames.ts";
+import { laneSpecs, lanesOf } from "../../../src/draw/lane_specs.ts";
+import { paintLanes, Pyramids } from "../../../src/draw/lanes.ts";
+
+const perContact = ["normal_force", "friction_force", "gap"];
+
+/** The answer of /api/motion to a run of one second in which each contact sticks, then slips. */
+function answer(names) {
+  const joints = names.length > 1 ? names : [];
+  const columns = joints.length
+    ? ["surface_velocity", "y_plate", ...joints.flatMap((name) => [`x_${name}`, `y_${name}`, `x_${name}_velocity`])]
+    : ["surface_velocity", "x1", "y1", "y2", "x1_velocity"];
+  names.forEach((_, k) => columns.push(...perContact.map((name) => (joints.length ? `${name}_${k + 1}` : name))));
+  const header = JSON.stringify({
+    schema: "stridor.explorer.motion/1",
+    samples: 8,
+    start: 0,
+    interval: 0.125,
+    columns: columns.map((name) => ({ name, unit: name.includes("force") ? "N" : "m", sentence: "" })),
+    contacts: names.map((name) => ({ intervals: 2, ...(name ? { name } : {}) })),
+    states: ["stick", "slip", "separation"],
+  });
+  const begin = Math.ceil((4 + header.length) / 8) * 8;
+  const each = 3 * 8 + 8; // three instants, two states
+  const buffer = new ArrayBuffer(begin + columns.length * 32 + names.length * each);
+  new Uint8Array(buffer).fill(32, 4, begin).set(new TextEncoder().encode(header), 4);
+  new DataView(buffer).setUint32(0, begin - 4, true);
+  columns.forEach((_, k) => new Float32Array(buffer, begin + 32 * k, 8).fill(k));
+  names.forEach((_, k) => {
+    const at = begin + columns.length * 32 + k * each;
+    new Float64Array(buffer, at, 3).set([0, 0.25 * (k + 1), 1]);
+    new Uint8Array(buffer, at + 24, 2).set([0, 1]);
+  });
+  return motionOf(buffer);
+}
+
+/** A pen that writes down what it is told, and the surface it draws on. */
+function recorder() {
+  const [texts, boxes] = [[], []];
+  const pen = new Proxy(
+    {},
+    {
+      get: (told, name) => {
+        if (name === "measureText") return (text) => ({ width: 6 * text.length });
+        if (name === "fillText") return (text, x, y) => texts.push({ text, x, y });
+        if (name === "fillRect")
+          return (x, y, width, height) => boxes.push({ x, y, width, height, colour: told.fillStyle });
+        return name in told ? told[name] : () => undefined;
+      },
+      set: (told, name, value) => ((told[name] = value), true),
+    },
+  );
+  return { surface: { pen, width: 1000, height: 600, ratio: 1 }, texts, boxes };
+}
+
+const palette = {
+  muted: "muted",
+  grid: "grid",
+  line: "line",
+  ink: "ink",
+  panel: "panel",
+  accent: "accent",
+  traces: ["a", "b", "c", "d"],
+  state: { stick: "stick", slip: "slip", separation: "separation" },
+};
+
+function painted(motion, wanted) {
+  const paper = recorder();
+  paintLanes(paper.surface, new Pyramids(motion), {
+    span: [0, 1],
+    lanes: lanesOf(motion, new Set(wanted)),
+    playhead: 0.5,
+    hover: null,
+    palette,
+  });
+  return paper;
+}
+
+test("one contact has its lanes without a name", () => {
+  const motion = answer([""]);
+  const all = new Set(laneSpecs.map(({ name }) => name));
+  assert.deepEqual(lanesOf(motion, all), laneSpecs);
+  const { texts } = painted(motion, ["velocity", "force"]);
+  const written = texts.map(({ text }) => text);
+  assert.equal(written.filter((text) => text === "stick").length, 1);
+  assert.ok(written.includes("force [N]"));
+});
+
+test("several contacts have a band and lanes each, with the joints' names", () => {
+  const motion = answer(["upper", "lower"]);
+  const { texts, boxes } = painted(motion, ["force"]);
+  const written = texts.map(({ text }) => text);
+  assert.equal(written.filter((text) => text === "stick").length, 2);
+  for (const text of ["upper", "lower", "upper: force [N]", "lower: force [N]"])
+    assert.ok(written.includes(text), text);
+  // the stick of a band ends where its contact's does: at a quarter, at a half of the width
+  const inner = 1000 - 62 - 10;
+  const sticks = boxes.filter(({ colour }) => colour === "stick").map(({ width }) => Math.round((8 * width) / inner));
+  assert.deepEqual(sticks, [2, 4]);
+  // each band lies below the one before, and the lanes below them all
+  const tops = ["upper", "lower", "upper: force [N]", "lower: force [N]"].map(
+    (name) => texts.find(({ text }) => text === name).y,
+  );
+  assert.deepEqual(
+    tops,
+    [...tops].sort((a, b) => a - b),
+  );
+});
+
+test("every curve of every lane is a column of the answer", () => {
+  for (const names of [[""], ["upper", "lower"], ["a", "b", "c"]]) {
+    const motion = answer(names);
+    const lanes = lanesOf(motion, new Set(laneSpecs.map(({ name }) => name)));
+    assert.equal(lanes.length, laneSpecs.length * names.length);
+    for (const { title, curves } of lanes)
+      for (const { column } of curves) assert.ok(motion.columns.has(column), `${title}: ${column}`);
+  }
+});
+
+test("contacts that the answer does not name are numbered", () => {
+  assert.deepEqual(
+    answer(["", ""]).contacts.map(({ name }) => name),
+    ["contact 1", "contact 2"],
+  );
+});
