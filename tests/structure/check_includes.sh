@@ -15,28 +15,11 @@
 # alone keeps it true.
 set -eu
 
+circles=$(cat "$(dirname "$0")/circles.awk")
 src=$1
 shift
 find "$src/stridor" -type f \( -name '*.hpp' -o -name '*.cpp' \) | LC_ALL=C sort |
-    LC_ALL=C awk -v root="$src/" -v modules="$*" -v last_core=classification '
-function complain(place, text) {
-    printf "%s [%s]\n", text, place
-    problems++
-}
-
-# Depth first: a file met again while it is still open closes a circle. chain is the way from the start to here.
-function visit(file, chain,    i, next_file) {
-    mark[file] = "open"
-    for (i = 1; i <= edges[file]; i++) {
-        next_file = edge[file, i]
-        if (!(next_file in mark))
-            visit(next_file, chain " -> " next_file)
-        else if (mark[next_file] == "open")
-            complain(file, "Files include each other in a circle: " chain " -> " next_file)
-    }
-    mark[file] = "done"
-}
-
+    LC_ALL=C awk -v root="$src/" -v modules="$*" -v last_core=classification -v naming=include "$circles"'
 function check_ours(place, file, module, header,    parts, count) {
     count = split(header, parts, "/")
     if (parts[1] != "stridor" || count < 3) {
@@ -94,8 +77,7 @@ END {
         if (sub(/\.cpp$/, ".hpp", own) && own in known && first_include[files[i]] != own)
             complain(files[i], "The source does not include \"" own "\" first.")
     }
-    for (i = 1; i <= file_count; i++)
-        if (!(files[i] in mark)) visit(files[i], files[i])
+    find_circles(files, file_count)
     if (file_count == 0) complain(root "stridor", "There are no source files to check.")
     if (problems) printf "%d problem(s) in %d files.\n", problems, file_count
     exit problems > 0

@@ -13,15 +13,11 @@
 # An import of types alone counts as any other: who knows a type knows its folder.
 set -eu
 
+circles=$(cat "$(dirname "$0")/circles.awk")
 src=$1
 shift
 find "$src" -type f -name '*.ts' | LC_ALL=C sort |
-    LC_ALL=C awk -v root="$src/" -v folders="$*" '
-function complain(place, text) {
-    printf "%s [%s]\n", text, place
-    problems++
-}
-
+    LC_ALL=C awk -v root="$src/" -v folders="$*" -v naming=import "$circles"'
 # the first part of a path; empty for a file beside the folders
 function folder_of(file) {
     return file ~ /\// ? substr(file, 1, index(file, "/") - 1) : ""
@@ -38,19 +34,6 @@ function resolved(file, import_path,    place) {
         sub(/[^\/]*\/$/, "", place)
     }
     return place import_path
-}
-
-# Depth first: a file met again while it is still open closes a circle. chain is the way from the start to here.
-function visit(file, chain,    i, next_file) {
-    mark[file] = "open"
-    for (i = 1; i <= edges[file]; i++) {
-        next_file = edge[file, i]
-        if (!(next_file in mark))
-            visit(next_file, chain " -> " next_file)
-        else if (mark[next_file] == "open")
-            complain(file, "Files import each other in a circle: " chain " -> " next_file)
-    }
-    mark[file] = "done"
 }
 
 function check_import(place, file, import_path,    target, from, to) {
@@ -101,8 +84,7 @@ END {
         while ((getline line < (root file)) > 0) check_line(file ":" ++number, file, line)
         close(root file)
     }
-    for (i = 1; i <= file_count; i++)
-        if (!(files[i] in mark)) visit(files[i], files[i])
+    find_circles(files, file_count)
     if (!file_count) complain(root, "There are no source files to check.")
     if (problems) printf "%d problem(s) in %d files.\n", problems, file_count
     exit problems > 0
