@@ -343,6 +343,56 @@ TEST(BowedString, SlipsSeveralTimesAPeriodAboveTheUpperLimit) {
     EXPECT_GT(tally.changes[record::change_kind(ContactState::stick, ContactState::slip)].count, 400);
 }
 
+// --- Code_Aster's SDND106 (V5.01.106): two masses of 5 kg, a spring of 1e4 N/m between, the first pressed on the
+// ground by 1e4 N, mu_s = 0.3, mu_d = 0.2; 3000 N pull the second for 0.2 s
+
+model::Structure two_masses(double pull) {
+    model::Structure structure = model::structure_of_size(3);  // along and across of the first, along of the second
+    structure.mass.diagonal() << 5.0, 5.0, 5.0;
+    structure.stiffness << 1e4, 0, -1e4, 0, 0, 0, -1e4, 0, 1e4;
+    structure.load << 0.0, -1e4, pull;
+    structure.contacts.front().normal << 0.0, 1.0, 0.0;
+    structure.contacts.front().tangent << 1.0, 0.0, 0.0;
+    structure.contacts.front().friction = model::Coulomb{0.3, 0.2};
+    return structure;
+}
+
+Motion run_masses(double pull, const integration::InitialState& start, double duration) {
+    const model::Structure structure = two_masses(pull);
+    parameters::Case c = support::watched_case(0.0, {duration, duration});
+    record::Request request{record::KeepHistory::yes, {}};
+    request.trace = {.from = 0.0, .to = duration, .interval = 0.01};
+    record::Recorder recorder(record::schedule(c), request, 3, 1);
+    return integration::integrate_taylor(structure, c.drive, start, {parameters::EarlyEnding::never},
+                                         std::move(recorder));
+}
+
+TEST(TwoMasses, SlipAndStickAsCodeAsterSays) {
+    const integration::InitialState rest{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    const Motion pulled = run_masses(3000.0, rest, 0.2);
+    expect_sound(pulled);
+    ASSERT_EQ(pulled.record.histories[0].size(), 2U);
+    EXPECT_NEAR(pulled.record.histories[0][1].from, std::acos(1.0 - 0.3 * 1e4 / 3000.0) / std::sqrt(1e4 / 5.0), 1e-13);
+    const record::Trace& trace = pulled.record.trace;
+    const auto at = [&](std::size_t sample, std::size_t dof) { return trace.displacement[dof][sample]; };
+    EXPECT_NEAR(at(2, 2), 0.1122103126407706, 1e-12);
+    EXPECT_EQ(at(2, 0), 0.0);
+    EXPECT_NEAR(at(15, 0), 1.3533376608928975, 1e-12);
+    EXPECT_NEAR(at(15, 2), 1.8075324661759522, 1e-12);
+    EXPECT_NEAR(at(20, 0), 2.593088362758737, 1e-12);
+    EXPECT_NEAR(trace.velocity[0][20], 25.4709724805942, 1e-11);
+
+    integration::InitialState let_go{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    for (std::size_t dof = 0; dof < 3; ++dof) {
+        let_go.displacement(static_cast<Eigen::Index>(dof)) = at(20, dof);
+        let_go.velocity(static_cast<Eigen::Index>(dof)) = trace.velocity[dof][20];
+    }
+    const Motion free = run_masses(0.0, let_go, 0.2);
+    expect_sound(free);
+    EXPECT_NEAR(0.2 + free.record.histories[0][1].from, 0.3149232754474865, 1e-12);
+    EXPECT_NEAR(free.record.trace.displacement[0].back(), 3.9556057734976036, 1e-11);
+}
+
 // --- a strip of rubber on a moving surface: 40 degrees of freedom, five contacts, lumped mass
 
 TEST(Strip, HasTheMeanSharesOfThePrototype) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stridor::analysis {
 
@@ -16,24 +17,39 @@ namespace {
 constexpr double two_pi = 6.283185307179586476925;
 // an undamped mode's real part comes out as rounding: growth below this share of the largest eigenvalue is none
 constexpr double rounding = 1e-9;
+// [1/s] where nothing has any stiffness
+constexpr double smallest_rate = 1.0;
+
+using Eigen::MatrixXd;
 
 bool slower(const Eigenmode& a, const Eigenmode& b) {
     return a.frequency != b.frequency ? a.frequency < b.frequency : a.growth < b.growth;
 }
 
+// columns that no contact force moves
+MatrixXd forceless(const SlidingMotion& motion, const MatrixXd& right) {
+    const MatrixXd coupling = motion.forces.transpose().lazyProduct(motion.normals);
+    const MatrixXd pushed = motion.forces.transpose().lazyProduct(right);
+    return right - motion.normals.lazyProduct(coupling.partialPivLu().solve(pushed).eval());
+}
+
 }  // namespace
 
 std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion) {
-    using Eigen::MatrixXd;
-    const Eigen::Index free = motion.mass.rows() - 1;
-    const MatrixXd right = model::orthogonal_complement(motion.normal);
-    const MatrixXd left = right - motion.normal * (motion.force.transpose() * right) / motion.normal.dot(motion.force);
+    const Eigen::Index free = motion.mass.rows() - motion.normals.cols();
+    if (free == 0) return {};
+    const MatrixXd right =
+        motion.normals.cols() == 0 ? MatrixXd::Identity(free, free) : model::orthogonal_complement(motion.normals);
+    const MatrixXd left = motion.normals.cols() == 0 ? right : forceless(motion, right);
     const auto reduced = [&](const MatrixXd& matrix) { return model::reduced(left, matrix, right); };
-    const MatrixXd negative_inverse_mass = -reduced(motion.mass).inverse();
+    const Eigen::PartialPivLU<MatrixXd> mass(reduced(motion.mass));
+    const MatrixXd stiffness = mass.solve(reduced(motion.stiffness));
+    // positions in units of velocity: the solver's error is a share of the largest entry
+    const double rate = std::max(std::sqrt(stiffness.cwiseAbs().rowwise().sum().maxCoeff()), smallest_rate);
     MatrixXd first_order = MatrixXd::Zero(2 * free, 2 * free);
-    first_order.topRightCorner(free, free) = MatrixXd::Identity(free, free);
-    first_order.bottomLeftCorner(free, free) = negative_inverse_mass.lazyProduct(reduced(motion.stiffness));
-    first_order.bottomRightCorner(free, free) = negative_inverse_mass.lazyProduct(reduced(motion.damping));
+    first_order.topRightCorner(free, free) = rate * MatrixXd::Identity(free, free);
+    first_order.bottomLeftCorner(free, free) = -stiffness / rate;
+    first_order.bottomRightCorner(free, free) = -mass.solve(reduced(motion.damping));
     const Eigen::EigenSolver<MatrixXd> solver(first_order, false);
     return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
 }
@@ -60,12 +76,26 @@ SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenva
 }
 
 SlidingStability sliding_stability(const model::Structure& structure, parameters::Direction direction) {
-    const model::ContactPoint& contact = model::only_contact(structure, "stability of sliding");
     const std::vector<double> ratios =
         model::sliding_ratios(structure, direction == parameters::Direction::going ? 1.0 : -1.0);
-    const SlidingMotion motion{structure.mass, structure.damping, structure.stiffness, contact.normal,
-                               contact.normal + ratios.front() * contact.tangent};
-    return classify_modes(eigenvalues(motion), model::equilibrium(structure, ratios).normal_forces(0));
+    const model::ClosedContacts found = model::closed_contacts(structure, ratios);
+    const Eigen::Index dofs = model::dofs_of(structure);
+    const auto count = static_cast<Eigen::Index>(found.closed.size());
+    SlidingMotion motion{structure.mass, structure.damping, structure.stiffness, MatrixXd(dofs, count),
+                         MatrixXd(dofs, count)};
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const std::size_t number = found.closed[static_cast<std::size_t>(k)];
+        const model::ContactPoint& contact = structure.contacts[number];
+        motion.normals.col(k) = contact.normal;
+        motion.forces.col(k) = contact.normal + ratios[number] * contact.tangent;
+        least = std::min(least, found.equilibrium.normal_forces(static_cast<Eigen::Index>(number)));
+    }
+    SlidingStability stability = classify_modes(eigenvalues(motion), least);
+    for (std::size_t number = 0; number < structure.contacts.size(); ++number)
+        if (std::find(found.closed.begin(), found.closed.end(), number) == found.closed.end())
+            stability.open.push_back(number);
+    return stability;
 }
 
 }  // namespace stridor::analysis

@@ -7,15 +7,17 @@
 
 #include <array>
 #include <complex>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
 /// Stability of steady sliding by complex eigenvalues.
 ///
-/// Sliding with T = sigma mu_d N, sigma = sign(V), on the closed contact n.u = 0: with the columns of Q spanning the
-/// motions that keep the gap closed and P = Q - n ((n + sigma mu_d t).Q) / (n.n + sigma mu_d n.t), which is orthogonal
-/// to the contact force, P.M Q q'' + P.C Q q' + P.K Q q = P.f0. Friction makes P.K Q unsymmetric: two modes may meet
-/// and one of the pair grows (mode coupling, flutter), or one loses its stiffness (divergence, sprag-slip).
+/// Sliding with T = sigma mu_d N, sigma = sign(V), on closed contacts n.u = -g0: with the columns of Q spanning the
+/// motions that keep the gaps closed and P = Q - n (b.n)⁻¹ b.Q, which is orthogonal to the contact forces
+/// b = n + sigma mu_d t, P.M Q q'' + P.C Q q' + P.K Q q = P.f0. Friction makes P.K Q unsymmetric, and of several
+/// contacts P.M Q: two modes may meet and one of the pair grows (mode coupling, flutter), or one loses its stiffness
+/// (divergence, sprag-slip).
 /// Source: Hoffmann et al. 2002 for mode coupling; docs/methods/stability.md.
 namespace stridor::analysis {
 
@@ -38,10 +40,11 @@ struct Eigenmode {
 /// Stability of steady sliding, and the modes it was judged by.
 struct SlidingStability {
     StabilityKind kind = StabilityKind::stable;
-    double growth = 0.0;           // [1/s] largest real part
-    double frequency = 0.0;        // [Hz] of the mode with it
-    double normal_force = 0.0;     // [N] at the sliding equilibrium; negative: the contact digs in
-    std::vector<Eigenmode> modes;  // by rising frequency, then growth
+    double growth = 0.0;              // [1/s] largest real part
+    double frequency = 0.0;           // [Hz] of the mode with it
+    double normal_force = 0.0;        // [N] at the sliding equilibrium, the least; negative: the contact digs in
+    std::vector<Eigenmode> modes;     // by rising frequency, then growth
+    std::vector<std::size_t> open{};  // contacts that sliding lifts off, of several
 };
 
 /// Judges steady sliding by its eigenvalues [1/s] and the normal force [N] at its equilibrium.
@@ -50,20 +53,20 @@ struct SlidingStability {
 /// largest eigenvalue. No eigenvalues give `stable`.
 SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenvalues, double normal_force);
 
-/// The motion near steady sliding, M u'' + C u' + K u = b N with n.u = 0.
+/// The motion near steady sliding, M u'' + C u' + K u = b N with n.u = 0 at each closed contact.
 struct SlidingMotion {
     Eigen::MatrixXd mass;       // [kg] M
     Eigen::MatrixXd damping;    // [N*s/m] C
     Eigen::MatrixXd stiffness;  // [N/m] K
-    Eigen::VectorXd normal;     // [1] n
-    Eigen::VectorXd force;      // [1] b = n + sigma mu_d t
+    Eigen::MatrixXd normals;    // [1] n, shape [dof][contact]
+    Eigen::MatrixXd forces;     // [1] b = n + sigma mu_d t, shape [dof][contact]
 };
 
-/// Its eigenvalues [1/s], 2 (dofs - 1) of them, complex ones in conjugate pairs.
+/// Its eigenvalues [1/s], 2 (dofs - contacts) of them, complex ones in conjugate pairs.
 std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion);
 
-/// Stability of sliding in one direction, of a structure with one contact. The limit of the stick plays no part. Throws
-/// `Error` (input) what `only_contact` refuses.
+/// Stability of sliding of all closed contacts in one direction. The limit of the stick plays no part. Costs some
+/// 25 (2 dofs)³ operations. Several contacts may lift off; a single one is closed or locked.
 SlidingStability sliding_stability(const model::Structure& structure, parameters::Direction direction);
 
 }  // namespace stridor::analysis

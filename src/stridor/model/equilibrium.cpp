@@ -4,6 +4,9 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <numeric>
+
 namespace stridor::model {
 
 Equilibrium equilibrium(const Structure& structure, const std::vector<double>& ratios) {
@@ -30,6 +33,64 @@ Equilibrium equilibrium(const Structure& structure, const std::vector<double>& r
             return found;
         });
     return {solution.head(dofs), solution.tail(contacts)};
+}
+
+namespace {
+
+// so many exchanges for each contact have always been enough where there is a solution
+constexpr std::size_t exchanges_per_contact = 64;
+
+Structure with_contacts(const Structure& structure, const std::vector<std::size_t>& closed) {
+    Structure part = structure;
+    part.contacts.clear();
+    for (const std::size_t k : closed)
+        part.contacts.push_back(structure.contacts[k]);
+    return part;
+}
+
+template <typename T>
+std::vector<T> chosen(const std::vector<T>& all, const std::vector<std::size_t>& which) {
+    std::vector<T> some;
+    for (const std::size_t k : which)
+        some.push_back(all[k]);
+    return some;
+}
+
+ClosedContacts with_closed(const Structure& structure, const std::vector<double>& ratios,
+                           const std::vector<std::size_t>& closed) {
+    const Equilibrium found = equilibrium(with_contacts(structure, closed), chosen(ratios, closed));
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(structure.contacts.size()));
+    for (std::size_t k = 0; k < closed.size(); ++k)
+        forces(static_cast<Eigen::Index>(closed[k])) = found.normal_forces(static_cast<Eigen::Index>(k));
+    return {closed, {found.displacement, forces}};
+}
+
+}  // namespace
+
+ClosedContacts closed_contacts(const Structure& structure, const std::vector<double>& ratios) {
+    std::vector<std::size_t> closed(structure.contacts.size());
+    std::iota(closed.begin(), closed.end(), std::size_t{0});
+    const ClosedContacts all = with_closed(structure, ratios, closed);
+    if (closed.size() == 1) return all;
+    ClosedContacts now = all;
+    for (std::size_t exchange = 0; exchange < exchanges_per_contact * structure.contacts.size(); ++exchange) {
+        std::size_t violated = 0;
+        for (; violated < structure.contacts.size(); ++violated) {
+            const ContactPoint& contact = structure.contacts[violated];
+            const bool is_closed = std::binary_search(now.closed.begin(), now.closed.end(), violated);
+            const double force = now.equilibrium.normal_forces(static_cast<Eigen::Index>(violated));
+            const double gap = contact.initial_gap + contact.normal.dot(now.equilibrium.displacement);
+            if (is_closed ? !(force > 0.0) : !(gap >= 0.0)) break;
+        }
+        if (violated == structure.contacts.size()) return now;
+        const auto place = std::lower_bound(now.closed.begin(), now.closed.end(), violated);
+        if (place != now.closed.end() && *place == violated)
+            now.closed.erase(place);
+        else
+            now.closed.insert(place, violated);
+        now = with_closed(structure, ratios, now.closed);
+    }
+    return all;
 }
 
 std::vector<double> sliding_ratios(const Structure& structure, double surface_velocity) {

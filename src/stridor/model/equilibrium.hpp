@@ -2,6 +2,7 @@
 
 #include "stridor/model/structure.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace stridor::model {
@@ -17,6 +18,17 @@ struct Equilibrium {
 /// `ratios` [1] are T/N, shape [contact]: 0 at rest, `slip_ratio` while it slides. A negative normal force or a
 /// singular system (the divergence boundary) comes out as such; the caller decides.
 Equilibrium equilibrium(const Structure& structure, const std::vector<double>& ratios);
+
+/// A state of rest or of steady sliding in which contacts may be open.
+struct ClosedContacts {
+    std::vector<std::size_t> closed;  // their numbers, rising
+    Equilibrium equilibrium;          // a normal force of zero where a contact is open
+};
+
+/// The equilibrium in which each contact is either closed with N > 0 or open with a gap: contacts are changed one at a
+/// time, the first that is violated (Murty 1974). If none is found, and for one contact, it is that of all contacts
+/// closed, some N negative.
+ClosedContacts closed_contacts(const Structure& structure, const std::vector<double>& ratios);
 
 /// T/N of each contact [1], shape [contact], over a surface that moves with this velocity [m/s], not zero: it slips the
 /// other way.

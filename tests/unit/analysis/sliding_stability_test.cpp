@@ -1,5 +1,6 @@
 #include "stridor/analysis/sliding_stability.hpp"
 
+#include "stridor/model/joints_on_plate.hpp"
 #include "stridor/model/mass_on_belt.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/verification/sliding.hpp"
@@ -7,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -133,6 +136,49 @@ TEST(BeltOscillator, SlidesSteadilyWithItsOwnDamping) {
     EXPECT_NEAR(result.growth, -2.0, 1e-12);
     EXPECT_NEAR(result.frequency, std::sqrt(96.0) / (2.0 * std::numbers::pi), 1e-12);
     EXPECT_NEAR(result.normal_force, 50.0, 1e-12);
+}
+
+// --- several contacts
+
+// equal joints on one plate move as one joint of so many times the mass and stiffness, or against each other
+TEST(SlidingOfSeveral, EqualJointsHasTheModesOfOneAndThoseAgainstEachOther) {
+    const Case c;  // Table 1's squeal
+    const model::PlateJoint half{.joint = c.joint, .contact = c.contact};
+    parameters::Plate plate = c.plate;
+    plate.mass *= 2.0;
+    plate.stiffness *= 2.0;
+    plate.damping *= 2.0;
+    const SlidingStability one = sliding_stability(model::rubbing_system(c), Direction::going);
+    const SlidingStability two =
+        sliding_stability(model::joints_on_plate(std::array{half, half}, plate), Direction::going);
+    EXPECT_EQ(two.kind, one.kind);
+    EXPECT_NEAR(two.growth, one.growth, 1e-8);
+    EXPECT_NEAR(two.normal_force, one.normal_force, 1e-10);
+    EXPECT_TRUE(two.open.empty());
+    for (const Eigenmode& mode : one.modes)
+        EXPECT_TRUE(std::any_of(two.modes.begin(), two.modes.end(), [&](const Eigenmode& other) {
+            return std::abs(other.frequency - mode.frequency) < 1e-6 && std::abs(other.growth - mode.growth) < 1e-6;
+        })) << mode.frequency;
+}
+
+// a bar on two feet that its friction tips: the rear foot lifts off where mu h is half the distance of the feet
+TEST(SlidingOfSeveral, LiftsOffTheFootThatFrictionUnloads) {
+    const auto bar = [](double mu) {
+        model::Structure s = model::structure_of_size(3, 2);  // x, y, turn of the centre; feet at x = -+1, 0.5 below
+        s.mass = s.stiffness = s.damping = Eigen::MatrixXd::Identity(3, 3);
+        s.stiffness *= 1e-6;  // soft springs: the feet carry all
+        s.load << 0.0, -1.0, 0.0;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double x = k == 0 ? -1.0 : 1.0;
+            s.contacts[k].normal << 0.0, 1.0, x;
+            s.contacts[k].tangent << 1.0, 0.0, 0.5;
+            s.contacts[k].friction = model::Coulomb{mu, mu};
+        }
+        return sliding_stability(s, Direction::going);
+    };
+    EXPECT_TRUE(bar(1.9).open.empty());
+    EXPECT_EQ(bar(2.1).open.size(), 1U);
+    EXPECT_GT(bar(2.1).normal_force, 0.9);
 }
 
 TEST(ClassifyModes, ListsOneOfEachPairByRisingFrequency) {
