@@ -1,7 +1,6 @@
 #include "stridor/recordings/uff58/uff58.hpp"
 
 #include "signal_support.hpp"
-#include "stridor/recordings/uff58/uff58_header.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "support/counter_random.hpp"
 #include "support/expected_error.hpp"
@@ -56,16 +55,6 @@ TEST(Uff58, ReadsBigEndianChannelsAmongOtherDatasets) {
     EXPECT_EQ(found[1].unit, "m/s");
     for (int k = 0; k < uff58_frames; ++k)
         EXPECT_EQ(found[1].samples[static_cast<std::size_t>(k)], -ramp(k) * 1e-3);
-}
-
-TEST(Uff58, ReadsNumbersAsFortranPrintsThem) {
-    EXPECT_EQ(uff58::fortran_number("1.5D-05"), 1.5e-5);
-    EXPECT_EQ(uff58::fortran_number(" -.5E+3 "), -500.0);
-    EXPECT_EQ(uff58::fortran_number("+1.d2"), 100.0);
-    EXPECT_EQ(uff58::fortran_number("1.0-105"), 1e-105);
-    EXPECT_EQ(uff58::fortran_number("-1.0+105"), -1e105);
-    for (const char* text : {"", "-", "1.0E", "****", "1.0 2.0", "1.0E+00-1.0E+00", "0x10", "++1"})
-        EXPECT_FALSE(uff58::fortran_number(text)) << text;
 }
 
 Signal uff58_noise(double rate, const std::string& unit, std::uint64_t seed) {

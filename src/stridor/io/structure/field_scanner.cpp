@@ -1,8 +1,8 @@
 #include "stridor/io/structure/field_scanner.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/recordings/fortran_text.hpp"
 #include "stridor/recordings/refusal.hpp"
-#include "stridor/recordings/uff58/uff58_header.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -22,7 +22,7 @@ std::optional<double> real_in(std::string_view text) {
     const auto [stop, problem] = std::from_chars(text.data(), end, value);
     if (problem == std::errc() && stop == end) return std::isfinite(value) ? std::optional(value) : std::nullopt;
     // exponents by D, or without their letter; what is too small is zero
-    const std::optional<double> other = recordings::uff58::fortran_number(text);
+    const std::optional<double> other = recordings::fortran_number(text);
     return other && std::isfinite(*other) ? other : std::nullopt;
 }
 

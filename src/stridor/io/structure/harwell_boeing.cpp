@@ -3,8 +3,8 @@
 #include "stridor/base/text.hpp"
 #include "stridor/io/structure/fortran_format.hpp"
 #include "stridor/io/structure/row_labels_csv.hpp"
+#include "stridor/recordings/fortran_text.hpp"
 #include "stridor/recordings/refusal.hpp"
-#include "stridor/recordings/uff58/uff58_header.hpp"
 
 #include <fmt/format.h>
 
@@ -80,7 +80,7 @@ MatrixRole role_of_title(std::string_view title) {
 HarwellBoeingHead head_of(FixedReader& reader) {
     HarwellBoeingHead head;
     head.role = role_of_title(reader.line());
-    const auto counts = recordings::uff58::words(reader.line());
+    const auto counts = recordings::words(reader.line());
     const bool has_right_sides = counts.size() > 4 && integer_in(counts[4]).value_or(0) > 0;
     const std::string third(reader.line());
     const std::string type = upper(std::string_view(third).substr(0, 3));
@@ -88,7 +88,7 @@ HarwellBoeingHead head_of(FixedReader& reader) {
         throw reader.complaint(fmt::format("matrices of type {} are not read", type),
                                "those of a structure are real and assembled: RSA or RUA");
     head.is_symmetric = type == "RSA";
-    const auto sizes = recordings::uff58::words(std::string_view(third).substr(3));
+    const auto sizes = recordings::words(std::string_view(third).substr(3));
     const auto size = [&](std::size_t k) { return k < sizes.size() ? integer_in(sizes[k]).value_or(-1) : -1; };
     head.rows = size(0);
     head.entries = size(2);
@@ -96,7 +96,7 @@ HarwellBoeingHead head_of(FixedReader& reader) {
     if (head.rows < 1 || head.rows != size(1) || head.rows > most || head.entries < 1 || head.entries > most)
         throw reader.complaint("the sizes of the matrix make no sense", "it is square, and has entries");
     const std::string fourth(reader.line());
-    const auto formats = recordings::uff58::words(fourth);
+    const auto formats = recordings::words(fourth);
     for (std::size_t k = 0; k < head.formats.size(); ++k) {
         const auto format = k < formats.size() ? fortran_format(formats[k]) : std::nullopt;
         if (!format) throw reader.complaint("the formats of the numbers are not understood");
@@ -144,7 +144,7 @@ ListedMatrix read_harwell_boeing(const StructureInput& input) {
 }
 
 bool is_ansys_mapping(std::string_view first_line) {
-    const auto words = recordings::uff58::words(first_line);
+    const auto words = recordings::words(first_line);
     return words.size() == 4 && upper(words[0]) == "MATRIX" && upper(words[2]) == "NODE" && upper(words[3]) == "DOF";
 }
 

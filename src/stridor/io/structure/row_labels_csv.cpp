@@ -2,9 +2,9 @@
 
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/recordings/fortran_text.hpp"
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
-#include "stridor/recordings/uff58/uff58_header.hpp"
 
 #include <fmt/format.h>
 
@@ -100,7 +100,7 @@ private:
 
     void take_sets(const std::string& node) {
         const std::string text = field(5);
-        for (const std::string_view name : recordings::uff58::words(text)) {
+        for (const std::string_view name : recordings::words(text)) {
             auto found = std::find_if(table_.sets.begin(), table_.sets.end(),
                                       [&](const reduction::NodeSet& set) { return set.name == name; });
             if (found == table_.sets.end()) found = table_.sets.insert(table_.sets.end(), {std::string(name), {}});

@@ -2,6 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/recordings/fortran_text.hpp"
 #include "stridor/recordings/line_reader.hpp"
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/uff58/uff58_header.hpp"
@@ -55,8 +56,8 @@ private:
                 "it ends after " + std::to_string(done_) + " of " + std::to_string(dataset_.count) + " values");
         row_.clear();
         next_ = 0;
-        for (const std::string_view word : uff58::words(line->text)) {
-            const std::optional<double> number = uff58::fortran_number(word);
+        for (const std::string_view word : words(line->text)) {
+            const std::optional<double> number = fortran_number(word);
             if (!number) return read_columns(*line);
             row_.push_back(*number);
         }
@@ -68,7 +69,7 @@ private:
         const std::size_t width = dataset_.ordinate == uff58::real_double ? 20 : 13;
         const std::string_view text = line.text.substr(0, line.text.find_last_not_of(" \t\r") + 1);
         for (std::size_t from = 0; from < text.size(); from += width) {
-            const std::optional<double> number = uff58::fortran_number(text.substr(from, width));
+            const std::optional<double> number = fortran_number(text.substr(from, width));
             if (!number)
                 throw refusal(place_of(lines_.name(), line, static_cast<int>(from) + 1),
                               "\"" + std::string(base::trimmed(text.substr(from, width))) + "\" is not a number");

@@ -54,13 +54,7 @@ struct Contents {
 /// histories of uneven step or complex values, and for counts of values that the file cannot hold.
 Contents find_datasets(const SignalInput& input);
 
-/// A number as Fortran prints it: "1.5D-05", "-.5E+3", "1.0-105"; nothing for any other text.
-std::optional<double> fortran_number(std::string_view text);
-
 /// Is this line the mark between datasets, "    -1"?
 bool is_mark(std::string_view line);
-
-/// Splits at blanks.
-std::vector<std::string_view> words(std::string_view line);
 
 }  // namespace stridor::recordings::uff58
