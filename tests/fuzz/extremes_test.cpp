@@ -68,7 +68,8 @@ TEST(Extremes, OfEveryFieldEndSoonAndSayWhatTheyAre) {
     const double patience = tries_all() ? 10.0 : 0.1;
     std::size_t number = 0, runs = 0;
     for (const PaperCase name : {PaperCase::squeal, PaperCase::squeak, PaperCase::creak, PaperCase::quiet})
-        for (const DriveKind drive : {DriveKind::sinusoidal, DriveKind::constant, DriveKind::sampled})
+        for (const DriveKind drive :
+             {DriveKind::sinusoidal, DriveKind::constant, DriveKind::sampled, DriveKind::trapezoidal})
             for (const Engine engine : {Engine::exact, Engine::beta_2})
                 for (const Field& field : fields()) {
                     const auto* quantity = std::get_if<Quantity>(&field.kind);

@@ -99,14 +99,41 @@ void check_samples(const Case& c, std::vector<Finding>& found) {
     find_standstill(c, found);
 }
 
+// with this share of the run, or less, a ramp is a jump: double precision does not tell its ends apart
+constexpr double least_ramp = 1e-9;
+
+void check_ramp(const Case& c, std::vector<Finding>& found) {
+    const Field& field = *find_field("drive.ramp");
+    if (!field.belongs(c)) return;
+    const double longest = 0.25 / c.drive.frequency;
+    if (c.drive.ramp > longest * (1.0 + 1e-9))
+        found.push_back({"drive.ramp",
+                         {"drive.ramp = " + shortest(c.drive.ramp) + " s is longer than a quarter of the period",
+                          "half a period has two ramps, one to full velocity and one back",
+                          "Make it at most " + shortest(longest) + " s."},
+                         {"drive.kind", "drive.frequency"}});
+    if (c.drive.ramp < least_ramp * c.run.duration)
+        found.push_back({"drive.ramp",
+                         {"drive.ramp = " + shortest(c.drive.ramp) + " s is less than 1e-9 of run.duration",
+                          "double precision cannot tell its ends apart", "Lengthen it."},
+                         {"drive.kind", "run.duration"}});
+}
+
+// a value that no range refuses, because an axis may run through it
+void check_zeros(const Case& c, std::vector<Finding>& found) {
+    for (const Field& field : fields()) {
+        const auto* quantity = std::get_if<Quantity>(&field.kind);
+        if (quantity == nullptr || quantity->range.zero == Range::Zero::allowed || !field.belongs(c)) continue;
+        if (quantity->get(c) == 0.0)
+            found.push_back({key_of(field),
+                             {key_of(field) + " = 0 is out of range", "it must not be 0", ""},
+                             {field.section}});  // it stands by itself
+    }
+}
+
 void check_drive(const Case& c, std::vector<Finding>& found) {
     if (is_of_file(c.drive)) check_samples(c, found);
-    const bool stands_still = is_steady(c.drive) && c.drive.velocity == 0.0;
-    if (stands_still)
-        found.push_back({"drive.velocity",
-                         {"drive.velocity = 0 moves nothing", "a contact at rest has nothing to judge",
-                          "Give it a sign: going is positive."},
-                         {"drive.kind"}});
+    check_ramp(c, found);
     // a window of one and a half periods holds a complete going and a complete coming phase wherever it starts
     const double rate = repetition_rate(c.drive);
     const double shortest_window = rate > 0.0 ? 1.5 / rate : 0.0;
@@ -182,6 +209,7 @@ std::vector<Finding> findings(const Case& c) {
         }
         return found;
     }
+    check_zeros(c, found);
     check_contact(c, found);
     check_drive(c, found);
     check_run(c, found);

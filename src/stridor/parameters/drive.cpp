@@ -19,13 +19,34 @@ VelocityProfile sinusoidal(const Drive& drive) {
     return profile;
 }
 
+// There and back as rigs move: from rest to V in `ramp`, V, and to rest in `ramp`, within half a period; then -V. The
+// corners of a slope through zero would be none: standing still is written at both ends alone.
+VelocityProfile trapezoidal(const Drive& drive, double until) {
+    const double half_period = 0.5 / drive.frequency;
+    const auto halves = static_cast<long>(std::floor(until / half_period)) + 1;
+    VelocityProfile profile;
+    const auto turn = [&](double time, double velocity) {
+        if (!profile.times.empty() && time <= profile.times.back()) return;  // a triangle has one corner at its top
+        profile.times.push_back(time);
+        profile.velocities.push_back(velocity);
+    };
+    turn(0.0, 0.0);
+    for (long half = 0; half < halves; ++half) {
+        const double velocity = half % 2 == 0 ? drive.velocity : -drive.velocity;
+        turn(static_cast<double>(half) * half_period + drive.ramp, velocity);
+        turn(static_cast<double>(half + 1) * half_period - drive.ramp, velocity);
+    }
+    turn(static_cast<double>(halves) * half_period, 0.0);
+    return profile;
+}
+
 }  // namespace
 
 std::string_view kind_name(const Drive& drive) {
     return drive_names[static_cast<std::size_t>(drive.kind)];
 }
 
-VelocityProfile velocity_profile(const Drive& drive, double) {
+VelocityProfile velocity_profile(const Drive& drive, double until) {
     switch (drive.kind) {
         case DriveKind::sinusoidal:
             return sinusoidal(drive);
@@ -33,6 +54,8 @@ VelocityProfile velocity_profile(const Drive& drive, double) {
             return {.velocity = drive.velocity, .times = {}, .velocities = {}};
         case DriveKind::sampled:
             return {.times = drive.times, .velocities = drive.velocities};
+        case DriveKind::trapezoidal:
+            return trapezoidal(drive, until);
     }
     return {};
 }
@@ -42,7 +65,8 @@ bool is_steady(const Drive& drive) {
 }
 
 double repetition_rate(const Drive& drive) {
-    return drive.kind == DriveKind::sinusoidal ? drive.frequency : 0.0;
+    const bool repeats = drive.kind == DriveKind::sinusoidal || drive.kind == DriveKind::trapezoidal;
+    return repeats ? drive.frequency : 0.0;
 }
 
 bool is_of_file(const Drive& drive) {

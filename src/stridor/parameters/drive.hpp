@@ -10,9 +10,9 @@
 namespace stridor::parameters {
 
 /// How the plate's velocity V follows time.
-enum class DriveKind { sinusoidal, constant, sampled };
+enum class DriveKind { sinusoidal, constant, sampled, trapezoidal };
 
-inline constexpr std::array<std::string_view, 3> drive_names{"sinusoidal", "constant", "sampled"};
+inline constexpr std::array<std::string_view, 4> drive_names{"sinusoidal", "constant", "sampled", "trapezoidal"};
 
 /// Which way the plate moves under the joint: going is V > 0, coming V < 0.
 enum class Direction { going, coming };
@@ -23,8 +23,9 @@ inline constexpr std::array<std::string_view, 2> direction_names{"going", "comin
 struct Drive {
     DriveKind kind = DriveKind::sinusoidal;
     double amplitude = 4e-3;         // [m] A_exc, sinusoidal: x2 = A sin(2 pi f t)
-    double frequency = 5.0;          // [Hz] f_exc, sinusoidal
-    double velocity = 0.1;           // [m/s] constant: V
+    double frequency = 5.0;          // [Hz] f_exc, sinusoidal and trapezoidal
+    double velocity = 0.1;           // [m/s] constant: V; trapezoidal: V on the way there, -V on the way back
+    double ramp = 0.02;              // [s] trapezoidal: from standing still to full velocity, or back
     std::string file;                // sampled: a CSV with the columns time and velocity
     std::vector<double> times;       // [s] sampled: instants, strictly increasing from 0, shape [sample]
     std::vector<double> velocities;  // [m/s] sampled: V at them, linear in between, shape [sample]

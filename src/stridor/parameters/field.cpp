@@ -18,6 +18,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Range any{};
+constexpr Range not_zero{.zero = Range::Zero::excluded};
 constexpr Range positive{0.0, infinity, Range::Low::open};
 constexpr Range not_negative{0.0, infinity, Range::Low::closed};
 constexpr Range share{0.0, 1.0, Range::Low::closed};
@@ -62,6 +63,15 @@ bool is_constant(const Case& c) {
 }
 bool is_sampled(const Case& c) {
     return c.drive.kind == DriveKind::sampled;
+}
+bool is_trapezoidal(const Case& c) {
+    return c.drive.kind == DriveKind::trapezoidal;
+}
+bool has_frequency(const Case& c) {
+    return is_sinusoidal(c) || is_trapezoidal(c);
+}
+bool has_velocity(const Case& c) {
+    return is_constant(c) || is_trapezoidal(c);
 }
 bool has_phases(const Case& c) {
     return !is_steady(c.drive);
@@ -147,9 +157,11 @@ const std::array table{
     Field{"drive", "amplitude", "A_exc", "displacement amplitude of the plate",
           quantity<&Case::drive, &Drive::amplitude>("m", positive, octaves(4e-4, 4e-2)), is_sinusoidal},
     Field{"drive", "frequency", "f_exc", "frequency of the plate's motion",
-          quantity<&Case::drive, &Drive::frequency>("Hz", positive, usual_frequency), is_sinusoidal},
+          quantity<&Case::drive, &Drive::frequency>("Hz", positive, usual_frequency), has_frequency},
     Field{"drive", "velocity", "V", "velocity of the plate; going if positive, coming if negative",
-          quantity<&Case::drive, &Drive::velocity>("m/s", any, usual_velocity), is_constant},
+          quantity<&Case::drive, &Drive::velocity>("m/s", not_zero, usual_velocity), has_velocity},
+    Field{"drive", "ramp", "", "time from standing still to full velocity, at most a quarter of the period",
+          quantity<&Case::drive, &Drive::ramp>("s", positive, octaves(2e-3, 0.05)), is_trapezoidal},
     Field{"drive", "file", "", "CSV file with the columns time and velocity", drive_file, is_sampled},
 
     Field{"run", "duration", "", "simulated time", quantity<&Case::run, &Run::duration>("s", positive), always},
@@ -257,19 +269,25 @@ std::string_view unit_of(std::string_view key) {
     return field == nullptr ? std::string_view("1") : unit_of(*field);
 }
 
-std::string home_of(const Case& c, const Field& field) {
-    std::string homes;
+std::vector<Home> homes_of(const Case& c, const Field& field) {
+    std::vector<Home> homes;
     for (const Field& other : table) {
         const auto* choice = std::get_if<Choice>(&other.kind);
         if (choice == nullptr) continue;
         for (std::size_t index = 0; index < choice->names.size(); ++index) {
             Case changed = c;
             choice->set(changed, static_cast<int>(index));
-            if (!field.belongs(changed)) continue;
-            homes += (homes.empty() ? "" : " or ") + key_of(other) + " = \"" + std::string(choice->names[index]) + "\"";
+            if (field.belongs(changed)) homes.push_back({&other, choice->names[index]});
         }
     }
     return homes;
+}
+
+std::string home_of(const Case& c, const Field& field) {
+    std::string text;
+    for (const Home& home : homes_of(c, field))
+        text += (text.empty() ? "" : " or ") + key_of(*home.choice) + " = \"" + std::string(home.name) + "\"";
+    return text;
 }
 
 bool names_file(const Field& field) {

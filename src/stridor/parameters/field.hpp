@@ -21,6 +21,8 @@ struct Range {
     double high = std::numeric_limits<double>::infinity();
     /// Does the lower end belong to it?
     enum class Low { closed, open } low_end = Low::closed;
+    /// Does zero? Where it does not, a chart may run through it: the cell is refused, as `findings` says, not the axis.
+    enum class Zero { allowed, excluded } zero = Zero::allowed;
 };
 
 /// How the values of an axis are spaced.
@@ -95,8 +97,16 @@ std::string_view unit_of(const Field& field);
 /// The same by key.
 std::string_view unit_of(std::string_view key);
 
-/// The choices that would give a field a meaning: "drive.kind = "sinusoidal" or drive.kind = "sampled""; empty if none
-/// alone does, as for the temperature of a case without a table.
+/// One choice that gives a field a meaning: the field of it, and which of its names.
+struct Home {
+    const Field* choice;
+    std::string_view name;
+};
+
+/// The choices of which each alone would give a field a meaning in a case that is otherwise as `c`.
+std::vector<Home> homes_of(const Case& c, const Field& field);
+
+/// The same in words: "drive.kind = "sinusoidal" or drive.kind = "sampled""; empty if none does (temperature.value).
 std::string home_of(const Case& c, const Field& field);
 
 /// Is its value the name of a file that is opened?

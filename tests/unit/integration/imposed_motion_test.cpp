@@ -97,6 +97,45 @@ TEST(SampledMotion, PositionIsTheIntegralOfTheVelocity) {
     EXPECT_DOUBLE_EQ(position(motion, 12), 1.0);
 }
 
+Drive trapezoidal_drive() {
+    Drive drive;
+    drive.kind = DriveKind::trapezoidal;
+    drive.frequency = 0.25;  // there in 2 s, back in 2 s
+    drive.velocity = 0.5;
+    drive.ramp = 0.5;
+    return drive;
+}
+
+TEST(TrapezoidalMotion, RisesHoldsAndFalls) {
+    const ImposedMotion motion(trapezoidal_drive(), 0.25, 9.0);
+    EXPECT_EQ(motion.at(0.0).velocity, 0.0);
+    EXPECT_EQ(motion.at(0.25).velocity, 0.25);
+    EXPECT_EQ(motion.at(0.25).acceleration, 1.0);
+    EXPECT_EQ(motion.at(1.0).velocity, 0.5);
+    EXPECT_EQ(motion.at(1.0).acceleration, 0.0);
+    EXPECT_EQ(motion.at(2.0).velocity, 0.0);
+    EXPECT_EQ(motion.at(2.0).acceleration, -1.0);
+    EXPECT_EQ(motion.at(3.0).velocity, -0.5);
+    EXPECT_EQ(motion.at(5.0).velocity, 0.5);
+}
+
+// there: a trapezium of 2 s and 1 s, half a metre per second high; and back
+TEST(TrapezoidalMotion, ComesBackEveryPeriod) {
+    const ImposedMotion motion(trapezoidal_drive(), 0.25, 8.0);
+    EXPECT_DOUBLE_EQ(position(motion, 8), 0.75);
+    EXPECT_NEAR(position(motion, 16), 0.0, 1e-15);  // of sixteen sums below 1
+    EXPECT_NEAR(position(motion, 24), 0.75, 1e-15);
+}
+
+TEST(TrapezoidalMotion, IsATriangleWithTheLongestRamp) {
+    Drive drive = trapezoidal_drive();
+    drive.ramp = 1.0;
+    const ImposedMotion motion(drive, 0.25, 4.0);
+    EXPECT_EQ(motion.profile().times, (std::vector<double>{0.0, 1.0, 3.0, 5.0, 6.0}));
+    EXPECT_EQ(motion.at(0.5).velocity, 0.25);
+    EXPECT_EQ(motion.at(2.0).velocity, 0.0);
+}
+
 TEST(SampledMotion, FollowsASampledSine) {
     Drive sine;
     sine.frequency = 2.0;

@@ -49,6 +49,29 @@ TEST(Simulate, RecordsOnePhaseOfAConstantDrive) {
     EXPECT_NEAR(motion.record.phases[0].vibration_time, 0.5, 1e-12);
 }
 
+// V between corners is what engines know of both: a trapezoid has the bits of its samples, however it is solved
+TEST(Simulate, SolvesATrapezoidAsItsSamples) {
+    for (const parameters::Engine engine : {parameters::Engine::exact, parameters::Engine::beta_2}) {
+        Case c = short_case();
+        c.run.engine = engine;
+        c.drive.kind = parameters::DriveKind::trapezoidal;
+        const Motion motion = simulate(c);
+        EXPECT_EQ(motion.outcome.reason, Reason::completed);
+        const parameters::VelocityProfile profile = parameters::velocity_profile(c.drive, c.run.duration);
+        c.drive.kind = parameters::DriveKind::sampled;
+        c.drive.times = profile.times;
+        c.drive.velocities = profile.velocities;
+        const Motion sampled = simulate(c);
+        ASSERT_EQ(motion.record.phases.size(), 2U);
+        for (std::size_t k = 0; k < 2; ++k) {
+            EXPECT_EQ(motion.record.phases[k].contacts.front().time, sampled.record.phases[k].contacts.front().time);
+            EXPECT_GT(motion.record.phases[k].vibration_time, 0.1);
+        }
+        EXPECT_EQ(motion.energy.drive_work, sampled.energy.drive_work);
+        EXPECT_NEAR(motion.energy.residual, 0.0, 1e-6 * std::abs(motion.energy.drive_work));  // beta_2: O(h²)
+    }
+}
+
 TEST(Simulate, DoesNotRunBeyondTheStepLimit) {
     Case c;
     c.run.engine = parameters::Engine::beta_2;

@@ -184,6 +184,8 @@ TEST(Stick, UnderASinusoidalDriveIsJudgedAlikeAtEveryInstant) {
 TEST(Stick, OfASampledDriveIsUnknown) {
     Case c = support::seal_lip();
     c.drive.kind = parameters::DriveKind::sampled;
+    c.drive.times = {0.0, c.run.duration};
+    c.drive.velocities = {0.05, 0.05};
     EXPECT_EQ(at_rest(c).future, Future::unknown);
 }
 

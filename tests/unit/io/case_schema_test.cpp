@@ -60,15 +60,17 @@ TEST(CaseSchema, RequiresWhatTheReaderRequires) {
     EXPECT_FALSE(lists(schema["properties"]["contact"]["required"], "impact"));
     const Json& drive = schema["properties"]["drive"];
     EXPECT_EQ(drive["required"], Json::array({"kind"}));
-    ASSERT_EQ(drive["allOf"].size(), 3U);
+    ASSERT_EQ(drive["allOf"].size(), 4U);
     EXPECT_EQ(drive["allOf"][1]["if"]["properties"]["kind"]["const"], "constant");
     EXPECT_EQ(drive["allOf"][1]["then"]["required"], Json::array({"kind", "velocity"}));
+    EXPECT_EQ(drive["allOf"][3]["then"]["required"], Json::array({"kind", "frequency", "velocity", "ramp"}));
+    EXPECT_EQ(drive["properties"]["velocity"]["not"], (Json{{"const", 0}}));
 }
 
 TEST(CaseSchema, OffersNamesForChoicesAndAxes) {
     const Json schema = Json::parse(json_schema());
     EXPECT_EQ(schema["properties"]["drive"]["properties"]["kind"]["enum"],
-              Json::array({"sinusoidal", "constant", "sampled"}));
+              Json::array({"sinusoidal", "constant", "sampled", "trapezoidal"}));
     const Json& axis = schema["properties"]["chart"]["properties"]["x"];
     EXPECT_TRUE(lists(axis["properties"]["parameter"]["enum"], "contact.preload"));
     EXPECT_FALSE(lists(axis["properties"]["parameter"]["enum"], "drive.kind"));

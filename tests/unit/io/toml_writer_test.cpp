@@ -41,7 +41,8 @@ Case random_case() {
     if (c.drive.kind == parameters::DriveKind::sampled) c.drive.kind = parameters::DriveKind::constant;
     c.contact.kinetic_friction = c.contact.static_friction * 0.7;
     c.contact.kinetic_friction_coming = c.contact.static_friction_coming * 0.7;
-    c.run.duration = 0.3 + 1.0 / c.drive.frequency;
+    c.drive.ramp = 0.1 / c.drive.frequency;
+    c.run.duration = 0.3 + 6.0 / c.drive.frequency;  // a third of it holds one and a half periods
     c.run.window = c.run.duration / 3.0;
     c.run.step = c.run.duration / 7e5;
     c.verdict.settling *= 0.4;
@@ -108,8 +109,8 @@ TEST(TomlWriter, ExplainsEveryKeyWithSymbolUnitAndRange) {
 TEST(TomlWriter, ShowsTheKeysOfOtherKindsReadyToBeUncommented) {
     const std::string text = case_toml(parameters::paper_case(parameters::PaperCase::squeal));
     EXPECT_NE(
-        text.find("# with drive.kind = \"constant\": velocity of the plate; going if positive, coming if negative "
-                  "(V) [m/s]\n#velocity = \"0.1 m/s\"\n"),
+        text.find("# with drive.kind = \"constant\" or drive.kind = \"trapezoidal\": velocity of the plate; going if "
+                  "positive, coming if negative (V) [m/s, not 0]\n#velocity = \"0.1 m/s\"\n"),
         std::string::npos)
         << text;
     const std::string constant = replaced(replaced(text, "kind = \"sinusoidal\"", "kind = \"constant\""),

@@ -60,6 +60,9 @@ TEST(DriveFacts, HaveTheGreatestVelocityToSixDigits) {
     drive.velocity = -0.1;
     EXPECT_EQ(peak_velocity(drive), 0.1);
     EXPECT_EQ(profile_of(drive), "constant");
+    drive.kind = parameters::DriveKind::trapezoidal;
+    EXPECT_EQ(peak_velocity(drive), 0.1);
+    EXPECT_EQ(profile_of(drive), "trapezoidal 1 Hz");
     drive.kind = parameters::DriveKind::sampled;
     EXPECT_TRUE(std::isnan(peak_velocity(drive)));
     EXPECT_EQ(profile_of(drive), "");

@@ -59,9 +59,37 @@ TEST(Findings, KineticFrictionMayNotExceedStaticTheOtherWayEither) {
 TEST(Findings, AConstantDriveMustMove) {
     Case c = constant_case();
     c.drive.velocity = 0.0;
-    expect_finding(c, "drive.velocity", "moves nothing");
+    expect_finding(c, "drive.velocity", "must not be 0");
     c.drive.velocity = -1e-9;
     EXPECT_TRUE(findings(c).empty());
+}
+
+// of every kind of drive that has a velocity, and of no other
+TEST(Findings, ATrapezoidalDriveMustMove) {
+    Case c;
+    c.drive.velocity = 0.0;
+    EXPECT_TRUE(findings(c).empty());
+    c.drive.kind = DriveKind::trapezoidal;
+    expect_finding(c, "drive.velocity", "must not be 0");
+}
+
+TEST(Findings, ARampTakesAQuarterOfThePeriodAtMost) {
+    Case c;
+    c.drive.kind = DriveKind::trapezoidal;
+    EXPECT_TRUE(findings(c).empty());
+    c.drive.ramp = 0.05;  // at 5 Hz: a triangle
+    EXPECT_TRUE(findings(c).empty());
+    c.drive.ramp = 0.051;
+    expect_finding(c, "drive.ramp", "at most 0.05 s");
+    c.drive.ramp = 1e-10;
+    expect_finding(c, "drive.ramp", "cannot tell its ends apart");
+}
+
+TEST(Findings, ATrapezoidalDriveStartsStill) {
+    Case c;
+    c.drive.kind = DriveKind::trapezoidal;
+    c.run.initial = Initial::sliding;
+    expect_finding(c, "run.initial", "stands still at the start");
 }
 
 TEST(Findings, AWindowHoldsOneAndAHalfPeriods) {

@@ -192,6 +192,17 @@ TEST(Field, BelongsWhereItMeansSomething) {
     EXPECT_TRUE(field("run.perturbation").belongs(c));
 }
 
+TEST(Field, SaysWhichChoicesGiveItAMeaning) {
+    const Case c;
+    EXPECT_EQ(home_of(c, *find_field("drive.velocity")), R"(drive.kind = "constant" or drive.kind = "trapezoidal")");
+    EXPECT_EQ(home_of(c, *find_field("drive.file")), R"(drive.kind = "sampled")");
+    EXPECT_EQ(home_of(c, *find_field("temperature.value")), "");
+    const std::vector<Home> homes = homes_of(c, *find_field("contact.restitution"));
+    ASSERT_EQ(homes.size(), 1U);
+    EXPECT_EQ(homes.front().choice, find_field("contact.impact"));
+    EXPECT_EQ(homes.front().name, "restitution");
+}
+
 TEST(UsualRange, LiesWithinWhatTheFieldAllows) {
     for (const Field& entry : fields()) {
         const auto* quantity = std::get_if<Quantity>(&entry.kind);

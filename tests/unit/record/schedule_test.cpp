@@ -114,6 +114,22 @@ TEST(SinusoidalDrive, IsNotFooledByRoundingAtTheWindowsEdge) {
     EXPECT_NEAR(time_of(schedule(c), Use::judged), 9 * 0.04, 1e-13);
 }
 
+// going and coming take turns from the start on, half a period each, and all of them are complete
+TEST(TrapezoidalDrive, TurnsAtHalfPeriods) {
+    Case c;
+    c.drive.kind = DriveKind::trapezoidal;  // 5 Hz, 1 s: ten halves of 0.1 s
+    const Schedule plan = schedule(c);
+    EXPECT_EQ(plan.phases, (std::vector<Phase>{Phase::going, Phase::coming}));
+    for (const Span& span : plan.spans) {
+        const double middle = 0.5 * (span.from + span.to);
+        EXPECT_EQ(span.phase, std::fmod(middle, 0.2) < 0.1 ? Phase::going : Phase::coming) << middle;
+    }
+    EXPECT_NEAR(time_of(plan, Use::judged), 10 * 0.04, 1e-14);
+    EXPECT_DOUBLE_EQ(end_of(plan), 1.0);
+    c.drive.velocity = -0.1;
+    EXPECT_EQ(schedule(c).spans.front().phase, Phase::coming);
+}
+
 TEST(SampledDrive, TurnsWhereTheVelocityCrossesZero) {
     const Schedule plan = schedule(sampled_case({0.0, 1.0, 3.0, 4.0}, {1.0, 1.0, -3.0, -3.0}));
     // V falls from 1 to -3 between 1 s and 3 s: zero at 1.5 s
@@ -135,9 +151,10 @@ TEST(SampledDrive, StandingStillBelongsToThePhaseBefore) {
 // a case without `findings`, of any drive
 Case any_case() {
     Case c;
-    const int kind = *support::whole_between(0, 2);
+    const int kind = *support::whole_between(0, 3);
     c.drive.kind = static_cast<DriveKind>(kind);
     c.drive.frequency = *support::number_between(1.0, 50.0);
+    c.drive.ramp = 0.2 / c.drive.frequency;
     c.run.duration = *support::number_between(1.5, 4.0);
     c.run.window = *support::number_between(1.5, c.run.duration);
     c.verdict.settling = *support::number_between(0.0, 0.6);

@@ -21,21 +21,22 @@ using classification::Verdict;
 
 // "sinusoidal drive of 4 mm at 5 Hz": its kind and the values that mean something for it
 std::string drive_text(const parameters::Case& c) {
-    std::string text = std::string(parameters::kind_name(c.drive)) + " drive";
-    std::string_view before = " of ";
+    const std::string kind = std::string(parameters::kind_name(c.drive)) + " drive";
+    std::string values, rate;
     for (const parameters::Field& field : parameters::fields()) {
-        if (field.section != "drive" || field.name == "kind" || !field.belongs(c)) continue;
-        const bool is_number = std::holds_alternative<parameters::Quantity>(field.kind);
-        const std::string_view unit = is_number ? parameters::unit_of(field) : "";
-        if (unit == "Hz") before = " at ";
-        if (parameters::names_file(field)) before = " ";
-        text += before;
-        text += !is_number    ? parameters::value_text(c, field)
-                : unit == "m" ? fmt::format("{:g} mm", 1e3 * parameters::get_quantity(c, field))
-                              : fmt::format("{:g} {}", parameters::get_quantity(c, field), unit);
-        before = ", ";
+        if (field.section != "drive" || !field.belongs(c)) continue;
+        if (parameters::names_file(field)) return kind + " " + parameters::value_text(c, field);
+        if (!std::holds_alternative<parameters::Quantity>(field.kind)) continue;
+        const std::string_view unit = parameters::unit_of(field);
+        const double value = parameters::get_quantity(c, field);
+        const std::string text =
+            unit == "m" ? fmt::format("{:g} mm", 1e3 * value) : fmt::format("{:g} {}", value, unit);
+        if (unit == "Hz")
+            rate = " at " + text;
+        else
+            values += (values.empty() ? " of " : ", ") + text;
     }
-    return text;
+    return kind + values + rate;
 }
 
 std::string figure_or_dash(double value, const char* format) {

@@ -51,6 +51,7 @@ Json field_schema(const parameters::Field& field) {
         const bool is_open = quantity->range.low_end == parameters::Range::Low::open;
         if (std::isfinite(quantity->range.low)) schema[is_open ? "exclusiveMinimum" : "minimum"] = quantity->range.low;
         if (std::isfinite(quantity->range.high)) schema["maximum"] = quantity->range.high;
+        if (quantity->range.zero == parameters::Range::Zero::excluded) schema["not"] = {{"const", 0}};
         const Case defaults;
         if (!is_required(field)) schema["default"] = quantity->get(defaults);
     } else if (const auto* choice = std::get_if<Choice>(&field.kind)) {

@@ -67,6 +67,7 @@ std::string value_of(const Case& c, const Field& field) {
 std::string range_text(const parameters::Range& range) {
     const std::string low =
         (range.low_end == parameters::Range::Low::open ? "above " : "at least ") + base::shortest(range.low);
+    if (range.zero == parameters::Range::Zero::excluded) return "not 0";
     if (std::isinf(range.low) && std::isinf(range.high)) return {};
     if (std::isinf(range.high)) return low;
     return base::shortest(range.low) + " to " + base::shortest(range.high);
