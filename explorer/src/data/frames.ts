@@ -35,7 +35,7 @@ export function floatsOf(base64: string): Float32Array<ArrayBuffer> {
 
 /** The stays of a contact in its states. */
 export interface Stays {
-  name: string; // of the joint, where there are several
+  name: string; // of the joint
   from: Float64Array; // [s] when each stay began; one more: when the last ended
   state: ContactState[]; // of each stay
 }
@@ -70,13 +70,12 @@ export function motionOf(buffer: ArrayBuffer): Motion {
     columns.set(column.name, { unit: column.unit, sentence: column.sentence, values });
     offset = aligned(offset + 4 * header.samples);
   }
-  const contacts = header.contacts.map(({ intervals, name }, k): Stays => {
+  const contacts = header.contacts.map(({ name, intervals }): Stays => {
     const from = new Float64Array(buffer, offset, intervals + 1);
     offset += 8 * (intervals + 1);
     const numbers = new Uint8Array(buffer, offset, intervals);
     offset = aligned(offset + intervals);
-    const known = name ?? (header.contacts.length > 1 ? `contact ${k + 1}` : "");
-    return { name: known, from, state: Array.from(numbers, (number) => header.states[number] ?? "separation") };
+    return { name, from, state: Array.from(numbers, (number) => header.states[number] ?? "separation") };
   });
   return { samples: header.samples, start: header.start, interval: header.interval, columns, contacts };
 }

@@ -30,15 +30,21 @@ export type Units = Record<string, string>;
 export type Case = { title: string } & Record<string, Section | string>;
 export type Section = Record<string, number | string | (number | string)[]>;
 
+/** "drive.kind": ["constant"]: the choices without which a field means nothing; empty if it always does. */
+export type Homes = Record<string, string[]>;
+
 export interface QuantityField {
   key: string;
   section: string;
   symbol: string;
   sentence: string;
+  belongs_to: Homes;
   kind: "quantity";
   unit: string;
   low: number | null;
   high: number | null;
+  /** What a choice that needs it begins with; none where a case may leave it out. */
+  default?: number;
   /** Between which values a designer varies it (of an imposed velocity: its magnitude); none for settings. */
   usual?: { from: number; to: number; scale: Scale };
 }
@@ -47,6 +53,7 @@ export interface ChoiceField {
   section: string;
   symbol: string;
   sentence: string;
+  belongs_to: Homes;
   kind: "choice";
   choices: string[];
 }
@@ -55,6 +62,7 @@ export interface TextField {
   section: string;
   symbol: string;
   sentence: string;
+  belongs_to: Homes;
   kind: "text";
 }
 export type Field = QuantityField | ChoiceField | TextField;
@@ -203,7 +211,7 @@ export interface MotionHeader {
   start: number;
   interval: number;
   columns: { name: string; unit: string; sentence: string }[];
-  contacts: { intervals: number; name?: string }[]; // names of joints, where there are several
+  contacts: { name: string; intervals: number }[]; // names of their joints
   states: ContactState[];
 }
 

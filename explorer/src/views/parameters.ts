@@ -13,6 +13,7 @@ import {
   words,
 } from "../draw/format.ts";
 import { at, share } from "../draw/scale.ts";
+import { companions, dependants, needsFile } from "./companions.ts";
 import { withoutKeys, withValues, type State } from "../state/state.ts";
 import type { Store } from "../state/store.ts";
 
@@ -89,15 +90,6 @@ export function quantityOf(state: State, resolved: Case, key: string): number {
   const said = state.design.set[key];
   return Number(said ?? valueIn(resolved, key));
 }
-
-/** Keys that mean nothing any more once a choice is made anew. */
-const dependants: Record<string, string[]> = {
-  "drive.kind": ["drive.amplitude", "drive.frequency", "drive.velocity", "verdict.settling", "verdict.reversal"],
-  "contact.friction": ["contact.static_friction_coming", "contact.kinetic_friction_coming"],
-  "contact.impact": ["contact.restitution"],
-  "run.initial": ["run.perturbation"],
-  "run.engine": ["run.step", "run.beta_2"],
-};
 
 interface Row {
   field: Field;
@@ -197,34 +189,19 @@ export class Parameters {
 
   private set_(field: Field, value: string, step: "push" | "drag"): void {
     const { design } = this.store_.state;
-    const kept = field.kind === "choice" ? withoutKeys(design, dependants[field.key] ?? []) : design;
+    const kept = field.kind === "choice" ? withoutKeys(design, dependants(this.start_.fields, field.key)) : design;
     const needed = field.kind === "choice" ? this.companions_(field.key, value) : {};
     this.store_.update({ design: withValues(kept, { ...needed, [field.key]: value }) }, step);
   }
 
-  /** What a choice cannot do without and the present case may not have. */
   private companions_(key: string, choice: string): Record<string, string> {
     const { state } = this.store_;
     const now = (name: string): number => quantityOf(state, this.resolved_, name);
-    if (key === "drive.kind" && choice === "constant") {
-      const top = 2 * Math.PI * now("drive.frequency") * now("drive.amplitude");
-      const speed = Number.isFinite(top) ? rounded(top) : 0.1;
-      return { "drive.velocity": exact(state.direction === "going" ? speed : -speed) };
-    }
-    if (key === "drive.kind" && choice === "sinusoidal") {
-      const speed = Math.abs(now("drive.velocity")) || 0.1;
-      return { "drive.amplitude": exact(rounded(speed / (2 * Math.PI * 5))), "drive.frequency": "5" };
-    }
-    if (key === "contact.friction" && choice === "directional") {
-      const [limit, sliding] = ["static_friction", "kinetic_friction"].map((name) => exact(now(`contact.${name}`)));
-      return { "contact.static_friction_coming": limit, "contact.kinetic_friction_coming": sliding };
-    }
-    if (key === "contact.impact" && choice === "restitution") return { "contact.restitution": "0.5" };
-    return {};
+    return companions(this.start_.fields, key, choice, now, state.direction);
   }
 
   private resetButton_(field: Field): HTMLButtonElement {
-    const keys = [field.key, ...(dependants[field.key] ?? [])];
+    const keys = [field.key, ...dependants(this.start_.fields, field.key)];
     const reset = (): void => this.store_.update({ design: withoutKeys(this.store_.state.design, keys) });
     return button("↺", reset, {
       "class": "reset",
@@ -314,8 +291,9 @@ export class Parameters {
       picker,
     );
     const show = (value: number | string): void => {
-      // samples would need a file
-      for (const option of picker.options) option.disabled = option.value === "sampled" && value !== "sampled";
+      const { fields } = this.start_;
+      for (const option of picker.options)
+        option.disabled = option.value !== value && needsFile(fields, field.key, option.value);
       picker.value = String(value);
     };
     return { field, element, show };

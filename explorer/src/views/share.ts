@@ -134,8 +134,8 @@ export class Share {
     const preset = this.start_.presets.find((one) => one.name === design.preset);
     if (!preset) throw Error("no preset " + design.preset);
     const { drive } = preset.case;
-    const isSampled = typeof drive === "object" && drive.kind === "sampled";
-    return command(isSampled ? design : await this.whole_(design));
+    const isOfFile = typeof drive === "object" && "file" in drive;
+    return command(isOfFile ? design : await this.whole_(design));
   }
 }
 

@@ -12,6 +12,7 @@
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/record/columns.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/evaluate.hpp"
@@ -22,6 +23,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -35,16 +37,31 @@ constexpr double least_interval = 1e-7;  // [s] between them
 constexpr std::size_t most_complaints =
     12;  // of one error that the page has room for; a request may hold 200 wrong values
 
+// {"drive.kind": ["constant", "trapezoidal"]}: the choices without which a field means nothing; none if it always does
+Json homes_object(const parameters::Field& field) {
+    std::map<const parameters::Field*, std::vector<std::string_view>> names;
+    for (const parameters::Home& home : parameters::homes_of({}, field))
+        names[home.choice].push_back(home.name);
+    Json object = Json::object();
+    for (const auto& [choice, all] : names)
+        if (all.size() < std::get<parameters::Choice>(choice->kind).names.size())
+            object[parameters::key_of(*choice)] = all;
+    return object;
+}
+
 Json field_object(const parameters::Field& field) {
     Json object{{"key", parameters::key_of(field)},
                 {"section", field.section},
                 {"symbol", field.symbol},
-                {"sentence", field.sentence}};
+                {"sentence", field.sentence},
+                {"belongs_to", homes_object(field)}};
     if (const auto* quantity = std::get_if<parameters::Quantity>(&field.kind)) {
         object["kind"] = "quantity";
         object["unit"] = quantity->unit;
         object["low"] = quantity->range.low;  // null where it is open to infinity
         object["high"] = quantity->range.high;
+        // what a choice that needs it begins with; other fields have their values without saying
+        if (io::is_required(field)) object["default"] = quantity->get({});
         if (quantity->usual)
             object["usual"] = {{"from", quantity->usual->from},
                                {"to", quantity->usual->to},
@@ -124,8 +141,9 @@ void pad(std::string& bytes) {
     bytes.resize((bytes.size() + 7) / 8 * 8, '\0');
 }
 
-std::string motion_header(const record::TraceRequest& trace, const std::vector<SentColumn>& columns,
-                          std::size_t samples, const std::vector<record::ContactHistory>& histories) {
+std::string motion_header(const parameters::Case& c, const record::TraceRequest& trace,
+                          const std::vector<SentColumn>& columns, std::size_t samples,
+                          const std::vector<record::ContactHistory>& histories) {
     Json header{{"schema", "stridor.explorer.motion/1"},
                 {"samples", samples},
                 {"start", trace.from},
@@ -134,8 +152,8 @@ std::string motion_header(const record::TraceRequest& trace, const std::vector<S
     for (const SentColumn& column : columns)
         header["columns"].push_back({{"name", column.name}, {"unit", column.unit}, {"sentence", column.sentence}});
     header["contacts"] = Json::array();
-    for (const record::ContactHistory& history : histories)
-        header["contacts"].push_back({{"intervals", history.size()}});
+    for (std::size_t k = 0; k < histories.size(); ++k)
+        header["contacts"].push_back({{"name", parameters::joint_name(c, k)}, {"intervals", histories[k].size()}});
     header["states"] = model::contact_state_names;
     std::string text = header.dump();
     text.resize((text.size() + 4 + 7) / 8 * 8 - 4, ' ');  // the arrays after it begin at a multiple of 8
@@ -229,7 +247,7 @@ Response motion(const World& world, const Json& body, const std::stop_token& sto
                 values[k].push_back(static_cast<float>(value));
     };
     const integration::Motion motion = run_case(c, request, stop);
-    const std::string header = motion_header(request.trace, columns, values.front().size(), motion.record.histories);
+    const std::string header = motion_header(c, request.trace, columns, values.front().size(), motion.record.histories);
     const auto length = static_cast<std::uint32_t>(header.size());
     std::string bytes = bytes_of<std::uint32_t>({&length, 1}) + header;
     for (const std::vector<float>& column : values) {

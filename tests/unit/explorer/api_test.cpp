@@ -84,6 +84,15 @@ TEST(Api, BeginsWithThePresetsAndTheFieldsTheirSlidersNeed) {
             EXPECT_LT(field["usual"]["from"], field["usual"]["to"]) << field;
         }
     EXPECT_GE(sliders, 12);
+    const auto field = [&](const std::string& key) {
+        for (const json& each : document["fields"])
+            if (each["key"] == key) return each;
+        return json();
+    };
+    EXPECT_EQ(field("drive.velocity")["belongs_to"], (json{{"drive.kind", {"constant", "trapezoidal"}}}));
+    EXPECT_EQ(field("drive.velocity")["default"], 0.1);
+    EXPECT_EQ(field("joint.mass")["belongs_to"], json::object());
+    EXPECT_FALSE(field("run.step").contains("default"));  // a case may leave it out
     EXPECT_FALSE(document["figures"].empty());
 }
 
@@ -127,6 +136,7 @@ TEST(Api, SendsAMotionAsArrays) {
     EXPECT_NEAR(static_cast<double>(samples), 3000.0, 2.0);
     const std::size_t column = (4 * samples + 7) / 8 * 8;
     ASSERT_EQ(header["contacts"].size(), 1U);
+    EXPECT_EQ(header["contacts"][0]["name"], "joint");
     const auto intervals = header["contacts"][0]["intervals"].get<std::size_t>();
     const std::size_t history = (8 * (intervals + 1) + intervals + 7) / 8 * 8;
     EXPECT_EQ(bytes.size(), 4 + length + header["columns"].size() * column + history);

@@ -43,7 +43,7 @@ const header = (samples, intervals) => ({
     { name: "x1", unit: "m", sentence: "" },
     { name: "gap", unit: "m", sentence: "" },
   ],
-  contacts: [{ intervals }],
+  contacts: [{ name: "joint", intervals }],
   states: ["stick", "slip", "separation"],
 });
 
