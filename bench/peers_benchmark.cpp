@@ -2,14 +2,14 @@
 //
 // The four columns of Table 1 at a constant velocity of +-0.1 m/s, started at rest, one simulated second; and a small
 // chart over the ranges of Figure 8. Errors are differences from the reference of 33 digits
-// (tests/support/quad_reference), which is computed once per case and does not belong to the measurement. Times are
-// processor time of the thread, medians of runs.
+// (tests/support/oracles/quad_reference), which is computed once per case and does not belong to the measurement. Times
+// are processor time of the thread, medians of runs.
 
 #include "peers/agreement.hpp"
 #include "peers/peer.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/paper_charts.hpp"
-#include "support/quad_reference.hpp"
+#include "support/oracles/quad_reference.hpp"
 
 #include <fmt/core.h>
 

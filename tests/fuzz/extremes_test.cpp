@@ -10,7 +10,7 @@
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/effort.hpp"
-#include "support/figure_laws.hpp"
+#include "support/oracles/figure_laws.hpp"
 #include "support/patience.hpp"
 #include "support/shrink.hpp"
 

@@ -4,7 +4,7 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/verification/constant_drive.hpp"
-#include "support/event_driven.hpp"
+#include "support/oracles/event_driven.hpp"
 #include "support/periods.hpp"
 
 #include <gtest/gtest.h>

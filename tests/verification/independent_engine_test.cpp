@@ -5,7 +5,7 @@
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/constant_case.hpp"
 #include "support/effort.hpp"
-#include "support/event_driven.hpp"
+#include "support/oracles/event_driven.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,15 @@
-// The quad-precision reference (support/quad_reference) against closed forms, published digits,
+// The quad-precision reference (support/oracles/quad_reference) against closed forms, published digits,
 // itself and event_driven.
 
-#include "support/quad_reference.hpp"
+#include "support/oracles/quad_reference.hpp"
 
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/verification/constant_drive.hpp"
 #include "support/constant_case.hpp"
 #include "support/effort.hpp"
-#include "support/event_driven.hpp"
+#include "support/oracles/event_driven.hpp"
+#include "support/oracles/quad.hpp"
 #include "support/periods.hpp"
-#include "support/quad.hpp"
 
 #include <gtest/gtest.h>
 

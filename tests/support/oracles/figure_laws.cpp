@@ -1,4 +1,4 @@
-#include "support/figure_laws.hpp"
+#include "support/oracles/figure_laws.hpp"
 
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/base/error.hpp"

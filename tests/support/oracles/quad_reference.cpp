@@ -13,9 +13,9 @@
 // 2, after a rebound 1; w after stick 1, or 2 if mu_s = mu_d, where T does not jump. Nothing is decided by the sign
 // of a rounding error.
 
-#include "support/quad_reference.hpp"
+#include "support/oracles/quad_reference.hpp"
 
-#include "support/quad.hpp"
+#include "support/oracles/quad.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 // both inequalities tightened by more than the rounding errors; only where that does not decide are 33 digits used. The
 // one root of a monotone stretch is polished by Newton's iteration, kept inside its bracket by bisection.
 
-#include "support/quad.hpp"
+#include "support/oracles/quad.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -8,7 +8,7 @@
 // x1'' = V', T follows from the first line. Impact: plastic, momentum in y kept, impulse P = m1
 // (y' after - y1' before); the tangential impulse stops the slip if m1 |w| <= mu_s P, else it is mu_d P against w.
 
-#include "support/event_driven.hpp"
+#include "support/oracles/event_driven.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -2,7 +2,7 @@
 // numbers (1e-13), and for inequalities that an event ends, the depth to which the search for events looks, 1e-9
 // of a step's amplitude.
 
-#include "support/motion_laws.hpp"
+#include "support/oracles/motion_laws.hpp"
 
 #include "stridor/model/friction/law.hpp"
 
