@@ -6,17 +6,17 @@ _stridor() {
         return
     fi
     if [[ $previous == --set ]]; then
-        COMPREPLY=($(compgen -W "title= joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= contact.preload= contact.friction= contact.static_friction= contact.kinetic_friction= contact.static_friction_coming= contact.kinetic_friction_coming= contact.impact= contact.restitution= temperature.value= drive.kind= drive.amplitude= drive.frequency= drive.velocity= drive.file= run.duration= run.window= run.initial= run.perturbation= run.engine= run.early_ending= run.step= run.beta_2= verdict.start= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.least_releases= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
+        COMPREPLY=($(compgen -W "title= joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= structure.stiffness_scale= structure.damping_scale= contact.preload= contact.friction= contact.static_friction= contact.kinetic_friction= contact.static_friction_coming= contact.kinetic_friction_coming= contact.impact= contact.restitution= temperature.value= drive.kind= drive.amplitude= drive.frequency= drive.velocity= drive.file= run.duration= run.window= run.initial= run.perturbation= run.engine= run.early_ending= run.step= run.beta_2= verdict.start= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.least_releases= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
         compopt -o nospace
         return
     fi
     if [[ $previous == @(--over|--tolerance) && ${COMP_WORDS[1]} == @(advise|stability) ]]; then
-        COMPREPLY=($(compgen -W "joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= contact.preload= contact.static_friction= contact.kinetic_friction= contact.static_friction_coming= contact.kinetic_friction_coming= contact.restitution= temperature.value= drive.amplitude= drive.frequency= drive.velocity= run.duration= run.window= run.perturbation= run.step= run.beta_2= verdict.start= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.least_releases= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
+        COMPREPLY=($(compgen -W "joint.mass= joint.axial_stiffness= joint.flexural_stiffness= joint.axial_damping= joint.flexural_damping= joint.incidence_angle= plate.mass= plate.stiffness= plate.damping= structure.stiffness_scale= structure.damping_scale= contact.preload= contact.static_friction= contact.kinetic_friction= contact.static_friction_coming= contact.kinetic_friction_coming= contact.restitution= temperature.value= drive.amplitude= drive.frequency= drive.velocity= run.duration= run.window= run.perturbation= run.step= run.beta_2= verdict.start= verdict.settling= verdict.reversal= verdict.quiet_slip= verdict.creak_stick= verdict.least_releases= verdict.squeal_regularity= verdict.squeal_beats= verdict.least_intervals=" -- "$word"))
         compopt -o nospace
         return
     fi
     if [[ ${COMP_WORDS[1]} == init && COMP_CWORD -eq 2 ]]; then
-        COMPREPLY=($(compgen -W "squeal squeak creak quiet noise-chart rate-map weatherstrip weatherstrip-shaken glass-run clip wiper brake-pad two-lips schema" -- "$word"))
+        COMPREPLY=($(compgen -W "squeal squeak creak quiet noise-chart rate-map weatherstrip weatherstrip-shaken glass-run clip wiper brake-pad two-lips chain string schema" -- "$word"))
         return
     fi
     case ${COMP_WORDS[1]} in

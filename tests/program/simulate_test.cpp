@@ -83,8 +83,9 @@ TEST(Simulate, DataGoesToStdoutAndMessagesToStderr) {
 }
 
 TEST(Cases, ShippedFilesAreWhatInitPrints) {
-    for (const std::string kind : {"squeal", "squeak", "creak", "quiet", "noise-chart", "rate-map", "weatherstrip",
-                                   "weatherstrip-shaken", "glass-run", "clip", "wiper", "brake-pad", "two-lips"})
+    for (const std::string kind :
+         {"squeal", "squeak", "creak", "quiet", "noise-chart", "rate-map", "weatherstrip", "weatherstrip-shaken",
+          "glass-run", "clip", "wiper", "brake-pad", "two-lips", "chain", "string"})
         EXPECT_EQ(stridor::support::read_text(std::string(STRIDOR_SOURCE_DIR) + "/cases/" + kind + ".toml"),
                   run({"init", kind}).out)
             << kind;

@@ -43,7 +43,7 @@ TEST(Interface, TurnsIntoHeatWhatTheEnergyBalanceSays) {
     start.displacement(0) = 0.3;
     parameters::Case c = support::watched_case(0.1, {200.0, 200.0});
     c.verdict.start = 0.0;
-    record::Recorder recorder(record::schedule(c), {}, 6, 3, {0, 0, 0});
+    record::Recorder recorder(record::schedule(c), {}, 6, 3, 0, {0, 0, 0});
     const Motion motion =
         integration::integrate_taylor(structure, c.drive, start, {parameters::EarlyEnding::never}, std::move(recorder));
     double loss = 0.0;

@@ -95,7 +95,7 @@ void write_records(const SimulateOptions& options, const parameters::Case& c, co
 void simulate(const SimulateOptions& options) {
     require_ending("--trace", options.trace, {".csv", ".nc"});
     require_ending("--history", options.history, {".csv"});
-    const parameters::Case c = load_case(options.input, io::JointsTaken::several);
+    const parameters::Case c = load_case(options.input, io::JointsTaken::or_structure);
     const record::Request request = request_for(options, c);
     const Interrupt interrupt;
     const integration::Motion motion = integration::simulate(c, request, interrupt.token());
@@ -104,7 +104,7 @@ void simulate(const SimulateOptions& options) {
     write_records(options, c, motion, request.trace.interval);
     console::print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"
                                 : console::simulation_text(c, motion, verdicts));
-    if (!options.json && console::has_terminal())
+    if (!options.json && console::has_terminal() && !c.own_structure)
         console::say(console::styled(fmt::format("next: stridor stability {} --over contact.kinetic_friction=0:{:g}",
                                                  options.input.file, c.contact.static_friction),
                                      console::Style::dim, STDERR_FILENO));

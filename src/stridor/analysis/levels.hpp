@@ -15,6 +15,10 @@ inline constexpr double reference_velocity = 1e-9;
 inline constexpr std::string_view level_note =
     "Levels are of the joint's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
 
+/// The same of a structure of the user's own.
+inline constexpr std::string_view contact_level_note =
+    "Levels are of the contact point's velocity, dB re 1 nm/s: a vibration, not a sound pressure.";
+
 /// Vibration level of one body over the judged time. It is the vibration of the model's masses, not a sound pressure.
 /// A contact that only slides ends at rest: its level is then -infinity or that of rounding,
 /// hundreds of dB below any other.
@@ -39,7 +43,8 @@ enum class Part { judged, closing };
 enum class Along { counted, carried };
 
 /// Levels of a contact's joint and of the plate, from a tally of the rubbing system: two degrees of freedom a joint, in
-/// the order of the contacts, then one of the plate. NaN where nothing was judged.
+/// the order of the contacts, then one of the plate. Of an own structure that of a contact's point, along and across;
+/// there is no plate then. NaN where nothing was judged.
 Levels levels(const record::Tally& tally, std::size_t contact = 0, Part part = Part::judged,
               Along along = Along::counted);
 

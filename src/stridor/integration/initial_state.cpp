@@ -1,7 +1,9 @@
 #include "stridor/integration/initial_state.hpp"
 
+#include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/model/equilibrium.hpp"
+#include "stridor/parameters/own_structure.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -23,6 +25,12 @@ Eigen::VectorXd least_velocity(const model::Structure& structure, const Eigen::V
     const Eigen::MatrixXd pushed = structure.mass.ldlt().solve(rows);
     const Eigen::MatrixXd compliance = rows.transpose() * pushed;
     return pushed * compliance.ldlt().solve(velocities);
+}
+
+// contacts that are open have nothing to move with
+model::Structure with_closed_contacts(model::Structure structure) {
+    std::erase_if(structure.contacts, [](const model::ContactPoint& contact) { return contact.initial_gap > 0.0; });
+    return structure;
 }
 
 }  // namespace
@@ -51,6 +59,25 @@ InitialState initial_state(const model::Structure& given, const Start& start, do
     if (p > 1) return {balance.displacement, least_velocity(structure, tangential)};
     const model::ContactPoint& contact = structure.contacts.front();
     return {balance.displacement, contact.tangent / contact.tangent.squaredNorm() * tangential(0)};
+}
+
+InitialState initial_state(const parameters::Case& c, const model::Structure& structure, double surface_velocity) {
+    STRIDOR_EXPECT(c.own_structure && c.run.initial != parameters::Initial::sliding);
+    const parameters::OwnStructure& own = *c.own_structure;
+    const Eigen::Index rows = model::dofs_of(structure);
+    InitialState start{Eigen::VectorXd::Zero(rows), Eigen::VectorXd::Zero(rows)};
+    if (c.run.initial == parameters::Initial::stuck) {
+        const model::Structure closed = with_closed_contacts(model::in_canonical_order(structure));
+        Eigen::VectorXd tangential(static_cast<Eigen::Index>(closed.contacts.size()));
+        for (std::size_t k = 0; k < closed.contacts.size(); ++k)
+            tangential(static_cast<Eigen::Index>(k)) = closed.contacts[k].drive_share * surface_velocity;
+        start.velocity = least_velocity(closed, tangential);
+    }
+    for (std::size_t row = 0; row < own.initial_displacement.size(); ++row)
+        start.displacement(static_cast<Eigen::Index>(row)) += own.initial_displacement[row];
+    for (std::size_t row = 0; row < own.initial_velocity.size(); ++row)
+        start.velocity(static_cast<Eigen::Index>(row)) += surface_velocity * own.initial_velocity[row];
+    return start;
 }
 
 }  // namespace stridor::integration

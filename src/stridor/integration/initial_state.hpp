@@ -25,4 +25,8 @@ struct InitialState {
 /// sliding has no direction; numerical where some contact has no N > 0.
 InitialState initial_state(const model::Structure& structure, const Start& start, double surface_velocity);
 
+/// The same for a case with a structure of the user's own, `model::structure_of`: it rests where its displacements are
+/// zero, and what it says of its start is added.
+InitialState initial_state(const parameters::Case& c, const model::Structure& structure, double surface_velocity);
+
 }  // namespace stridor::integration

@@ -26,8 +26,8 @@ struct Workspace {
     InstructionSet instruction_set = widest_instruction_set();  // of the exact engine's loops
 };
 
-/// Runs a case with the engine it names; the one door to all engines. Several joints are solved by the Taylor engine,
-/// which is exact as well.
+/// Runs a case with the engine it names; the one door to all engines. Several joints, and a structure of the
+/// user's own, are solved by the Taylor engine, which is exact as well.
 ///
 /// The case must have no `parameters::findings`. Returns and throws what the engine does.
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace);

@@ -7,6 +7,7 @@
 #include "stridor/classification/verdict.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/study.hpp"
@@ -58,6 +59,26 @@ inline Json joints_array(const parameters::Case& c) {
     return joints;
 }
 
+// what an own structure is, beside its fields: not its matrices, but their hash
+inline void put_own_structure(Json& object, const parameters::Case& c) {
+    const parameters::OwnStructure& own = *c.own_structure;
+    Json contacts = Json::array();
+    for (std::size_t k = 0; k < own.contacts.size(); ++k) {
+        const parameters::Contact laws = parameters::contact_of(c, k);
+        Json contact{{"name", own.contacts[k].name},
+                     {"initial_gap", own.contacts[k].initial_gap},
+                     {"static_friction", laws.static_friction},
+                     {"kinetic_friction", laws.kinetic_friction},
+                     {"drive_share", own.contacts[k].drive_share}};
+        if (parameters::is_preloaded(own)) contact["preload"] = laws.preload;
+        contacts.push_back(std::move(contact));
+    }
+    object["origin"] = own.origin;
+    object["content"] = parameters::content_hash(own);
+    object["rows"] = own.row;
+    object["contacts"] = std::move(contacts);
+}
+
 /// A case by sections and names: quantities as numbers in their units, all else as text. Fields without a meaning for
 /// the case are left out.
 inline Json case_object(const parameters::Case& c) {
@@ -68,6 +89,7 @@ inline Json case_object(const parameters::Case& c) {
         put_fields(object, c, [](const parameters::Field& field) { return !parameters::is_of_joint(field); });
         object["joint"] = joints_array(c);
     }
+    if (c.own_structure) put_own_structure(object["structure"], c);
     if (!parameters::has_temperature_table(c)) return object;
     object["temperature"]["at"] = c.temperature.at;
     for (const parameters::TemperatureColumn& column : c.temperature.columns) {
@@ -87,6 +109,10 @@ inline Json case_units(const parameters::Case& c) {
         if (const auto* quantity = std::get_if<parameters::Quantity>(&field.kind);
             quantity != nullptr && field.belongs(c))
             units["case." + parameters::key_of(field)] = quantity->unit;
+    if (c.own_structure) {
+        units["case.structure.contacts.initial_gap"] = "m";
+        units["case.structure.contacts.preload"] = "N";
+    }
     if (parameters::has_temperature_table(c)) units["case.temperature.at"] = parameters::unit_of("temperature.value");
     for (const parameters::TemperatureColumn& column : c.temperature.columns)
         if (column.holds == parameters::TemperatureColumn::Holds::quantity)

@@ -28,6 +28,10 @@ std::vector<int> interfaces_of(const Structure& structure) {
     return numbers;
 }
 
+int channels_of(const Structure& structure) {
+    return structure.measured.size() == 0 ? dofs_of(structure) : static_cast<int>(structure.measured.rows());
+}
+
 std::vector<std::size_t> canonical_order(const Structure& structure) {
     std::vector<std::size_t> order(structure.contacts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -36,7 +36,9 @@ struct Structure {
     Eigen::MatrixXd stiffness;  // [N/m] K, symmetric, shape [dof][dof]
     Eigen::VectorXd load;       // [N] f0, constant, shape [dof]
     std::vector<ContactPoint> contacts;
-    std::vector<int> body{};  // number of the body that each degree of freedom moves, rising; empty: each its own
+    // [1] what is recorded as vibration: the velocities measured * u'; shape [channel][dof]; empty: u' itself
+    Eigen::MatrixXd measured{};
+    std::vector<int> body{};  // number of the body that each channel belongs to, rising; empty: each its own
 };
 
 /// Matrices and load of zeros for so many degrees of freedom, and as many contacts with normals and tangents of zeros.
@@ -47,6 +49,9 @@ std::vector<int> interfaces_of(const Structure& structure);
 
 /// Number of degrees of freedom.
 int dofs_of(const Structure& structure);
+
+/// Number of channels of its vibration.
+int channels_of(const Structure& structure);
 
 /// The numbers of the contacts in the order of their rows, gaps and shares of the drive. It does not depend on how they
 /// are numbered, for sums whose bits must not.

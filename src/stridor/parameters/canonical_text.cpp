@@ -4,6 +4,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <string>
@@ -45,6 +46,7 @@ std::string canonical_text(const Case& c) {
     std::string text;
     for (std::size_t joint = 0; has_several && joint < joint_count(c); ++joint)
         text += joint_lines(c, joint);
+    if (c.own_structure) text += "structure.content = " + content_hash(*c.own_structure) + "\n";
     for (const Field& field : fields())
         if (is_canonical(c, field) && !(has_several && is_of_joint(field)))
             text += key_of(field) + " = " + value_text(c, field) + "\n";

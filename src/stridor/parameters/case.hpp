@@ -3,6 +3,7 @@
 #include "stridor/parameters/drive.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -137,7 +138,15 @@ struct FurtherJoint {
     std::optional<double> flexural_ratio{};  // [1]
 };
 
-/// One complete case: a joint on a plate, or several.
+struct OwnStructure;  // own_structure.hpp
+
+/// What may be varied of a structure of the user's own.
+struct StructureScales {
+    double stiffness = 1.0;  // [1] of its stiffness matrix
+    double damping = 1.0;    // [1] of all its damping
+};
+
+/// One complete case: a joint on a plate, several, or a structure of the user's own in their place.
 struct Case {
     std::string title;
     Joint joint;
@@ -145,6 +154,9 @@ struct Case {
     Contact contact;
     std::string joint_name{};                    // of the first joint, where there are several
     std::vector<FurtherJoint> further_joints{};  // all but the first
+    // where there is one, joint and plate mean nothing; shared, since it is large and never changed
+    std::shared_ptr<const OwnStructure> own_structure{};
+    StructureScales structure_scales{};
     Drive drive;
     Run run;
     Thresholds verdict;

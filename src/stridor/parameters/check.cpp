@@ -3,6 +3,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/resolution.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
@@ -37,11 +38,51 @@ void check_friction(const Case& c, const FrictionKeys& keys, std::vector<Finding
                      {keys.limit}});
 }
 
+// where all contacts say one of them themselves, the case's own says nothing
+bool has_both_coefficients(const Case& c) {
+    return find_field("contact.static_friction")->belongs(c) && find_field("contact.kinetic_friction")->belongs(c);
+}
+
 void check_contact(const Case& c, std::vector<Finding>& found) {
     check_friction(c, {"contact.kinetic_friction", "mu_d", "contact.static_friction", "mu_s"}, found);
     if (c.contact.friction == FrictionKind::directional)
         check_friction(c, {"contact.kinetic_friction_coming", "mu_dc", "contact.static_friction_coming", "mu_sc"},
                        found);
+}
+
+// coefficients that a contact has itself stand in for those of the case
+void check_own_friction(const Case& c, std::vector<Finding>& found) {
+    for (std::size_t k = 0; k < contact_count(c); ++k) {
+        const OwnContact& own = c.own_structure->contacts[k];
+        if (!own.static_friction && !own.kinetic_friction) continue;
+        const Contact laws = contact_of(c, k);
+        if (c.contact.friction != FrictionKind::coulomb)
+            found.push_back({"contact.friction",
+                             {"contact \"" + own.name + "\" has friction coefficients of its own",
+                              "other ones each way are those of all contacts", "Take them out, or use \"coulomb\"."}});
+        else if (laws.kinetic_friction > laws.static_friction)
+            found.push_back({"contact.kinetic_friction",
+                             {"contact \"" + own.name + "\" has mu_d = " + shortest(laws.kinetic_friction) +
+                                  " above mu_s = " + shortest(laws.static_friction),
+                              "kinetic friction may not be larger than static", "Swap them?"}});
+    }
+}
+
+void check_own_structure(const Case& c, std::vector<Finding>& found) {
+    check_own_friction(c, found);
+    if (c.run.engine == Engine::beta_2)
+        found.push_back({"run.engine",
+                         {"a structure of one's own is solved from event to event only",
+                          "the beta_2 engine knows the paper's joint", "Set run.engine = \"exact\"."}});
+    if (c.contact.impact != ImpactKind::plastic)
+        found.push_back(
+            {"contact.impact",
+             {"a structure of one's own has plastic impacts only",
+              "other laws say nothing of impacts that meet at the same instant", "Set impact = \"plastic\"."}});
+    if (c.run.initial == Initial::sliding)
+        found.push_back({"run.initial",
+                         {"a structure of one's own does not start sliding",
+                          "it may have no steady sliding, or several", "Start with \"rest\" or \"stuck\"."}});
 }
 
 // V is linear between samples: it is zero from one to the next if it is so at both
@@ -210,7 +251,8 @@ std::vector<Finding> findings(const Case& c) {
         return found;
     }
     check_zeros(c, found);
-    check_contact(c, found);
+    if (c.own_structure) check_own_structure(c, found);
+    if (has_both_coefficients(c)) check_contact(c, found);
     check_drive(c, found);
     check_run(c, found);
     check_verdict(c, found);

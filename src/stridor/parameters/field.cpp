@@ -5,6 +5,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/damping_ratio.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
@@ -54,6 +55,27 @@ constexpr std::array<std::string_view, 2> early_ending_names{"proven", "never"};
 
 bool always(const Case&) {
     return true;
+}
+bool has_joints(const Case& c) {
+    return !c.own_structure;
+}
+bool has_own_structure(const Case& c) {
+    return c.own_structure != nullptr;
+}
+bool has_preload(const Case& c) {
+    return !c.own_structure || is_preloaded(*c.own_structure);
+}
+// do all contacts of an own structure say it themselves?
+template <auto member>
+bool all_say(const Case& c) {
+    return c.own_structure && std::all_of(c.own_structure->contacts.begin(), c.own_structure->contacts.end(),
+                                          [](const OwnContact& contact) { return (contact.*member).has_value(); });
+}
+bool has_static_friction(const Case& c) {
+    return !all_say<&OwnContact::static_friction>(c);
+}
+bool has_kinetic_friction(const Case& c) {
+    return !all_say<&OwnContact::kinetic_friction>(c);
 }
 bool is_sinusoidal(const Case& c) {
     return c.drive.kind == DriveKind::sinusoidal;
@@ -109,34 +131,43 @@ const std::array table{
     Field{"", "title", "", "what this case is, in a few words", title, always},
 
     Field{"joint", "mass", "m1", "mass of the joint",
-          quantity<&Case::joint, &Joint::mass>("kg", positive, octaves(0.01, 1.0)), always},
+          quantity<&Case::joint, &Joint::mass>("kg", positive, octaves(0.01, 1.0)), has_joints},
     Field{"joint", "axial_stiffness", "k1i", "traction-compression stiffness of the joint, along its axis",
-          quantity<&Case::joint, &Joint::axial_stiffness>("N/m", positive, octaves(1e6, 1e8)), always},
+          quantity<&Case::joint, &Joint::axial_stiffness>("N/m", positive, octaves(1e6, 1e8)), has_joints},
     Field{"joint", "flexural_stiffness", "k1j", "bending stiffness of the joint, across its axis",
-          quantity<&Case::joint, &Joint::flexural_stiffness>("N/m", positive, octaves(1e5, 1e7)), always},
+          quantity<&Case::joint, &Joint::flexural_stiffness>("N/m", positive, octaves(1e5, 1e7)), has_joints},
     Field{"joint", "axial_damping", "c1i", "damping along the joint's axis",
-          quantity<&Case::joint, &Joint::axial_damping>("N*s/m", not_negative, usual_damping), always},
+          quantity<&Case::joint, &Joint::axial_damping>("N*s/m", not_negative, usual_damping), has_joints},
     Field{"joint", "flexural_damping", "c1j", "damping across the joint's axis",
-          quantity<&Case::joint, &Joint::flexural_damping>("N*s/m", not_negative, usual_damping), always},
+          quantity<&Case::joint, &Joint::flexural_damping>("N*s/m", not_negative, usual_damping), has_joints},
     Field{"joint", "incidence_angle", "alpha", "angle from the plate's direction of motion to the joint's axis",
-          quantity<&Case::joint, &Joint::incidence_angle>("deg", Range{-360.0, 360.0}, usual_angle), always},
+          quantity<&Case::joint, &Joint::incidence_angle>("deg", Range{-360.0, 360.0}, usual_angle), has_joints},
 
     Field{"plate", "mass", "m2", "moving mass of the plate",
-          quantity<&Case::plate, &Plate::mass>("kg", positive, octaves(0.04, 4.0)), always},
+          quantity<&Case::plate, &Plate::mass>("kg", positive, octaves(0.04, 4.0)), has_joints},
     Field{"plate", "stiffness", "k2y", "bending stiffness of the plate",
-          quantity<&Case::plate, &Plate::stiffness>("N/m", positive, octaves(1e5, 1e7)), always},
+          quantity<&Case::plate, &Plate::stiffness>("N/m", positive, octaves(1e5, 1e7)), has_joints},
     Field{"plate", "damping", "c2y", "bending damping of the plate",
-          quantity<&Case::plate, &Plate::damping>("N*s/m", not_negative, usual_damping), always},
+          quantity<&Case::plate, &Plate::damping>("N*s/m", not_negative, usual_damping), has_joints},
+
+    Field{"structure", "stiffness_scale", "", "factor of the stiffness of the user's own structure",
+          quantity<&Case::structure_scales, &StructureScales::stiffness>("1", positive, octaves(0.1, 10.0)),
+          has_own_structure},
+    Field{"structure", "damping_scale", "", "factor of all damping of the user's own structure",
+          quantity<&Case::structure_scales, &StructureScales::damping>("1", not_negative, octaves(0.1, 10.0)),
+          has_own_structure},
 
     Field{"contact", "preload", "F", "force that presses joint and plate together at rest",
-          quantity<&Case::contact, &Contact::preload>("N", positive, usual_preload), always},
+          quantity<&Case::contact, &Contact::preload>("N", positive, usual_preload), has_preload},
     Field{"contact", "friction", "", "law of friction: the same both ways, or other coefficients each way",
           choice<&Case::contact, &Contact::friction, FrictionKind>(friction_names, Choice::Canonical::unless_first),
           always},
     Field{"contact", "static_friction", "mu_s", "friction coefficient while sticking",
-          quantity<&Case::contact, &Contact::static_friction>("1", not_negative, usual_static_friction), always},
+          quantity<&Case::contact, &Contact::static_friction>("1", not_negative, usual_static_friction),
+          has_static_friction},
     Field{"contact", "kinetic_friction", "mu_d", "friction coefficient while slipping, at most mu_s",
-          quantity<&Case::contact, &Contact::kinetic_friction>("1", not_negative, usual_kinetic_friction), always},
+          quantity<&Case::contact, &Contact::kinetic_friction>("1", not_negative, usual_kinetic_friction),
+          has_kinetic_friction},
     Field{"contact", "static_friction_coming", "mu_sc",
           "mu_s of the other way, in which a coming plate drags the joint",
           quantity<&Case::contact, &Contact::static_friction_coming>("1", not_negative, usual_static_friction),

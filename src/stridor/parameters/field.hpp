@@ -139,9 +139,9 @@ std::string value_text(const Case& c, const Field& field);
 
 /// Every field that belongs to this case as "section.key = value unit", a line each, shortest round-trip numbers. Of
 /// several joints each has lines of its own, "joint.lip2.contact.preload = 20 N".
-/// Two cases that would run alike have the same text, whatever files they came from; a sampled drive is named by
-/// the hash of its samples. What follows the temperature is its whole table: "temperature.at = -30 degC, 80 degC",
-/// "temperature.joint.axial_stiffness = 60000 N/m, 12000 N/m".
+/// Two cases that would run alike have the same text, whatever files they came from; a sampled drive and an own
+/// structure are named by a hash. What follows the temperature is its whole table: "temperature.at = -30 degC, 80
+/// degC", "temperature.joint.axial_stiffness = 60000 N/m, 12000 N/m".
 std::string canonical_text(const Case& c);
 
 }  // namespace stridor::parameters

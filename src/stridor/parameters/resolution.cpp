@@ -124,12 +124,7 @@ void find_short_window(const Case& c, std::vector<Finding>& found) {
           "double precision cannot tell its ends apart well enough to judge it", "Lengthen it."}});
 }
 
-}  // namespace
-
-void find_unresolvable(const Case& c, std::vector<Finding>& found) {
-    const std::size_t before = found.size();
-    find_large_and_small(c, found);
-    if (found.size() > before) return;
+void find_in_joint(const Case& c, std::vector<Finding>& found) {
     find_fast(c, found);
     const Named axial{"joint.axial_stiffness", c.joint.axial_stiffness};
     const Named flexural{"joint.flexural_stiffness", c.joint.flexural_stiffness};
@@ -138,6 +133,15 @@ void find_unresolvable(const Case& c, std::vector<Finding>& found) {
     const Named joint_mass{"joint.mass", c.joint.mass};
     const Named plate_mass{"plate.mass", c.plate.mass};
     find_ratio(c, largest_of({joint_mass, plate_mass}), smallest_of({joint_mass, plate_mass}), found);
+}
+
+}  // namespace
+
+void find_unresolvable(const Case& c, std::vector<Finding>& found) {
+    const std::size_t before = found.size();
+    find_large_and_small(c, found);
+    if (found.size() > before) return;
+    if (!c.own_structure) find_in_joint(c, found);
     for (const std::string_view key : {"contact.static_friction", "contact.static_friction_coming"}) {
         const Field& field = *find_field(key);
         if (!field.belongs(c) || get_quantity(c, field) <= most_apart) continue;

@@ -2,7 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/contact_states.hpp"
 #include "stridor/pictures/field_axis.hpp"
 #include "stridor/record/schedule.hpp"
@@ -75,6 +75,17 @@ void add_curves(std::vector<Curve>& curves, const record::Trace& trace, ShownSig
             }
             break;
     }
+}
+
+// the rows of an own structure are too many: what its contacts carry is drawn in their place
+std::vector<ShownSignal> shown_of(const parameters::Case& c, std::vector<ShownSignal> signals) {
+    if (!c.own_structure) return signals;
+    const auto is_of_rows = [](ShownSignal signal) {
+        return signal == ShownSignal::displacement || signal == ShownSignal::velocity ||
+               signal == ShownSignal::acceleration || signal == ShownSignal::contact_forces;
+    };
+    if (std::erase_if(signals, is_of_rows) > 0) signals.push_back(ShownSignal::contact_forces);
+    return signals;
 }
 
 // the values within a stretch of time, without the share `cut` of them at either end, with a little air
@@ -234,7 +245,7 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
     std::vector<Curve> curves;
     const bool has_peaks = c.run.engine == parameters::Engine::beta_2 &&
                            std::any_of(record.histories.begin(), record.histories.end(), has_impacts);
-    for (const ShownSignal signal : options.signals)
+    for (const ShownSignal signal : shown_of(c, options.signals))
         add_curves(curves, record.trace, signal, has_peaks ? peak_share : 0.0);
     drawing::Extent whole = options.whole;
     if (!(whole.from < whole.to)) whole = traced(record);
@@ -250,8 +261,8 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
         add_column(scene, record, curves, *options.zoom);
         for (std::size_t k = 0; k < record.histories.size(); ++k) {
             const bool is_only = record.histories.size() == 1;
-            const bool is_named = !is_only && k < parameters::joint_count(c);
-            const std::string name = is_named ? " (" + parameters::joint_name(c, k) + ")" : "";
+            const bool is_named = !is_only && k < parameters::contact_count(c);
+            const std::string name = is_named ? " (" + parameters::contact_name(c, k) + ")" : "";
             const std::string contact = is_only ? "the contact" : fmt::format("contact {}{}", k + 1, name);
             scene.caption.emplace_back(changes_text(record.histories[k], contact, *options.zoom));
         }

@@ -31,7 +31,8 @@ void add(std::vector<Vibration>& sum, std::span<const Vibration> more) {
 
 }  // namespace
 
-Recorder::Recorder(Schedule schedule, Request request, int dofs, int contacts, const std::vector<int>& interfaces)
+Recorder::Recorder(Schedule schedule, Request request, int dofs, int contacts, int channels,
+                   const std::vector<int>& interfaces)
     : schedule_(std::move(schedule)),
       request_(std::move(request)),
       places_(static_cast<std::size_t>(contacts)),
@@ -40,8 +41,8 @@ Recorder::Recorder(Schedule schedule, Request request, int dofs, int contacts, c
         Tally tally;
         tally.phase = phase;
         tally.contacts.resize(places_.size());
-        tally.vibration.resize(static_cast<std::size_t>(dofs));
-        tally.closing_vibration.resize(static_cast<std::size_t>(dofs));
+        tally.vibration.resize(static_cast<std::size_t>(channels > 0 ? channels : dofs));
+        tally.closing_vibration.resize(tally.vibration.size());
         record_.phases.push_back(std::move(tally));
     }
     record_.histories.resize(places_.size());

@@ -37,9 +37,11 @@ struct Record {
 /// The times of a contact never decrease.
 class Recorder {
 public:
-    /// `request` may ask for a trace; `dofs` and `contacts` are those of the structure. `interfaces` says to which
-    /// interface each contact belongs (`model::ContactPoint::interface`); empty: each to its own.
-    Recorder(Schedule schedule, Request request, int dofs, int contacts = 1, const std::vector<int>& interfaces = {});
+    /// `request` may ask for a trace; `dofs` and `contacts` are those of the structure, `channels` those of its
+    /// vibration: one per degree of freedom where they are not told. `interfaces` says to which interface each contact
+    /// belongs (`model::ContactPoint::interface`); empty: each to its own.
+    Recorder(Schedule schedule, Request request, int dofs, int contacts = 1, int channels = 0,
+             const std::vector<int>& interfaces = {});
 
     /// The schedule of the run.
     const Schedule& schedule() const { return schedule_; }
@@ -49,7 +51,7 @@ public:
     /// A contact enters a state at its `from`; `to` is ignored.
     void enter(std::size_t contact, const ContactInterval& interval);
 
-    /// Adds the vibration of a stretch of time that lies within span number `span`; shape [dof].
+    /// Adds the vibration of a stretch of time that lies within span number `span`; shape [channel].
     void vibrate(std::size_t span, double duration, std::span<const Vibration> vibration);
 
     /// Adds what the contacts carried in a stretch of time that lies within span number `span`; shape [contact]. Only

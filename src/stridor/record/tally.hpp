@@ -28,7 +28,7 @@ struct Instants {
     long count = 0;                            // [1]
 };
 
-/// Vibration of one degree of freedom over the judged time.
+/// Vibration of one degree of freedom, or of one direction of a contact's point, over the judged time.
 struct Vibration {
     double square_time = 0.0;  // [m^2/s] integral of v^2
     double peak_square = 0.0;  // [m^2/s^2] largest |v|^2 of the body it belongs to: the rubbing one has the first two
@@ -92,10 +92,10 @@ struct Tally {
     Phase phase = Phase::all;
     std::vector<ContactTally> contacts = std::vector<ContactTally>(1);  // shape [contact]
     std::vector<InterfaceTally> interfaces{};                           // those of several contacts
-    std::vector<Vibration> vibration;                                   // judged part, shape [dof]
+    std::vector<Vibration> vibration;                                   // judged part, shape [channel]
     double vibration_time = 0.0;                                        // [s] time the vibration was integrated over
-    std::vector<Vibration> closing_vibration;                           // closing part, shape [dof]; zero without one
-    double closing_time = 0.0;                                          // [s] length of the closing part
+    std::vector<Vibration> closing_vibration;  // closing part, shape [channel]; zero without one
+    double closing_time = 0.0;                 // [s] length of the closing part
 };
 
 }  // namespace stridor::record

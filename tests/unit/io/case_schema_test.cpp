@@ -26,6 +26,8 @@ TEST(CaseSchema, DescribesEveryFieldOnce) {
     for (const auto& [name, section] : schema["properties"].items())
         if (name == "temperature")
             ++described;  // its value; the lists are no fields
+        else if (name == "structure")
+            described += 2;  // its scales; the other keys are no fields
         else if (name == "joint")
             described += section["oneOf"][0]["properties"].size();
         else if (name != "chart" && name != "title")
@@ -38,8 +40,12 @@ TEST(CaseSchema, DescribesEveryFieldOnce) {
 
 TEST(CaseSchema, RequiresWhatTheReaderRequires) {
     const Json schema = Json::parse(json_schema());
-    for (const char* section : {"joint", "plate", "drive"})
-        EXPECT_TRUE(lists(schema["required"], section)) << section;
+    EXPECT_TRUE(lists(schema["required"], "drive"));
+    // joint and plate, or a structure
+    EXPECT_EQ(schema["allOf"][1]["if"]["required"], Json::array({"structure"}));
+    EXPECT_EQ(schema["allOf"][1]["else"]["required"], Json::array({"joint", "plate"}));
+    for (const char* key : {"mass", "file", "builder", "contacts", "blocks", "position", "stiffness_scale"})
+        EXPECT_TRUE(schema["properties"]["structure"]["properties"].contains(key)) << key;
     // a contact of its own, unless there are several joints with theirs
     EXPECT_EQ(schema["allOf"][0]["then"]["required"], Json::array({"contact"}));
     EXPECT_EQ(schema["allOf"][0]["else"]["not"]["required"], Json::array({"contact"}));
@@ -48,10 +54,10 @@ TEST(CaseSchema, RequiresWhatTheReaderRequires) {
         EXPECT_TRUE(lists(each["required"], name)) << name;
     EXPECT_TRUE(lists(each["properties"]["contact"]["required"], "kinetic_friction"));
     EXPECT_FALSE(lists(schema["required"], "run"));
-    EXPECT_TRUE(lists(schema["properties"]["contact"]["required"], "preload"));
+    EXPECT_TRUE(lists(schema["allOf"][1]["else"]["properties"]["contact"]["required"], "preload"));
     // what may follow the temperature must be there without a table only
     EXPECT_FALSE(lists(schema["properties"]["contact"]["required"], "kinetic_friction"));
-    EXPECT_EQ(schema["if"]["not"]["required"], Json::array({"temperature"}));
+    EXPECT_EQ(schema["if"]["not"]["anyOf"][0]["required"], Json::array({"temperature"}));
     EXPECT_TRUE(lists(schema["then"]["properties"]["contact"]["required"], "kinetic_friction"));
     EXPECT_FALSE(lists(schema["required"], "temperature"));
     EXPECT_EQ(schema["properties"]["temperature"]["required"], Json::array({"value", "at"}));

@@ -49,8 +49,8 @@ TEST(FieldTable, KeepsSectionsTogether) {
     std::vector<std::string_view> sections;
     for (const Field& entry : fields())
         if (sections.empty() || sections.back() != entry.section) sections.push_back(entry.section);
-    EXPECT_EQ(sections, (std::vector<std::string_view>{"", "joint", "plate", "contact", "temperature", "drive", "run",
-                                                       "verdict"}));
+    EXPECT_EQ(sections, (std::vector<std::string_view>{"", "joint", "plate", "structure", "contact", "temperature",
+                                                       "drive", "run", "verdict"}));
 }
 
 TEST(FieldTable, SaysWhatEachFieldIs) {

@@ -1,17 +1,21 @@
 #include "stridor/console/results/case_text.hpp"
 
+#include "stridor/base/escapes.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/model/case_structure.hpp"
 #include "stridor/model/frequencies.hpp"
-#include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <numbers>
+#include <vector>
 
 namespace stridor::console {
 
@@ -63,17 +67,41 @@ std::string fields_text(const parameters::Case& c) {
     return text + fields_text(c, Shown::but_joint);
 }
 
-std::string frequencies_text(const parameters::Case& c) {
+// an own structure has more than a line holds
+constexpr std::size_t most_shown = 6;
+
+std::string frequencies_text(const parameters::Case& c, const model::Structure& structure) {
     using model::ContactState;
-    const auto structure = model::rubbing_system(c);
     const auto row = [&](const char* name, ContactState state) {
         std::string text = fmt::format("{:<22}", name);
-        for (const double omega : model::natural_frequencies(structure, state))
-            text += fmt::format("{:10.2f} Hz", omega / (2.0 * std::numbers::pi));
-        return text + "\n";
+        const std::vector<double> all = model::natural_frequencies(structure, state);
+        const std::size_t shown = c.own_structure ? std::min(all.size(), most_shown) : all.size();
+        for (std::size_t k = 0; k < shown; ++k)
+            text += fmt::format("{:10.2f} Hz", all[k] / (2.0 * std::numbers::pi));
+        return text + (shown < all.size() ? fmt::format(" ... {:.4g} Hz", all.back() / (2.0 * std::numbers::pi)) : "") +
+               "\n";
     };
+    if (c.own_structure)
+        return row("sliding, mu = 0", ContactState::slip) + row("sticking", ContactState::stick) +
+               row("open", ContactState::separation);
     return row("sliding, mu = 0", ContactState::slip) + row("sticking", ContactState::stick) +
            row("open (plate, joint)", ContactState::separation);
+}
+
+std::string contacts_text(const parameters::Case& c, const model::Structure& structure) {
+    const parameters::OwnStructure& own = *c.own_structure;
+    std::string text = fmt::format("\n{}: {} rows\n{:<16}{:>12}{:>10}{:>8}{:>8}{:>8}\n", base::visible(own.origin),
+                                   own.row.size(), "contact", "preload", "gap", "mu_d", "mu_s", "drive");
+    for (std::size_t k = 0; k < own.contacts.size(); ++k) {
+        const parameters::Contact laws = parameters::contact_of(c, k);
+        const model::ContactPoint& contact = structure.contacts[k];
+        // f0 = - sum of n N0 at rest: what presses this one is known where its preload is
+        const std::string pressed =
+            parameters::is_preloaded(own) ? fmt::format("{:.4g} N", laws.preload) : std::string("-");
+        text += fmt::format("{:<16}{:>12}{:>8.3g} m{:>8g}{:>8g}{:>8g}\n", base::visible(own.contacts[k].name), pressed,
+                            contact.initial_gap, laws.kinetic_friction, laws.static_friction, contact.drive_share);
+    }
+    return text + "\n";
 }
 
 std::string cost_text(const parameters::Case& c, const integration::Cost& cost) {
@@ -87,8 +115,10 @@ std::string cost_text(const parameters::Case& c, const integration::Cost& cost) 
 }  // namespace
 
 std::string case_text(const parameters::Case& c, const integration::Cost& cost) {
-    return styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n\n" + fields_text(c) + "\n" +
-           "undamped natural frequencies\n" + frequencies_text(c) + cost_text(c, cost);
+    const model::Structure structure = model::structure_of(c);
+    return styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n\n" + fields_text(c) +
+           (c.own_structure ? contacts_text(c, structure) : "\n") + "undamped natural frequencies\n" +
+           frequencies_text(c, structure) + cost_text(c, cost);
 }
 
 }  // namespace stridor::console

@@ -1,10 +1,13 @@
 #include "stridor/console/results/simulation_text.hpp"
 
 #include "stridor/analysis/levels.hpp"
+#include "stridor/base/escapes.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -86,8 +89,19 @@ std::string left_out(const parameters::Case& c, const std::vector<Verdict>& verd
         e.judged_time);
 }
 
+// what an own structure is pressed and rubs with
+std::string structure_text(const parameters::Case& c) {
+    const parameters::OwnStructure& own = *c.own_structure;
+    std::string text = fmt::format(", {}: {} rows, {} contact{}\n", own.origin, own.row.size(), own.contacts.size(),
+                                   own.contacts.size() == 1 ? "" : "s");
+    text += parameters::is_preloaded(own) ? fmt::format("preload {:g} N, ", c.contact.preload)
+                                          : std::string("pressed by its load or gaps, ");
+    return text + fmt::format("mu_d {:g}, mu_s {:g}\n", c.contact.kinetic_friction, c.contact.static_friction);
+}
+
 // what the joints rub with
 std::string joints_text(const parameters::Case& c) {
+    if (c.own_structure) return structure_text(c);
     std::string text;
     for (std::size_t k = 0; k < parameters::joint_count(c); ++k) {
         const parameters::Case only = parameters::alone(c, k);
@@ -98,17 +112,24 @@ std::string joints_text(const parameters::Case& c) {
     return c.further_joints.empty() ? ", " + text : fmt::format(", {} joints\n", parameters::joint_count(c)) + text;
 }
 
+// names of an own structure's contacts are a file's
+std::string contact_text(const parameters::Case& c, std::size_t contact) {
+    return base::visible(parameters::contact_name(c, contact));
+}
+
 // a row for each contact of several, the phase's verdict being that of the loudest
 std::string contacts_text(const parameters::Case& c, const integration::Motion& motion) {
-    if (c.further_joints.empty()) return "";
+    const std::size_t contacts = parameters::contact_count(c);
+    if (contacts < 2) return "";
     std::string text = "\neach contact by itself; a phase has the verdict of the loudest:\n";
     std::size_t widest = 8;
-    for (std::size_t k = 0; k < parameters::joint_count(c); ++k)
-        widest = std::max(widest, parameters::joint_name(c, k).size() + 2);
+    for (std::size_t k = 0; k < contacts; ++k)
+        widest = std::max(widest, base::character_count(contact_text(c, k)) + 2);
     for (const record::Tally& phase : motion.record.phases)
-        for (const Verdict& verdict : classification::classify_contacts(phase, c.verdict))
-            text += fmt::format("{:<{}}", parameters::joint_name(c, verdict.evidence.contact), widest) +
-                    verdict_row(verdict);
+        for (const Verdict& verdict : classification::classify_contacts(phase, c.verdict)) {
+            const std::string name = contact_text(c, verdict.evidence.contact);
+            text += name + std::string(widest - base::character_count(name), ' ') + verdict_row(verdict);
+        }
     return text;
 }
 
@@ -123,7 +144,7 @@ std::string simulation_text(const parameters::Case& c, const integration::Motion
                         std::abs(motion.energy.relative_residual()));
     text += proof_text(motion);
     text += fmt::format("{:<8}{:<10}{:>8}{:>8}{:>8}{:>13}{:>12}{:>12}\n", "phase", "category", "slip", "stick",
-                        "separ.", "regularity", "frequency", "joint level");
+                        "separ.", "regularity", "frequency", c.own_structure ? "level" : "joint level");
     for (const Verdict& verdict : verdicts)
         text += verdict_row(verdict);
     text += contacts_text(c, motion) + "\n";
@@ -140,7 +161,7 @@ std::string simulation_text(const parameters::Case& c, const integration::Motion
                                Style::dim, STDOUT_FILENO);
     }
     text += "\n" + left_out(c, verdicts) + "A category names a vibration pattern of the model.\n" +
-            std::string(analysis::level_note) + "\n";
+            std::string(c.own_structure ? analysis::contact_level_note : analysis::level_note) + "\n";
     return text;
 }
 

@@ -231,16 +231,16 @@ std::optional<Silence> LastingSet::silence(std::span<const double> q, std::span<
 }
 
 // the integral of (c.e)² from now on is e.X e, A'X + X A = -c c'
-const MatrixXd& LastingSet::gramian(std::size_t dof) {
+const MatrixXd& LastingSet::gramian(std::size_t channel) {
     if (gramians_.empty()) {
         const Lyapunov lyapunov(generator_);
-        for (Index row = 0; row < structure_.shapes.rows(); ++row) {
+        for (Index row = 0; row < structure_.channels.rows(); ++row) {
             VectorXd c = VectorXd::Zero(generator_.rows());
-            c.tail(free_.cols()) = (structure_.shapes.row(row) * free_).transpose();
+            c.tail(free_.cols()) = (structure_.channels.row(row) * free_).transpose();
             gramians_.push_back(lyapunov.solve(c * c.transpose()));
         }
     }
-    return gramians_[dof];
+    return gramians_[channel];
 }
 
 LastingSet::Passed LastingSet::pass(std::span<const double> q, std::span<const double> v, double duration) {
@@ -251,10 +251,10 @@ LastingSet::Passed LastingSet::pass(std::span<const double> q, std::span<const d
     Passed passed;
     passed.q = before.q0 + free_ * after.head(m) / rate_;
     passed.v = free_ * after.tail(m);
-    passed.square_time.resize(structure_.shapes.rows());
-    for (Index dof = 0; dof < passed.square_time.size(); ++dof) {
-        const MatrixXd& x = gramian(static_cast<std::size_t>(dof));
-        passed.square_time(dof) = std::max(0.0, before.e.dot(x * before.e) - after.dot(x * after));
+    passed.square_time.resize(structure_.channels.rows());
+    for (Index channel = 0; channel < passed.square_time.size(); ++channel) {
+        const MatrixXd& x = gramian(static_cast<std::size_t>(channel));
+        passed.square_time(channel) = std::max(0.0, before.e.dot(x * before.e) - after.dot(x * after));
     }
     const VectorXd lasting = generator_.partialPivLu().solve(after - before.e);  // integral of e
     passed.loads.resize(set_.size());

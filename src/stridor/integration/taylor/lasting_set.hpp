@@ -38,7 +38,7 @@ public:
     /// A whole set that slips: the motion after `duration` [s], and what it leaves behind on the way.
     struct Passed {
         Eigen::VectorXd q, v;             // at its end
-        Eigen::VectorXd square_time;      // [m²/s] integral of the square velocity of each degree of freedom
+        Eigen::VectorXd square_time;      // [m²/s] integral of the square velocity of each channel
         std::vector<record::Load> loads;  // shape [contact]; heat without that of the vibration itself
     };
     Passed pass(std::span<const double> q, std::span<const double> v, double duration);
@@ -70,7 +70,7 @@ private:
     Now now(std::span<const double> q, std::span<const double> v) const;
     double value(const Margin& margin, const Now& now) const;
     bool lasts(const Now& now) const;
-    const Eigen::MatrixXd& gramian(std::size_t dof);
+    const Eigen::MatrixXd& gramian(std::size_t channel);
 
     const ModalStructure& structure_;
     std::vector<ContactMode> set_;
@@ -88,7 +88,7 @@ private:
     Eigen::MatrixXd generator_;                 // [1/s] A
     Eigen::MatrixXd bound_;                     // P
     std::vector<Margin> margins_;
-    std::vector<Eigen::MatrixXd> gramians_;  // shape [dof], made when needed
+    std::vector<Eigen::MatrixXd> gramians_;  // shape [channel], made when needed
 };
 
 }  // namespace stridor::integration

@@ -83,6 +83,7 @@ ModalStructure modal_structure(const model::Structure& structure) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(structure.stiffness, structure.mass);
     ModalStructure modal;
     modal.shapes = solver.eigenvectors();
+    modal.channels = structure.measured.size() == 0 ? modal.shapes : structure.measured * modal.shapes;
     modal.square_frequency = numbers_of(solver.eigenvalues());
     modal.load = numbers_of(modal.shapes.transpose() * structure.load);
     const Eigen::MatrixXd damping = modal.shapes.transpose() * structure.damping * modal.shapes;

@@ -44,6 +44,7 @@ double slip_velocity(const ModalContact& contact, std::span<const double> v, dou
 /// them.
 struct ModalStructure {
     Eigen::MatrixXd shapes;                // [1/√kg] Φ, shape [dof][mode]
+    Eigen::MatrixXd channels;              // [1/√kg] their velocities from those of the modes, shape [channel][mode]
     std::vector<double> square_frequency;  // [rad²/s²] ω², shape [mode], rising
     std::vector<double> damping;           // [1/s] C, shape [mode] if it is diagonal, else [mode][mode]
     std::vector<double> load;              // [N/√kg] f, shape [mode]

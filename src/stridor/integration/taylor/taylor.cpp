@@ -46,7 +46,7 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
       step_(2.0 / std::max(structure_.fastest, 2.0 * std::numbers::pi * drive_.profile().frequency)),
       block_(structure_, step_),
       settling_(structure_, step_),
-      sums_{std::vector<record::Vibration>(static_cast<std::size_t>(model::dofs_of(structure))),
+      sums_{std::vector<record::Vibration>(static_cast<std::size_t>(model::channels_of(structure))),
             std::vector<record::Load>(structure.contacts.size())},
       watch_(longest_period),
       scratch_(structure_.modes()) {

@@ -72,7 +72,7 @@ void TaylorRun::account(double theta) {
         }
         if (!is_judged && !is_measuring_) continue;
         const Eigen::VectorXd speed =
-            structure_.shapes * Eigen::Map<const Eigen::VectorXd>(v, static_cast<Eigen::Index>(scratch_.size()));
+            structure_.channels * Eigen::Map<const Eigen::VectorXd>(v, static_cast<Eigen::Index>(scratch_.size()));
         if (is_judged) add_vibration(speed, duration, sums_);
         if (is_measuring_) add_vibration(speed, duration, period_);
     }
@@ -86,11 +86,11 @@ void TaylorRun::add_normal_impulse(double theta, Sums& sums) const {
             sums.load[structure_.number[k]].normal_impulse += step_ * integral(block_.normal_force(k), theta);
 }
 
-// peaks are of whole bodies: their degrees of freedom stand one after the other
+// peaks are of whole bodies: their channels stand one after the other
 void TaylorRun::add_vibration(const Eigen::VectorXd& speed, double duration, Sums& sums) const {
     std::vector<record::Vibration>& vibration = sums.vibration;
-    const auto body = [this](std::size_t dof) {
-        return whole_.body.empty() ? static_cast<int>(dof) : whole_.body[dof];
+    const auto body = [this](std::size_t channel) {
+        return whole_.body.empty() ? static_cast<int>(channel) : whole_.body[channel];
     };
     for (std::size_t first = 0, end = 0; first < vibration.size(); first = end) {
         double whole = 0.0;
@@ -99,8 +99,8 @@ void TaylorRun::add_vibration(const Eigen::VectorXd& speed, double duration, Sum
             vibration[end].square_time += duration * square;
             whole += square;
         }
-        for (std::size_t dof = first; dof < end; ++dof)
-            vibration[dof].peak_square = std::max(vibration[dof].peak_square, whole);
+        for (std::size_t channel = first; channel < end; ++channel)
+            vibration[channel].peak_square = std::max(vibration[channel].peak_square, whole);
     }
 }
 

@@ -51,8 +51,8 @@ void TaylorRun::fill_with_silence(LastingSet& set) {
             const LastingSet::Passed passed = set.pass(state_.q, state_.v, span.to - time_);
             state_.q.assign(passed.q.data(), passed.q.data() + passed.q.size());
             state_.v.assign(passed.v.data(), passed.v.data() + passed.v.size());
-            for (std::size_t dof = 0; is_kept && dof < sums_.vibration.size(); ++dof)
-                sums_.vibration[dof].square_time += passed.square_time(static_cast<Eigen::Index>(dof));
+            for (std::size_t channel = 0; is_kept && channel < sums_.vibration.size(); ++channel)
+                sums_.vibration[channel].square_time += passed.square_time(static_cast<Eigen::Index>(channel));
             for (std::size_t k = 0; is_kept && k < passed.loads.size(); ++k) {
                 record::Load& load = sums_.load[structure_.number[k]];
                 load.normal_impulse += passed.loads[k].normal_impulse;
@@ -107,10 +107,10 @@ void TaylorRun::fill_with_cycle(double duration, const std::stop_token& stop) {
     for (; span_ < spans().size(); end_span()) {
         const double count = (spans()[span_].to - time_) / duration;
         if (record::is_judged(spans()[span_].use)) {
-            for (std::size_t dof = 0; dof < sums_.vibration.size(); ++dof) {
-                record::Vibration& sum = sums_.vibration[dof];
-                sum.square_time += count * period_.vibration[dof].square_time;
-                sum.peak_square = std::max(sum.peak_square, period_.vibration[dof].peak_square);
+            for (std::size_t channel = 0; channel < sums_.vibration.size(); ++channel) {
+                record::Vibration& sum = sums_.vibration[channel];
+                sum.square_time += count * period_.vibration[channel].square_time;
+                sum.peak_square = std::max(sum.peak_square, period_.vibration[channel].peak_square);
             }
             for (std::size_t k = 0; k < sums_.load.size(); ++k) {
                 sums_.load[k].normal_impulse += count * period_.load[k].normal_impulse;

@@ -34,7 +34,7 @@ private:
 
     // what a stretch of time leaves behind
     struct Sums {
-        std::vector<record::Vibration> vibration;  // shape [dof]
+        std::vector<record::Vibration> vibration;  // shape [channel]
         std::vector<record::Load> load;            // shape [contact]
     };
 

@@ -1,7 +1,9 @@
 #include "stridor/io/case/case_schema.hpp"
 
 #include "stridor/base/json.hpp"
+#include "stridor/io/case/built_structure.hpp"
 #include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_structure.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/field_name.hpp"
@@ -172,6 +174,55 @@ void allow_several_joints(Json& document) {
                           {"else", {{"not", {{"required", Json::array({"contact"})}}}}}}};
 }
 
+Json list_of(Json item) {
+    return {{"type", "array"}, {"items", std::move(item)}};
+}
+
+// the keys of [structure] and [[structure.contact]], beside the fields; which belong together the reader says
+void add_structure_keys(Json& section) {
+    const Json number{{"type", {"number", "string"}}};
+    const Json text{{"type", {"string", "number"}}};
+    const Json direction{{"oneOf", {{{"type", "string"}}, list_of({{"type", "number"}})}}};
+    Json builders = Json::array();
+    Json& properties = section["properties"];
+    const Json matrix{{"oneOf", {{{"type", {"number", "string"}}}, list_of(list_of({{"type", "number"}}))}}};
+    for (const std::string_view key : structure_keys(StructureKeys::numbers))
+        properties[std::string(key)] = number;
+    for (const StructureBuilder& builder : structure_builders()) {
+        builders.push_back(builder.name);
+        for (const BuilderKey& key : builder.keys)
+            properties[std::string(key.name)] = {{"description", key.sentence}, {"type", {"number", "string"}}};
+    }
+    for (const std::string_view key : structure_keys(StructureKeys::matrices))
+        properties[std::string(key)] = matrix;
+    for (const std::string_view key : structure_keys(StructureKeys::lists))
+        properties[std::string(key)] = list_of({{"type", "number"}});
+    for (const std::string_view key : structure_keys(StructureKeys::texts))
+        properties[std::string(key)] = {{"oneOf", {{{"type", "string"}}, list_of({{"type", "string"}})}}};
+    properties["builder"] = {{"enum", std::move(builders)}};
+    Json contact = section_schema();
+    for (const std::string_view key : structure_keys(StructureKeys::of_contact))
+        contact["properties"][std::string(key)] = text;
+    contact["properties"]["normal"] = contact["properties"]["tangent"] = direction;
+    contact["required"] = {"normal", "tangent"};
+    properties["contact"] = list_of(std::move(contact));
+}
+
+// [structure] in the place of [joint] and [plate]
+void allow_own_structure(Json& document) {
+    add_structure_keys(document["properties"]["structure"]);
+    Json& required = document["required"];
+    for (const char* section : {"joint", "plate"})
+        required.erase(std::find(required.begin(), required.end(), section));
+    Json& contact = document["properties"]["contact"]["required"];
+    contact.erase(std::find(contact.begin(), contact.end(), "preload"));
+    const auto has = [](const char* section) { return Json{{"required", Json::array({section})}}; };
+    document["allOf"].push_back(
+        {{"if", has("structure")},
+         {"then", {{"not", {{"anyOf", {has("joint"), has("plate"), has("temperature")}}}}}},
+         {"else", {{"required", {"joint", "plate"}}, {"properties", {{"contact", has("preload")}}}}}});
+}
+
 }  // namespace
 
 std::string json_schema() {
@@ -197,8 +248,11 @@ std::string json_schema() {
     properties["drive"]["allOf"] = drive_conditions();
     properties["chart"] = chart_schema();
     allow_several_joints(document);
+    allow_own_structure(document);
     // last: they move what stands before
-    document["if"] = {{"not", {{"required", Json::array({"temperature"})}}}};
+    document["if"] = {
+        {"not",
+         {{"anyOf", {{{"required", Json::array({"temperature"})}}, {{"required", Json::array({"structure"})}}}}}}};
     document["then"] = without_temperature();
     return document.dump(2);
 }

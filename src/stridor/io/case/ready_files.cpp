@@ -3,6 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/io/case/case_schema.hpp"
+#include "stridor/io/case/ready_structures.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
@@ -26,6 +27,8 @@ std::vector<std::string> ready_file_names() {
     for (sweep::ReadyChart& chart : sweep::ready_charts())
         names.push_back(std::move(chart.name));
     names.emplace_back(two_lips_name);
+    for (const ReadyStructure& structure : ready_structures())
+        names.emplace_back(structure.name);
     names.emplace_back("schema");
     return names;
 }
@@ -33,6 +36,8 @@ std::vector<std::string> ready_file_names() {
 std::string ready_file(const std::string& name) {
     if (name == "schema") return json_schema();
     if (name == two_lips_name) return case_toml(parameters::two_lips());
+    for (const ReadyStructure& structure : ready_structures())
+        if (name == structure.name) return case_toml(structure.make());
     for (const sweep::ReadyChart& chart : sweep::ready_charts())
         if (name == chart.name) return study_toml(chart.study);
     const auto& cases = parameters::paper_case_names;

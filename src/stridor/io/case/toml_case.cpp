@@ -4,6 +4,7 @@
 #include "stridor/io/case/complaints.hpp"
 #include "stridor/io/case/toml_case_keys.hpp"
 #include "stridor/io/case/toml_joints.hpp"
+#include "stridor/io/case/toml_structure.hpp"
 #include "stridor/io/case/toml_temperature.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/joints.hpp"
@@ -51,7 +52,11 @@ bool has_inner(const TomlDocument& document, const TomlEntry& entry) {
 /// A document on its way to a case, with what is wrong with it so far.
 class CaseReading {
 public:
-    explicit CaseReading(const TomlDocument& document) : document_(&document) {}
+    /// `beginning` has what fields do not say: a structure of its own.
+    explicit CaseReading(const TomlDocument& document, const Case& beginning = {})
+        : document_(&document),
+          of_file_(beginning),
+          c_(beginning) {}
 
     /// Chooses the kinds, which decide what else belongs, and looks whether all keys are there and in their place.
     void read_kinds() {
@@ -146,8 +151,8 @@ void read_samples(Case& c, const TomlDocument& document, const SamplesReader& sa
     }
 }
 
-parameters::Case read_one(const TomlDocument& document, const SamplesReader& samples) {
-    CaseReading reading(document);
+parameters::Case read_one(const TomlDocument& document, const SamplesReader& samples, const Case& beginning = {}) {
+    CaseReading reading(document, beginning);
     reading.read_kinds();
     reading.read_values();
     // what a sampled drive moves is known only when its file is read
@@ -177,7 +182,27 @@ parameters::Case read_several(const TomlDocument& document, const SamplesReader&
     return *whole;
 }
 
+// a structure of its own stands where the joints would
+parameters::Case read_with_structure(const TomlDocument& document, const SamplesReader& samples) {
+    Complaints complaints;
+    const TomlDocument rest = without_structure(document, complaints);
+    Case beginning;
+    if (complaints.keep([&] { beginning.own_structure = read_own_structure(document); }))
+        complaints.keep([&] { beginning = read_one(rest, samples, beginning); });
+    complaints.throw_any();
+    return beginning;
+}
+
+void require_joints(const TomlDocument& document, JointsTaken joints) {
+    if (joints == JointsTaken::or_structure || !has_own_structure(document)) return;
+    throw Error(ErrorKind::input,
+                {"this command takes a case with joints", "the file has a structure of its own, as [structure]",
+                 "`stridor simulate` and `stridor check` take it."},
+                document.find("structure")->key_place);
+}
+
 void require_one_joint(const TomlDocument& document) {
+    require_joints(document, JointsTaken::one);
     if (!lists_joints(document)) return;
     throw Error(ErrorKind::input,
                 {"this command takes a case with one joint", "the file lists joints, as [[joint]]",
@@ -210,6 +235,8 @@ void assign(Case& c, const Field& field, const TomlEntry& entry) {
 std::vector<base::Complaint> case_warnings(const TomlDocument& document) {
     Complaints names;  // said when the case is read
     std::vector<JointDocument> joints;
+    // what is left over of one with a structure of its own is said when it is read
+    if (has_own_structure(document)) return {};
     if (lists_joints(document)) joints = joint_documents(document, names);
     if (joints.empty()) joints.push_back({"", document});
     std::vector<base::Complaint> warnings;
@@ -243,6 +270,8 @@ parameters::Case read_base_case(const TomlDocument& document, const SamplesReade
 
 parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples, JointsTaken joints) {
     if (joints == JointsTaken::one) require_one_joint(document);
+    require_joints(document, joints);
+    if (has_own_structure(document)) return read_with_structure(document, samples);
     return lists_joints(document) ? read_several(document, samples) : read_one(document, samples);
 }
 

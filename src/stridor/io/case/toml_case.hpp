@@ -15,8 +15,9 @@ namespace stridor::io {
 /// file. Whoever reads for somebody who may name no files hands over one that opens none.
 using SamplesReader = std::function<recordings::SampledMotion(const std::string& path)>;
 
-/// How many joints the reader can do with: who knows one only refuses a case of several by name.
-enum class JointsTaken { one, several };
+/// What the reader can do with: who knows one joint only refuses a case of several by name, and who knows joints only
+/// refuses one with a structure of its own.
+enum class JointsTaken { one, several, or_structure };
 
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
 ///
@@ -29,7 +30,8 @@ enum class JointsTaken { one, several };
 /// a case that can be simulated.
 ///
 /// A file with `[[joint]]` tables has several joints on its plate, each with a name and the keys of [joint], and with
-/// those of [contact] in [joint.contact].
+/// those of [contact] in [joint.contact]. One with [structure] has a structure of its own (`read_own_structure`), and
+/// neither [joint] nor [plate]; the files that this names are opened.
 parameters::Case read_case(const TomlSource& source, JointsTaken joints = JointsTaken::one);
 
 /// The same of a document that is parsed already.

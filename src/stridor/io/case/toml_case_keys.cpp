@@ -146,12 +146,35 @@ bool is_idle(const Case& of_file, const Field& field, const TomlEntry& entry) {
     });
 }
 
+namespace {
+
+// no choice gives it one: it is the structure that does not have it
+Error without_meaning(const Field& field, const TomlEntry& entry) {
+    if (field.section == "structure")
+        return {ErrorKind::input,
+                {entry.key + " means nothing for this case", "its joints stand on a plate",
+                 "It belongs to a case with [structure]."},
+                entry.key_place};
+    const bool is_preload = field.name == "preload";
+    return {
+        ErrorKind::input,
+        {entry.key + " means nothing for this structure",
+         is_preload ? "a load or negative gaps press it" : "all of its contacts have one of their own", "Remove it."},
+        entry.key_place};
+}
+
+}  // namespace
+
 void check_belonging(const Case& of_file, const Case& c, const TomlDocument& document, Complaints& complaints) {
     for (const TomlEntry& entry : document.entries) {
         const Field* field = parameters::find_field(entry.key);
         const Case& judge = entry.origin == TomlOrigin::file ? of_file : c;
         if (field == nullptr || field->belongs(judge) || is_idle(of_file, *field, entry)) continue;
         const std::string home = parameters::home_of(judge, *field);
+        if (home.empty() && (judge.own_structure || field->section == "structure")) {
+            complaints.add(without_meaning(*field, entry));
+            continue;
+        }
         if (home.empty() && has_temperature_list(document)) continue;  // a table that has complaints of its own
         complaints.add(
             {ErrorKind::input,

@@ -9,7 +9,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -133,7 +135,30 @@ toml::table parsed(const std::string& text, const Places& places) {
     return {};
 }
 
+std::optional<std::vector<double>> numbers_in(const toml::array& array) {
+    std::vector<double> numbers;
+    for (const toml::node& element : array) {
+        const auto number = element.is_number() ? element.value<double>() : std::nullopt;
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+// [[2, -1], [-1, 2]]
+std::optional<TomlRows> rows_in(const toml::array& array) {
+    TomlRows rows;
+    for (const toml::node& element : array) {
+        const auto row = element.is_array() ? numbers_in(*element.as_array()) : std::nullopt;
+        if (!row) return std::nullopt;
+        rows.push_back(*row);
+    }
+    return rows;
+}
+
 TomlValue array_value(const toml::array& array) {
+    if (!array.empty() && array.front().is_array())
+        if (auto rows = rows_in(array)) return std::move(*rows);
     std::vector<std::string> texts;
     std::vector<double> numbers;
     for (const toml::node& element : array) {
@@ -170,7 +195,8 @@ TomlValue value_of(const toml::node& node) {
 
 // Keys are three names long at most ("chart.x.from"); what lies deeper hangs on a key that is unknown already.
 constexpr int deepest = 4;
-constexpr std::string_view listed_section = "joint";  // the only one that may be there several times
+// what may be there several times: [[joint]], [[structure.contact]]
+constexpr std::array<std::string_view, 2> listed_sections{"joint", "structure.contact"};
 
 bool is_list_of_tables(const toml::node& node) {
     const toml::array* list = node.as_array();
@@ -182,7 +208,9 @@ void collect(const toml::table& table, const std::string& prefix, int depth, con
     for (const auto& [key, node] : table) {
         const std::string full = prefix + std::string(key.str());
         // [[joint]]: its tables are called by their numbers, "joint.1"
-        if (full == listed_section && is_list_of_tables(node)) {
+        const bool may_be_listed =
+            std::find(listed_sections.begin(), listed_sections.end(), full) != listed_sections.end();
+        if (may_be_listed && is_list_of_tables(node)) {
             const toml::array& list = *node.as_array();
             entries.push_back(
                 {full, TomlTable{}, TomlOrigin::file, places.at(key.source().begin), places.at(node.source().begin)});
@@ -319,6 +347,7 @@ std::string_view type_name(const TomlValue& value) {
         std::string_view operator()(const std::string&) const { return "text"; }
         std::string_view operator()(const std::vector<std::string>&) const { return "a list"; }
         std::string_view operator()(const std::vector<double>&) const { return "a list of numbers"; }
+        std::string_view operator()(const TomlRows&) const { return "a matrix"; }
         std::string_view operator()(const TomlTable&) const { return "a section"; }
         std::string_view operator()(const TomlUnfit& unfit) const { return unfit.type; }
     };

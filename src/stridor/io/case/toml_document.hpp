@@ -27,8 +27,11 @@ struct TomlUnfit {
     std::string_view type;  // "a boolean"
 };
 
+/// A list of lists of numbers: a matrix, row by row.
+using TomlRows = std::vector<std::vector<double>>;
+
 using TomlValue =
-    std::variant<double, std::string, std::vector<std::string>, std::vector<double>, TomlTable, TomlUnfit>;
+    std::variant<double, std::string, std::vector<std::string>, std::vector<double>, TomlRows, TomlTable, TomlUnfit>;
 
 /// Where an entry was written: in the file, or on the command line.
 enum class TomlOrigin { file, override };
@@ -62,7 +65,7 @@ TomlEntry parse_override(const std::string& text);
 /// The items of a list that an override writes as "going,coming", or as TOML does.
 std::vector<std::string> listed(std::string text);
 
-/// "a number", "text", "a list", "a list of numbers", "a section" or the name of an unfit type.
+/// "a number", "text", "a list", "a list of numbers", "a matrix", "a section" or the name of an unfit type.
 std::string_view type_name(const TomlValue& value);
 
 /// The same error about a key that stands somewhere; the key is named if the error does not name it.

@@ -2,6 +2,7 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/starts.hpp"
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <variant>
@@ -182,6 +184,67 @@ std::string section_lines(const Case& c, const TomlOptions& options, Sections se
     return text;
 }
 
+// a structure of the user's own with all its numbers, whatever it was made from
+std::string matrix_lines(const parameters::OwnStructure& own) {
+    const std::size_t rows = own.row.size();
+    const auto list = [](std::span<const double> numbers) {
+        std::string text;
+        for (const double number : numbers)
+            text += (text.empty() ? "" : ", ") + number_text(number);
+        return "[" + text + "]";
+    };
+    std::string text;
+    const auto matrix = [&](std::string_view key, const std::vector<double>& numbers) {
+        if (numbers.empty()) return;
+        text += std::string(key) + " = [";
+        for (std::size_t row = 0; row < rows; ++row)
+            text += (row > 0 ? ",\n  " : "\n  ") + list(std::span(numbers).subspan(row * rows, rows));
+        text += "\n]\n";
+    };
+    const auto number = [&](std::string_view key, double value, std::string_view unit) {
+        if (value != 0.0) text += std::string(key) + " = " + quantity_text(value, unit) + "\n";
+    };
+    const auto vector = [&](std::string_view key, const std::vector<double>& numbers) {
+        if (!numbers.empty()) text += std::string(key) + " = " + list(numbers) + "\n";
+    };
+    if (!own.builder_lines.empty()) {
+        vector("initial_displacement", own.initial_displacement);
+        return own.builder_lines + text;
+    }
+    text += "rows = " + list_text(own.row, std::identity{}) + "\n";
+    matrix("mass", own.mass);
+    matrix("stiffness", own.stiffness);
+    matrix("damping", own.damping);
+    number("damping_ratio", own.following.ratio, "1");
+    number("loss_factor", own.following.loss_factor, "1");
+    number("rayleigh_mass", own.following.rayleigh_mass, "1/s");
+    number("rayleigh_stiffness", own.following.rayleigh_stiffness, "s");
+    vector("load", own.load);
+    vector("initial_displacement", own.initial_displacement);
+    vector("initial_velocity", own.initial_velocity);
+    return text;
+}
+
+std::string contact_tables(const parameters::OwnStructure& own) {
+    std::string text;
+    const auto list = [](const std::vector<double>& numbers) {
+        std::string items;
+        for (const double number : numbers)
+            items += (items.empty() ? "" : ", ") + number_text(number);
+        return "[" + items + "]";
+    };
+    for (const parameters::OwnContact& contact : own.contacts) {
+        text += "\n[[structure.contact]]\nname = " + basic_string(contact.name) + "\nnormal = " + list(contact.normal) +
+                "\ntangent = " + list(contact.tangent) + "\n";
+        if (contact.initial_gap != 0.0) text += "initial_gap = " + quantity_text(contact.initial_gap, "m") + "\n";
+        if (contact.static_friction) text += "static_friction = " + number_text(*contact.static_friction) + "\n";
+        if (contact.kinetic_friction) text += "kinetic_friction = " + number_text(*contact.kinetic_friction) + "\n";
+        if (contact.preload_share > 0.0) text += "preload_share = " + number_text(contact.preload_share) + "\n";
+        if (contact.drive_share != 1.0) text += "drive_share = " + number_text(contact.drive_share) + "\n";
+    }
+    return text;
+}
+
 void replace_line(std::string& text, std::string_view line, std::string_view by) {
     if (const std::size_t at = text.find(line); at != std::string::npos) text.replace(at, line.size(), by);
 }
@@ -197,6 +260,11 @@ std::string joint_table(const Case& c, std::size_t joint, const TomlOptions& opt
 }  // namespace
 
 std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
+    if (c.own_structure) {
+        std::string text = section_lines(c, options, Sections::all, heading(options));
+        replace_line(text, "[structure]\n", "[structure]\n" + matrix_lines(*c.own_structure));
+        return c.own_structure->builder_lines.empty() ? text + contact_tables(*c.own_structure) : text;
+    }
     if (c.further_joints.empty()) return section_lines(c, options, Sections::all, heading(options));
     std::string text = heading(options);
     if (!c.title.empty()) text += toml_line(c, *parameters::find_field("title")) + "\n\n";

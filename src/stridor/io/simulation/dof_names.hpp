@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 
 #include <array>
 #include <cstddef>
@@ -15,8 +16,9 @@ inline constexpr std::array<std::string_view, 3> dof_sentences{
     "of the joint along the plate", "of the joint across the plate", "of the plate across the contact"};
 
 /// Names of the degrees of freedom in files: x1, y1, y2 of the rubbing system; of several joints x and y with their
-/// names, then y_plate.
+/// names, then y_plate; of an own structure its rows.
 inline std::vector<std::string> dof_names(const parameters::Case& c) {
+    if (c.own_structure) return c.own_structure->row;
     if (c.further_joints.empty()) return {"x1", "y1", "y2"};
     std::vector<std::string> names;
     for (std::size_t k = 0; k < parameters::joint_count(c); ++k)

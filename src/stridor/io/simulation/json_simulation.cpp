@@ -3,6 +3,7 @@
 #include "stridor/analysis/evidence_figures.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/io/json_parts.hpp"
+#include "stridor/parameters/own_structure.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -55,13 +56,13 @@ Json rates_object(const analysis::Rates& rates) {
     return {{"slip", rates.slip}, {"stick", rates.stick}, {"separation", rates.separation}};
 }
 
-// of a case with several joints: each contact by itself, called as its joint
+// of a case with several joints or a structure of its own: each contact by itself, called as it is there
 Json contacts_array(const Case& c, const record::Tally& phase) {
     Json contacts = Json::array();
     for (const classification::Verdict& verdict : classification::classify_contacts(phase, c.verdict)) {
         const std::size_t contact = verdict.evidence.contact;
         const std::string name =
-            contact < parameters::joint_count(c) ? parameters::joint_name(c, contact) : std::to_string(contact + 1);
+            contact < parameters::contact_count(c) ? parameters::contact_name(c, contact) : std::to_string(contact + 1);
         contacts.push_back(
             {{"name", name}, {"rates", rates_object(verdict.evidence.rates)}, {"verdict", verdict_object(verdict)}});
     }
@@ -196,8 +197,9 @@ std::string simulation_json(const parameters::Case& c, const integration::Motion
     document["phases"] = Json::array();
     for (std::size_t k = 0; k < verdicts.size(); ++k) {
         document["phases"].push_back(phase_object(c, verdicts[k]));
-        const bool has_several = k < motion.record.phases.size() && motion.record.phases[k].contacts.size() > 1;
-        if (has_several) document["phases"].back()["contacts"] = contacts_array(c, motion.record.phases[k]);
+        const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
+        if (has_names && k < motion.record.phases.size())
+            document["phases"].back()["contacts"] = contacts_array(c, motion.record.phases[k]);
     }
     document["units"] = simulation_units(c);
     return base::text_of(document);

@@ -1,0 +1,286 @@
+#include "stridor/io/case/structure_contacts.hpp"
+
+#include "stridor/io/structure/row_labels_csv.hpp"
+#include "stridor/recordings/refusal.hpp"
+#include "stridor/recordings/table/csv_table.hpp"
+#include "stridor/recordings/uff58/uff58_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace stridor::io {
+
+namespace {
+
+namespace csv = recordings::csv_table;
+using parameters::OwnContact;
+using recordings::refusal;
+using reduction::ElasticPart;
+
+// [1] cosine up to which a tangent is at right angles: directions are written with some digits
+constexpr double right_angle = 1e-3;
+
+std::vector<std::string> written_words(std::string_view text) {
+    std::vector<std::string> words;
+    for (const std::string_view word : recordings::uff58::words(text))
+        words.emplace_back(word);
+    return words;
+}
+
+std::optional<std::vector<double>> written_numbers(const std::vector<std::string>& words) {
+    std::vector<double> numbers;
+    for (const std::string& word : words) {
+        const auto number = csv::number_in(word, csv::Dialect{';'});
+        if (!number || !std::isfinite(*number)) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers.empty() ? std::nullopt : std::optional(numbers);
+}
+
+// "-y2" taken apart
+std::pair<double, std::string> signed_name(const std::string& word) {
+    if (word.size() > 1 && (word[0] == '-' || word[0] == '+')) return {word[0] == '-' ? -1.0 : 1.0, word.substr(1)};
+    return {1.0, word};
+}
+
+/// Makes the rows of one contact after the other.
+class ContactMaker {
+public:
+    explicit ContactMaker(const ElasticPart& part) : part_(part) {}
+
+    /// The contacts of what one entry says.
+    void take(const NamedContact& named) {
+        place_ = named.place;
+        if (!named.node.empty() && !named.set.empty())
+            throw problem("the contact has a node and a set", "each node of a set has a contact of its own");
+        if (!named.set.empty()) return take_set(named);
+        if (!named.node.empty()) return take_node(named, named.node, named.name.empty() ? named.node : named.name, 1);
+        if (!named.against.empty()) throw problem("the contact is against a part, and at no node", "");
+        if (named.name.empty()) throw problem("this contact has no name", "one that is not at a node is called by it");
+        add(named, named.name, of_rows(named.normal, "normal"), of_rows(named.tangent, "tangent"), 1);
+    }
+
+    std::vector<OwnContact> finish() { return std::move(contacts_); }
+
+private:
+    Error problem(std::string what, std::string why, std::string suggestion = "") const {
+        return refusal(place_, std::move(what), std::move(why), std::move(suggestion));
+    }
+
+    // an error of the part, told where the contact stands
+    template <typename Work>
+    auto at_place(const Work& work) const {
+        try {
+            return work();
+        } catch (const Error& error) {
+            throw Error(error.kind(), error.problem(), place_);
+        }
+    }
+
+    const reduction::NodeSet& set_named(const std::string& name) const {
+        const reduction::NodeSet* set = find_set(part_, name);
+        std::string names;
+        for (const reduction::NodeSet& each : part_.sets)
+            names += (names.empty() ? "" : ", ") + each.name;
+        if (set == nullptr)
+            throw problem(fmt::format("there is no node set \"{}\"", name),
+                          names.empty() ? "the structure has none" : "its node sets are " + names);
+        if (set->nodes.empty()) throw problem(fmt::format("the node set {} is empty", name), "");
+        return *set;
+    }
+
+    // in the order in which they stand along the longest side of the box around them, where places are known
+    std::vector<std::string> along_line(std::vector<std::string> nodes) const {
+        const bool is_known = std::all_of(nodes.begin(), nodes.end(),
+                                          [&](const std::string& node) { return part_.positions.contains(node); });
+        if (!is_known) return nodes;
+        Eigen::Vector3d least = part_.positions.at(nodes.front());
+        Eigen::Vector3d most = least;
+        for (const std::string& node : nodes) {
+            least = least.cwiseMin(part_.positions.at(node));
+            most = most.cwiseMax(part_.positions.at(node));
+        }
+        Eigen::Index axis = 0;
+        (most - least).maxCoeff(&axis);
+        std::stable_sort(nodes.begin(), nodes.end(), [&](const std::string& a, const std::string& b) {
+            return part_.positions.at(a)[axis] < part_.positions.at(b)[axis];
+        });
+        return nodes;
+    }
+
+    void take_set(const NamedContact& named) {
+        const std::vector<std::string> nodes = along_line(set_named(named.set).nodes);
+        const std::string opening = named.name.empty() ? "" : named.name + " ";
+        for (const std::string& node : nodes)
+            take_node(named, node, opening + node, nodes.size());
+    }
+
+    void take_node(const NamedContact& named, const std::string& node, const std::string& name, std::size_t among) {
+        const Eigen::Vector3d normal = in_space(named.normal, "normal");
+        const Eigen::Vector3d tangent = in_space(named.tangent, "tangent");
+        if (std::abs(normal.dot(tangent)) > right_angle)
+            throw problem("normal and tangent are not at right angles",
+                          fmt::format("their cosine is {:.3g}", normal.dot(tangent)));
+        // what is left of the written digits
+        const Eigen::Vector3d along = (tangent - normal.dot(tangent) * normal).normalized();
+        std::vector<double> across_rows(part_.labels.size(), 0.0);
+        std::vector<double> along_rows = across_rows;
+        put(across_rows, node, normal, 1.0);
+        put(along_rows, node, along, 1.0);
+        if (const std::string other = other_node(named, node); !other.empty()) {
+            put(across_rows, other, normal, -1.0);
+            put(along_rows, other, along, -1.0);
+        }
+        add(named, name, std::move(across_rows), std::move(along_rows), among);
+    }
+
+    const Eigen::Vector3d& position(const std::string& node) const {
+        const auto found = part_.positions.find(node);
+        if (found == part_.positions.end())
+            throw problem(fmt::format("the place of node {} is not known", node),
+                          "the nearest node of a set is told by places", "Name one node in against.");
+        return found->second;
+    }
+
+    std::string other_node(const NamedContact& named, const std::string& node) const {
+        if (named.against.empty() || find_set(part_, named.against) == nullptr) return named.against;
+        const Eigen::Vector3d& here = position(node);
+        std::string nearest;
+        double least = std::numeric_limits<double>::infinity();
+        for (const std::string& other : set_named(named.against).nodes) {
+            const double distance = (position(other) - here).squaredNorm();
+            if (distance < least && other != node) {
+                least = distance;
+                nearest = other;
+            }
+        }
+        return nearest;
+    }
+
+    Eigen::Vector3d in_space(const NamedDirection& direction, std::string_view what) const {
+        Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+        const auto* text = std::get_if<std::string>(&direction);
+        const std::vector<std::string> words = text == nullptr ? std::vector<std::string>() : written_words(*text);
+        const auto numbers = text == nullptr ? std::get<std::vector<double>>(direction)
+                                             : written_numbers(words).value_or(std::vector<double>());
+        if (text != nullptr && numbers.empty()) {
+            const auto [sign, name] = signed_name(words.size() == 1 ? words.front() : std::string());
+            const std::optional<int> component = structure::component_in(name);
+            if (!component || *component < 1 || *component > 3)
+                throw problem(fmt::format("\"{}\" is no direction of a {}", *text, what),
+                              "at a node it is x, y or z with a sign, or three numbers");
+            vector[*component - 1] = sign;
+            return vector;
+        }
+        if (numbers.size() != 3)
+            throw problem(fmt::format("the {} has {} components", what, numbers.size()),
+                          "at a node there are three, along x, y and z");
+        vector << numbers[0], numbers[1], numbers[2];
+        if (!(vector.norm() > 0.0)) throw problem(fmt::format("the {} is zero", what), "it has no direction");
+        return vector / vector.norm();
+    }
+
+    void put(std::vector<double>& rows, const std::string& node, const Eigen::Vector3d& direction, double sign) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (direction[axis] == 0.0) continue;
+            const auto found = at_place([&] { return named_rows(part_, fmt::format("{}:{}", node, axis + 1)); });
+            rows[static_cast<std::size_t>(found.front())] += sign * direction[axis];
+        }
+    }
+
+    std::vector<double> of_rows(const NamedDirection& direction, std::string_view what) const {
+        std::vector<double> rows(part_.labels.size(), 0.0);
+        const auto* text = std::get_if<std::string>(&direction);
+        const std::vector<std::string> words = text == nullptr ? std::vector<std::string>() : written_words(*text);
+        // as many numbers as rows are a component each, in a table of contacts too
+        std::optional<std::vector<double>> numbers;
+        if (text == nullptr)
+            numbers = std::get<std::vector<double>>(direction);
+        else if (words.size() == rows.size() && rows.size() > 1)
+            numbers = written_numbers(words);
+        if (numbers && numbers->size() != rows.size())
+            throw problem(fmt::format("the {} has {} components", what, numbers->size()),
+                          fmt::format("the structure has {} rows, and the contact no node", rows.size()));
+        if (numbers) rows = *numbers;
+        for (std::size_t k = 0; !numbers && k < words.size(); ++k) {
+            const auto [sign, name] = signed_name(words[k]);
+            const auto found = at_place([&, row = name] { return named_rows(part_, row); });
+            if (found.size() != 1)
+                throw problem(fmt::format("\"{}\" is {} rows", name, found.size()),
+                              "a direction is made of single rows", "Name a node and its directions instead.");
+            rows[static_cast<std::size_t>(found.front())] += sign;
+        }
+        if (std::all_of(rows.begin(), rows.end(), [](double value) { return value == 0.0; }))
+            throw problem(fmt::format("the {} is zero", what), "it has no direction");
+        return rows;
+    }
+
+    void add(const NamedContact& named, const std::string& name, std::vector<double> normal,
+             std::vector<double> tangent, std::size_t among) {
+        for (const OwnContact& other : contacts_) {
+            if (other.name == name)
+                throw problem(fmt::format("two contacts are called \"{}\"", name), "", "Give each a name of its own.");
+            if (other.normal == normal && other.tangent == tangent)
+                throw problem(fmt::format("contacts \"{}\" and \"{}\" are one", other.name, name),
+                              "their normals and tangents are the same, and forces between them not determined");
+        }
+        if (contacts_.size() >= parameters::most_contacts)
+            throw problem(fmt::format("there are more than {} contacts", parameters::most_contacts),
+                          "each event solves for all that touch");
+        contacts_.push_back({.name = name,
+                             .normal = std::move(normal),
+                             .tangent = std::move(tangent),
+                             .initial_gap = named.initial_gap,
+                             .static_friction = named.static_friction,
+                             .kinetic_friction = named.kinetic_friction,
+                             .preload_share = named.preload_share.value_or(0.0) / static_cast<double>(among),
+                             .drive_share = named.drive_share});
+    }
+
+    const ElasticPart& part_;
+    base::Place place_;
+    std::vector<OwnContact> contacts_;
+};
+
+}  // namespace
+
+std::vector<OwnContact> contacts_at(const ElasticPart& part, const std::vector<NamedContact>& named) {
+    ContactMaker maker(part);
+    for (const NamedContact& each : named)
+        maker.take(each);
+    return maker.finish();
+}
+
+void share_preload(std::vector<OwnContact>& contacts, const std::vector<NamedContact>& named,
+                   const std::vector<double>& load, const base::Place& place) {
+    const bool has_shares = std::any_of(named.begin(), named.end(),
+                                        [](const NamedContact& each) { return each.preload_share.has_value(); });
+    const bool has_load = std::any_of(load.begin(), load.end(), [](double force) { return force != 0.0; });
+    const bool has_overlap = std::any_of(contacts.begin(), contacts.end(),
+                                         [](const OwnContact& contact) { return contact.initial_gap < 0.0; });
+    if (has_shares && (has_load || has_overlap))
+        throw refusal(place,
+                      has_load ? "a load stands beside shares of the preload"
+                               : "a negative gap stands beside shares of the preload",
+                      "the normal forces at rest follow from one of them", "Take one of them out.");
+    if (has_load || has_overlap) return;
+    for (OwnContact& contact : contacts) {
+        if (!has_shares && contact.initial_gap == 0.0) contact.preload_share = 1.0;
+        if (contact.preload_share > 0.0 && contact.initial_gap > 0.0)
+            throw refusal(place, "contact \"" + contact.name + "\" is open and has a share of the preload",
+                          "at rest nothing presses what does not touch", "Take out its gap, or its share.");
+        if (contact.preload_share == 0.0 && contact.initial_gap == 0.0)
+            throw refusal(place, "contact \"" + contact.name + "\" touches without load",
+                          "whether it is closed at rest is not determined", "Give it a preload_share or a gap.");
+    }
+    if (std::none_of(contacts.begin(), contacts.end(),
+                     [](const OwnContact& contact) { return contact.preload_share > 0.0; }))
+        throw refusal(place, "nothing presses the structure on its contacts", "all of them are open",
+                      "Give one no gap, or a negative one.");
+}
+
+}  // namespace stridor::io

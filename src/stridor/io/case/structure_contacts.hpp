@@ -1,0 +1,48 @@
+#pragma once
+
+#include "stridor/base/error.hpp"
+#include "stridor/parameters/own_structure.hpp"
+#include "stridor/reduction/part.hpp"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace stridor::io {
+
+/// A direction as a user gives it. At a node it is of x, y, z, and is made of length one: "z", "-x", "0 0.6 0.8" or
+/// three numbers. Without a node it is of the rows: "y1 -y2" or a number for each.
+using NamedDirection = std::variant<std::string, std::vector<double>>;
+
+/// What a file says of a contact, or of one at each node of a set.
+struct NamedContact {
+    std::string name{};     // empty: that of its node
+    std::string node{};     // one node, or
+    std::string set{};      // all of a set; both empty: directions are of rows
+    std::string against{};  // node or set of the other part; empty: a surface that moves
+    NamedDirection normal{};
+    NamedDirection tangent{};
+    double initial_gap = 0.0;                  // [m]
+    std::optional<double> static_friction{};   // [1]
+    std::optional<double> kinetic_friction{};  // [1]
+    std::optional<double> preload_share{};     // [1] of all its nodes together
+    double drive_share = 1.0;                  // [1]
+    base::Place place{};                       // where it stands
+};
+
+/// Contacts at the rows of a part. Those of a set stand in the order of their places along its longest side, and are
+/// paired with the nearest node of the set `against`.
+///
+/// Throws `Error` (input) at the place for a node, set or row that is not there, a direction that is zero or has
+/// another number of components, a tangent that is not at right angles to the normal, two contacts of one name or at
+/// one place, and more than `parameters::most_contacts`.
+std::vector<parameters::OwnContact> contacts_at(const reduction::ElasticPart& part,
+                                                const std::vector<NamedContact>& named);
+
+/// Shares of the preload where nobody gave one: equal, of all that are not open. Throws `Error` (input) at `place` for
+/// shares beside a load or negative gaps, and for contacts that touch without load.
+void share_preload(std::vector<parameters::OwnContact>& contacts, const std::vector<NamedContact>& named,
+                   const std::vector<double>& load, const base::Place& place);
+
+}  // namespace stridor::io

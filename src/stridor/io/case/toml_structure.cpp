@@ -1,0 +1,267 @@
+#include "stridor/io/case/toml_structure.hpp"
+
+#include "stridor/base/text.hpp"
+#include "stridor/io/case/built_structure.hpp"
+#include "stridor/io/case/contacts_csv.hpp"
+#include "stridor/io/case/structure_matrices.hpp"
+#include "stridor/io/case/toml_section.hpp"
+#include "stridor/parameters/field.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stridor::io {
+
+namespace {
+
+using parameters::OwnStructure;
+using reduction::ElasticPart;
+
+constexpr std::string_view section_name = "structure";
+constexpr std::string_view opening = "structure.";
+constexpr std::string_view contact_opening = "structure.contact.";
+
+constexpr std::array<std::string_view, 3> matrix_keys{"mass", "stiffness", "damping"};
+constexpr std::array<std::string_view, 4> number_keys{"damping_ratio", "loss_factor", "rayleigh_mass",
+                                                      "rayleigh_stiffness"};
+constexpr std::array<std::string_view, 3> list_keys{"load", "initial_displacement", "initial_velocity"};
+constexpr std::array<std::string_view, 5> text_keys{"file", "units", "labels", "rows", "contacts"};
+// what a builder leaves to others
+constexpr std::array<std::string_view, 2> common_keys{"builder", "initial_displacement"};
+constexpr std::array<std::string_view, 11> contact_keys{"name",
+                                                        "node",
+                                                        "set",
+                                                        "against",
+                                                        "normal",
+                                                        "tangent",
+                                                        "initial_gap",
+                                                        "static_friction",
+                                                        "kinetic_friction",
+                                                        "preload_share",
+                                                        "drive_share"};
+
+bool stands_below(std::string_view key, std::string_view prefix) {
+    return key.size() > prefix.size() && key.starts_with(prefix);
+}
+
+std::vector<std::string_view> joined_keys(std::initializer_list<std::span<const std::string_view>> lists) {
+    std::vector<std::string_view> all;
+    for (const auto& list : lists)
+        all.insert(all.end(), list.begin(), list.end());
+    return all;
+}
+
+const StructureBuilder* builder_of(const TomlSection& section) {
+    if (!section.has("builder")) return nullptr;
+    const std::string name = section.text("builder");
+    std::string names;
+    for (const StructureBuilder& builder : structure_builders()) {
+        if (builder.name == name) return &builder;
+        names += (names.empty() ? "\"" : ", \"") + std::string(builder.name) + "\"";
+    }
+    throw Error(ErrorKind::input, {"\"" + name + "\" builds no structure", "there are " + names, ""},
+                section.need("builder").value_place);
+}
+
+void refuse_unknown(const TomlEntry& entry, std::string_view name, std::span<const std::string_view> known,
+                    Complaints& complaints) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return;
+    const std::string near(base::nearest_name(name, known));
+    const std::string section = entry.key.substr(0, entry.key.size() - name.size());
+    complaints.add({ErrorKind::input,
+                    {"unknown key " + entry.key, "", near.empty() ? "" : "Did you mean " + section + near + "?"},
+                    entry.key_place});
+}
+
+// keys that [structure] does not have, or not with this builder
+void check_keys(const TomlDocument& document, const StructureBuilder* builder) {
+    Complaints complaints;
+    std::vector<std::string_view> known = joined_keys({common_keys});
+    if (builder == nullptr) known = joined_keys({common_keys, matrix_keys, number_keys, list_keys, text_keys});
+    for (std::size_t k = 0; builder != nullptr && k < builder->keys.size(); ++k)
+        known.push_back(builder->keys[k].name);
+    for (const TomlEntry& entry : document.entries) {
+        if (!stands_below(entry.key, opening) || parameters::find_field(entry.key) != nullptr) continue;
+        const bool is_of_contacts = entry.key == "structure.contact" || stands_below(entry.key, contact_opening);
+        if (is_of_contacts && builder != nullptr) {
+            complaints.add({ErrorKind::input,
+                            {"[[structure.contact]] stands beside a builder", "a builder makes its own contacts", ""},
+                            entry.key_place});
+            break;
+        }
+        if (!is_of_contacts) {
+            refuse_unknown(entry, std::string_view(entry.key).substr(opening.size()), known, complaints);
+            continue;
+        }
+        const std::string_view inner =
+            std::string_view(entry.key).substr(std::min(contact_opening.size(), entry.key.size()));
+        const std::size_t point = inner.find('.');
+        if (point != std::string_view::npos) refuse_unknown(entry, inner.substr(point + 1), contact_keys, complaints);
+    }
+    complaints.throw_any();
+}
+
+NamedDirection direction_in(const TomlSection& table, std::string_view key) {
+    const TomlEntry& entry = table.need(key);
+    if (const auto* text = std::get_if<std::string>(&entry.value)) return *text;
+    return table.numbers(key);
+}
+
+NamedContact named_contact_in(const TomlSection& table) {
+    return {.name = table.text_or("name", ""),
+            .node = table.text_or("node", ""),
+            .set = table.text_or("set", ""),
+            .against = table.text_or("against", ""),
+            .normal = direction_in(table, "normal"),
+            .tangent = direction_in(table, "tangent"),
+            .initial_gap = table.find_quantity("initial_gap", "m", Bound::any).value_or(0.0),
+            .static_friction = table.find_quantity("static_friction", "1", Bound::not_negative),
+            .kinetic_friction = table.find_quantity("kinetic_friction", "1", Bound::not_negative),
+            .preload_share = table.find_quantity("preload_share", "1", Bound::not_negative),
+            .drive_share = table.find_quantity("drive_share", "1", Bound::any).value_or(1.0),
+            .place = table.place()};
+}
+
+std::vector<NamedContact> named_contacts(const TomlDocument& document, const TomlSection& section) {
+    std::vector<NamedContact> named;
+    if (section.has("contacts")) {
+        const TomlEntry& entry = section.need("contacts");
+        named = read_contacts_csv(opened(section.path(entry, section.text("contacts")), entry));
+    }
+    for (int number = 1;; ++number) {
+        const TomlSection table(document, std::string(contact_opening) + std::to_string(number) + ".");
+        if (document.find(std::string(contact_opening) + std::to_string(number)) == nullptr) break;
+        named.push_back(named_contact_in(table));
+    }
+    if (named.empty())
+        throw Error(ErrorKind::input,
+                    {"the structure has no contact", "a case is about what rubs",
+                     "Add [[structure.contact]] tables, or contacts = \"contacts.csv\"."},
+                    section.place());
+    return named;
+}
+
+std::vector<double> dense_numbers(const reduction::SparseMatrix& matrix) {
+    const Eigen::MatrixXd dense(matrix);
+    const Eigen::MatrixXd both = 0.5 * (dense + dense.transpose());
+    return {both.data(), both.data() + both.size()};
+}
+
+void expect_solvable(const ElasticPart& part, const TomlSection& section) {
+    const auto rows = static_cast<std::size_t>(rows_of(part));
+    if (rows > parameters::most_rows)
+        throw Error(ErrorKind::input,
+                    {"the structure has " + std::to_string(rows) + " rows",
+                     "its motion is solved in dense matrices, of at most " + std::to_string(parameters::most_rows),
+                     "Reduce it with `stridor structure reduce`."},
+                    section.place());
+    const Eigen::LLT<Eigen::MatrixXd> factor{Eigen::MatrixXd(part.mass)};
+    if (factor.info() != Eigen::Success)
+        throw Error(ErrorKind::input,
+                    {"the mass is not positive definite", "some motion of the structure would have no inertia",
+                     "Give each row a mass, or take out those without."},
+                    section.place());
+}
+
+OwnStructure from_part(const TomlDocument& document, const TomlSection& section) {
+    const NamedPart named = part_in(section);
+    const ElasticPart& part = named.part;
+    expect_solvable(part, section);
+    OwnStructure own{
+        .origin = named.origin, .mass = dense_numbers(part.mass), .stiffness = dense_numbers(part.stiffness)};
+    for (const reduction::RowLabel& label : part.labels)
+        own.row.push_back(describe(label));
+    if (part.damping.rows() != 0) own.damping = dense_numbers(part.damping);
+    own.following = {section.find_quantity("damping_ratio", "1", Bound::not_negative).value_or(0.0),
+                     section.find_quantity("loss_factor", "1", Bound::not_negative).value_or(0.0),
+                     section.find_quantity("rayleigh_mass", "1/s", Bound::not_negative).value_or(0.0),
+                     section.find_quantity("rayleigh_stiffness", "s", Bound::not_negative).value_or(0.0)};
+    if (section.has("initial_velocity")) own.initial_velocity = section.numbers("initial_velocity", own.row.size());
+    if (section.has("load")) own.load = section.numbers("load", own.row.size());
+    const std::vector<NamedContact> contacts = named_contacts(document, section);
+    own.contacts = contacts_at(part, contacts);
+    share_preload(own.contacts, contacts, own.load, section.place());
+    return own;
+}
+
+// a start that opens or closes gaps would be none of the preloaded rest
+void expect_closed(const OwnStructure& own, const TomlSection& section) {
+    for (const parameters::OwnContact& contact : own.contacts) {
+        double gap = 0.0, size = 0.0;
+        for (std::size_t row = 0; row < own.row.size(); ++row) {
+            gap += contact.normal[row] * own.initial_displacement[row];
+            size += std::abs(contact.normal[row] * own.initial_displacement[row]);
+        }
+        constexpr double rounding = 1e-12;
+        if (std::abs(gap) > rounding * size)
+            throw Error(ErrorKind::input,
+                        {"structure.initial_displacement moves contact \"" + contact.name + "\" along its normal",
+                         "a motion starts with the gaps of the rest", ""},
+                        section.need("initial_displacement").value_place);
+    }
+}
+
+}  // namespace
+
+std::span<const std::string_view> structure_keys(StructureKeys kind) {
+    switch (kind) {
+        case StructureKeys::matrices:
+            return matrix_keys;
+        case StructureKeys::numbers:
+            return number_keys;
+        case StructureKeys::lists:
+            return list_keys;
+        case StructureKeys::texts:
+            return text_keys;
+        case StructureKeys::of_contact:
+            return contact_keys;
+    }
+    return {};
+}
+
+bool has_own_structure(const TomlDocument& document) {
+    return std::any_of(document.entries.begin(), document.entries.end(), [](const TomlEntry& entry) {
+        return entry.key == section_name && entry.origin == TomlOrigin::file &&
+               std::holds_alternative<TomlTable>(entry.value);
+    });
+}
+
+TomlDocument without_structure(const TomlDocument& document, Complaints& complaints) {
+    TomlDocument rest{document.name, {}};
+    for (const TomlEntry& entry : document.entries) {
+        if (stands_below(entry.key, opening) && parameters::find_field(entry.key) == nullptr) continue;
+        bool is_of_joint = false;
+        for (const std::string_view section : {"joint", "plate", "temperature"}) {
+            if (entry.key != section && !stands_below(entry.key, std::string(section) + ".")) continue;
+            is_of_joint = true;
+            if (entry.key == section || entry.origin == TomlOrigin::override)
+                complaints.add({ErrorKind::input,
+                                {entry.key + " stands beside [structure]",
+                                 "a case has a joint on a plate or a structure of its own", "Remove one of them."},
+                                entry.key_place});
+        }
+        if (!is_of_joint) rest.entries.push_back(entry);
+    }
+    return rest;
+}
+
+std::shared_ptr<const OwnStructure> read_own_structure(const TomlDocument& document) {
+    const TomlSection section(document, std::string(opening));
+    const StructureBuilder* builder = builder_of(section);
+    check_keys(document, builder);
+    OwnStructure own = builder != nullptr ? built_structure(*builder, section) : from_part(document, section);
+    if (section.has("initial_displacement")) {
+        own.initial_displacement = section.numbers("initial_displacement", own.row.size());
+        expect_closed(own, section);
+    }
+    return std::make_shared<const OwnStructure>(std::move(own));
+}
+
+}  // namespace stridor::io

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "stridor/io/case/complaints.hpp"
+#include "stridor/io/case/toml_document.hpp"
+#include "stridor/parameters/own_structure.hpp"
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace stridor::io {
+
+/// Kinds of keys of [structure], by what they take.
+enum class StructureKeys {
+    matrices,    // mass = [[...]], or the name of a file
+    numbers,     // damping_ratio
+    lists,       // load: a number for each row
+    texts,       // file, or a list of them
+    of_contact,  // keys of [[structure.contact]]
+};
+std::span<const std::string_view> structure_keys(StructureKeys kind);
+
+/// Does a file have a structure of its own, as [structure]?
+bool has_own_structure(const TomlDocument& document);
+
+/// The document as a case reads it: without what only [structure] says. Complains of [joint], [plate], [temperature].
+TomlDocument without_structure(const TomlDocument& document, Complaints& complaints);
+
+/// Reads [structure]: matrices in the file itself, of files, or of a builder, its dampings, its load and its contacts.
+/// Opens the files that it names, beside the document; so it is for documents of the program's own user only.
+///
+/// Throws `Error` (input) for unknown keys, matrices that do not fit or are no structure (`reduction::expect_sound`,
+/// and a mass that is not positive definite), and what `contacts_at` and `share_preload` refuse.
+std::shared_ptr<const parameters::OwnStructure> read_own_structure(const TomlDocument& document);
+
+}  // namespace stridor::io

@@ -1,0 +1,94 @@
+#include "stridor/model/case_structure.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/model/modal_damping.hpp"
+#include "stridor/model/rubbing_system.hpp"
+#include "stridor/model/static_contact.hpp"
+#include "stridor/parameters/own_structure.hpp"
+
+#include <vector>
+
+namespace stridor::model {
+
+namespace {
+
+using Eigen::Index;
+using parameters::OwnStructure;
+
+Eigen::VectorXd vector_of(const std::vector<double>& numbers, Index rows) {
+    if (numbers.empty()) return Eigen::VectorXd::Zero(rows);
+    return Eigen::Map<const Eigen::VectorXd>(numbers.data(), rows);
+}
+
+// both triangles are there: the order of rows and columns does not matter
+Eigen::MatrixXd matrix_of(const std::vector<double>& numbers, Index rows) {
+    if (numbers.empty()) return Eigen::MatrixXd::Zero(rows, rows);
+    return Eigen::Map<const Eigen::MatrixXd>(numbers.data(), rows, rows);
+}
+
+Eigen::MatrixXd damping_of(const OwnStructure& own, const Structure& structure) {
+    const parameters::FollowingDamping& following = own.following;
+    Eigen::MatrixXd damping = matrix_of(own.damping, structure.mass.rows());
+    if (following.rayleigh_mass != 0.0) damping += following.rayleigh_mass * structure.mass;
+    if (following.rayleigh_stiffness != 0.0) damping += following.rayleigh_stiffness * structure.stiffness;
+    const double ratio = following.ratio + 0.5 * following.loss_factor;
+    if (ratio != 0.0) damping += modal_damping(structure.mass, structure.stiffness, ratio);
+    return damping;
+}
+
+void press_by_preload(Structure& structure, const parameters::Case& c) {
+    for (std::size_t k = 0; k < structure.contacts.size(); ++k)
+        structure.load -= parameters::contact_of(c, k).preload * structure.contacts[k].normal;
+}
+
+// from here on displacements are those from the place where it rests
+void press_by_load(Structure& structure) {
+    const Equilibrium rest = static_contact(structure);
+    if (!(rest.normal_forces.maxCoeff() > 0.0))
+        base::refuse("no contact is closed at rest", "the load does not press the structure on its contacts",
+                     "Check the signs of load and normals, or give contacts a negative initial_gap.");
+    structure.load.setZero();
+    for (std::size_t k = 0; k < structure.contacts.size(); ++k) {
+        ContactPoint& contact = structure.contacts[k];
+        const double force = rest.normal_forces(static_cast<Index>(k));
+        structure.load -= force * contact.normal;
+        const double gap = contact.initial_gap + contact.normal.dot(rest.displacement);
+        contact.initial_gap = force > 0.0 || gap < 0.0 ? 0.0 : gap;
+    }
+}
+
+}  // namespace
+
+Structure structure_of(const parameters::Case& c) {
+    if (!c.own_structure) return rubbing_system(c);
+    const OwnStructure& own = *c.own_structure;
+    const auto rows = static_cast<Index>(own.row.size());
+    const auto count = static_cast<Index>(own.contacts.size());
+    Structure structure = structure_of_size(static_cast<int>(rows), static_cast<int>(count));
+    structure.mass = matrix_of(own.mass, rows);
+    structure.stiffness = c.structure_scales.stiffness * matrix_of(own.stiffness, rows);
+    structure.damping = c.structure_scales.damping * damping_of(own, structure);
+    structure.load = vector_of(own.load, rows);
+    structure.measured = Eigen::MatrixXd(2 * count, rows);
+    for (Index k = 0; k < count; ++k) {
+        const parameters::OwnContact& given = own.contacts[static_cast<std::size_t>(k)];
+        const parameters::Contact laws = parameters::contact_of(c, static_cast<std::size_t>(k));
+        ContactPoint& contact = structure.contacts[static_cast<std::size_t>(k)];
+        contact.normal = vector_of(given.normal, rows);
+        contact.tangent = vector_of(given.tangent, rows);
+        contact.initial_gap = given.initial_gap;
+        contact.drive_share = given.drive_share;
+        contact.friction = friction_law(laws);
+        contact.impact = impact_law(laws);
+        structure.measured.row(2 * k) = contact.tangent.transpose();
+        structure.measured.row(2 * k + 1) = contact.normal.transpose();
+        structure.body.insert(structure.body.end(), {static_cast<int>(k), static_cast<int>(k)});
+    }
+    if (parameters::is_preloaded(own))
+        press_by_preload(structure, c);
+    else
+        press_by_load(structure);
+    return structure;
+}
+
+}  // namespace stridor::model

@@ -1,0 +1,71 @@
+#include "stridor/parameters/own_structure.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/hash.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/parameters/joints.hpp"
+
+#include <algorithm>
+
+namespace stridor::parameters {
+
+namespace {
+
+void put(std::string& text, const std::vector<double>& numbers) {
+    text += std::to_string(numbers.size()) + ":";
+    for (const double number : numbers)
+        text += base::shortest(number) + " ";
+    text += "\n";
+}
+
+void put(std::string& text, const std::optional<double>& number) {
+    text += (number ? base::shortest(*number) : "-") + "\n";
+}
+
+}  // namespace
+
+bool is_preloaded(const OwnStructure& structure) {
+    return std::any_of(structure.contacts.begin(), structure.contacts.end(),
+                       [](const OwnContact& contact) { return contact.preload_share > 0.0; });
+}
+
+std::string content_hash(const OwnStructure& structure) {
+    std::string text;
+    for (const auto& numbers : {structure.mass, structure.stiffness, structure.damping, structure.load,
+                                structure.initial_displacement, structure.initial_velocity})
+        put(text, numbers);
+    const FollowingDamping& following = structure.following;
+    put(text, {following.ratio, following.loss_factor, following.rayleigh_mass, following.rayleigh_stiffness});
+    for (const OwnContact& contact : structure.contacts) {
+        put(text, contact.normal);
+        put(text, contact.tangent);
+        put(text, {contact.initial_gap, contact.preload_share, contact.drive_share});
+        put(text, contact.static_friction);
+        put(text, contact.kinetic_friction);
+    }
+    return base::hash_text(text);
+}
+
+std::size_t contact_count(const Case& c) {
+    return c.own_structure ? c.own_structure->contacts.size() : joint_count(c);
+}
+
+std::string contact_name(const Case& c, std::size_t contact) {
+    STRIDOR_EXPECT(contact < contact_count(c));
+    return c.own_structure ? c.own_structure->contacts[contact].name : joint_name(c, contact);
+}
+
+Contact contact_of(const Case& c, std::size_t contact) {
+    STRIDOR_EXPECT(c.own_structure && contact < contact_count(c));
+    const OwnContact& own = c.own_structure->contacts[contact];
+    double all = 0.0;
+    for (const OwnContact& each : c.own_structure->contacts)
+        all += each.preload_share;
+    Contact laws = c.contact;
+    laws.static_friction = own.static_friction.value_or(c.contact.static_friction);
+    laws.kinetic_friction = own.kinetic_friction.value_or(c.contact.kinetic_friction);
+    laws.preload = all > 0.0 ? c.contact.preload * (own.preload_share / all) : 0.0;
+    return laws;
+}
+
+}  // namespace stridor::parameters

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "stridor/parameters/case.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A linear structure of the user's own, with the points where it rubs: a chain, a string, a part of a finite-element
+/// program. It takes the place of joint and plate in a case; contact, drive, run and thresholds stay.
+namespace stridor::parameters {
+
+/// Most rows: its matrices are dense, and a motion costs their number with each step.
+inline constexpr std::size_t most_rows = 2000;
+/// Most contacts: each event solves for all that touch.
+inline constexpr std::size_t most_contacts = 300;
+
+/// A point where an own structure rubs on a surface that moves, or two parts of it on each other.
+struct OwnContact {
+    std::string name{};             // "lip 1"
+    std::vector<double> normal{};   // [1] n, shape [row]: gap g = g0 + n.u
+    std::vector<double> tangent{};  // [1] t, shape [row]: tangential position t.u
+    double initial_gap = 0.0;       // [m] g0, of the structure without load; negative: pressed together so far
+    std::optional<double> static_friction{};   // [1] mu_s in the place of the case's
+    std::optional<double> kinetic_friction{};  // [1] mu_d likewise
+    double preload_share = 0.0;                // [1] of contact.preload, all shares being one together
+    double drive_share = 1.0;                  // [1] of V(t) that the surface has here
+};
+
+/// Dampings of an own structure that follow its mass and stiffness; they add up.
+struct FollowingDamping {
+    double ratio = 0.0;               // [1] zeta, of each mode of the structure without contacts
+    double loss_factor = 0.0;         // [1] eta, structural: taken as zeta = eta/2 of each mode, at its own frequency
+    double rayleigh_mass = 0.0;       // [1/s] alpha of C = alpha M + beta K
+    double rayleigh_stiffness = 0.0;  // [s] beta
+};
+
+/// Matrices, row by row, with what is at their rows. Units are SI; a modal coordinate has one of its own.
+struct OwnStructure {
+    std::string origin{};             // what it was made from: "chain of 2 blocks", "block.nc"
+    std::vector<std::string> row{};   // name of each, shape [row]
+    std::vector<double> mass{};       // [kg] shape [row][row], symmetric, positive definite
+    std::vector<double> stiffness{};  // [N/m] shape [row][row], symmetric
+    std::vector<double> damping{};    // [N*s/m] shape [row][row], symmetric; empty: none but what follows
+    FollowingDamping following{};
+    std::vector<double> load{};                  // [N] constant, beside the preload; shape [row] or empty
+    std::vector<double> initial_displacement{};  // [m] added to the start; shape [row] or empty
+    std::vector<double> initial_velocity{};      // [1] added to the start, per imposed velocity; shape [row] or empty
+    std::vector<OwnContact> contacts{};
+    std::string builder_lines{};  // what a builder made it from, as a case file says it; empty: it was none
+};
+
+/// Is it pressed by contact.preload? Else by a load, or by gaps that are negative.
+bool is_preloaded(const OwnStructure& structure);
+
+/// What changes a result, as a hash: the same for equal numbers, whatever file they came from.
+std::string content_hash(const OwnStructure& structure);
+
+/// Contacts of any case.
+std::size_t contact_count(const Case& c);
+
+/// Name of a contact of any case: its joint's, or its own.
+std::string contact_name(const Case& c, std::size_t contact);
+
+/// The laws at a contact of the case's own structure: [contact], with the coefficients that the contact has itself, and
+/// its share of the preload.
+Contact contact_of(const Case& c, std::size_t contact);
+
+}  // namespace stridor::parameters

@@ -1,0 +1,223 @@
+#include "stridor/io/case/toml_structure.hpp"
+
+#include "io_support.hpp"
+#include "stridor/io/case/ready_files.hpp"
+#include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/parameters/field.hpp"
+#include "stridor/storage/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stridor::io {
+namespace {
+
+using parameters::Case;
+using parameters::OwnStructure;
+
+constexpr const char* shared_sections =
+    "[contact]\npreload = \"2 N\"\nstatic_friction = 1\nkinetic_friction = 0.5\n"
+    "[drive]\nkind = \"constant\"\nvelocity = 0.1\n[run]\nduration = 3\n";
+
+constexpr const char* matrices =
+    "[structure]\nrows = [\"x\", \"y\"]\nmass = [[1, 0], [0, 2]]\nstiffness = [[3, -1], [-1, 4]]\n";
+
+constexpr const char* tip_contact = "[[structure.contact]]\nname = \"tip\"\nnormal = \"y\"\ntangent = \"-x\"\n";
+
+std::string whole_case(const std::string& structure) {
+    return "title = \"own\"\n" + structure + shared_sections;
+}
+
+Case read_structure_text(const std::string& text, std::vector<std::string> overrides = {}) {
+    return read_case(TomlSource{text, "case.toml", std::move(overrides)}, JointsTaken::or_structure);
+}
+
+std::string structure_refusal(const std::string& text, std::vector<std::string> overrides = {}) {
+    const auto error = error_of([&] { read_structure_text(text, std::move(overrides)); });
+    if (!error) return "nothing";
+    EXPECT_EQ(error->kind(), ErrorKind::input);
+    return error->what();
+}
+
+void expect_structure_refused(const std::string& text, const std::string& words) {
+    EXPECT_NE(structure_refusal(text).find(words), std::string::npos) << words << "\n" << structure_refusal(text);
+}
+
+TEST(TomlStructure, HasItsMatricesInTheFile) {
+    const Case c = read_structure_text(whole_case(std::string(matrices) + "damping_ratio = \"1 %\"\n" + tip_contact));
+    ASSERT_NE(c.own_structure, nullptr);
+    const OwnStructure& own = *c.own_structure;
+    EXPECT_EQ(own.row, (std::vector<std::string>{"x", "y"}));
+    EXPECT_EQ(own.stiffness, (std::vector<double>{3, -1, -1, 4}));
+    EXPECT_EQ(own.following.ratio, 0.01);
+    ASSERT_EQ(own.contacts.size(), 1U);
+    EXPECT_EQ(own.contacts[0].name, "tip");
+    EXPECT_EQ(own.contacts[0].normal, (std::vector<double>{0, 1}));
+    EXPECT_EQ(own.contacts[0].tangent, (std::vector<double>{-1, 0}));
+    EXPECT_EQ(parameters::contact_of(c, 0).preload, 2.0);
+    EXPECT_EQ(parameters::contact_of(c, 0).kinetic_friction, 0.5);
+}
+
+TEST(TomlStructure, IsWrittenAndReadBack) {
+    for (const std::string& text :
+         {whole_case(
+              std::string(matrices) + "loss_factor = 0.02\nrayleigh_stiffness = \"1 ms\"\n" + tip_contact +
+              "initial_gap = \"1 mm\"\nstatic_friction = 1.25\nkinetic_friction = 0.1\npreload_share = 0\n" +
+              "[[structure.contact]]\nname = \"foot\"\nnormal = [0.5, 1]\ntangent = [1, 0]\npreload_share = 2\n"),
+          ready_file("chain"), ready_file("string")}) {
+        const Case c = read_structure_text(text);
+        const Case again = read_structure_text(case_toml(c));
+        EXPECT_EQ(parameters::canonical_text(again), parameters::canonical_text(c));
+        EXPECT_NE(parameters::canonical_text(c).find("structure.content = "), std::string::npos);
+    }
+}
+
+TEST(TomlStructure, HasItsMatricesInFilesBesideIt) {
+    const ScratchFolder folder;
+    const auto put = [&](const char* name, const std::string& text) {
+        storage::write_file((folder / name).string(), text);
+    };
+    put("m.csv", "1,0\n0,2\n");
+    put("k.csv", "3;-1\n-1;4\n");
+    put("contacts.csv",
+        "# where it rubs\nname,normal,tangent,initial_gap [mm],preload_share\ntip,u2,-u1,0,1\n"
+        "toe,u1,u2,1,\n");
+    put("case.toml", whole_case("[structure]\nmass = \"m.csv\"\nstiffness = \"k.csv\"\ncontacts = \"contacts.csv\"\n"));
+    const Case c = read_case((folder / "case.toml").string(), {}, JointsTaken::or_structure);
+    EXPECT_EQ(c.own_structure->stiffness, (std::vector<double>{3, -1, -1, 4}));
+    ASSERT_EQ(c.own_structure->contacts.size(), 2U);
+    EXPECT_EQ(c.own_structure->contacts[1].initial_gap, 1e-3);
+    EXPECT_EQ(c.own_structure->contacts[1].preload_share, 0.0);
+    put("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 1\n2 2 2\n");
+    put("k.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 3\n2 1 -1\n2 2 4\n");
+    put("rows.csv", "node,component,x,y,z,set\n7,x,0,0,0,TIP\n7,z,0,0,0,TIP\n");
+    put("case.toml", whole_case("[structure]\nmass = \"m.mtx\"\nstiffness = \"k.mtx\"\nlabels = \"rows.csv\"\n"
+                                "[[structure.contact]]\nset = \"TIP\"\nnormal = \"z\"\ntangent = \"-x\"\n"));
+    const Case labelled = read_case((folder / "case.toml").string(), {}, JointsTaken::or_structure);
+    EXPECT_EQ(labelled.own_structure->row, (std::vector<std::string>{"7.1", "7.3"}));
+    EXPECT_EQ(labelled.own_structure->contacts[0].name, "7");
+    // the same structure but for its second contact
+    EXPECT_EQ(labelled.own_structure->contacts[0].normal, c.own_structure->contacts[0].normal);
+}
+
+TEST(TomlStructure, PairsNodesOfTwoSetsThatAreNearest) {
+    const ScratchFolder folder;
+    const auto put = [&](const char* name, const std::string& text) {
+        storage::write_file((folder / name).string(), text);
+    };
+    std::string unit = "%%MatrixMarket matrix coordinate real symmetric\n8 8 8\n";
+    for (int k = 1; k <= 8; ++k)
+        unit += std::to_string(k) + " " + std::to_string(k) + " 1\n";
+    put("unit.mtx", unit);
+    put("rows.csv",
+        "node,component,x,y,z,set\n1,x,0,0,0,LIP\n1,z,0,0,0,LIP\n2,x,1,0,0,LIP\n2,z,1,0,0,LIP\n"
+        "3,x,1.1,0,0,PANE\n3,z,1.1,0,0,PANE\n4,x,0.2,0,0,PANE\n4,z,0.2,0,0,PANE\n");
+    put("case.toml",
+        whole_case("[structure]\nmass = \"unit.mtx\"\nstiffness = \"unit.mtx\"\nlabels = \"rows.csv\"\n"
+                   "[[structure.contact]]\nname = \"seal\"\nset = \"LIP\"\nagainst = \"PANE\"\nnormal = \"z\"\n"
+                   "tangent = [2, 0, 0]\npreload_share = 1\n"));
+    const Case c = read_case((folder / "case.toml").string(), {}, JointsTaken::or_structure);
+    ASSERT_EQ(c.own_structure->contacts.size(), 2U);
+    EXPECT_EQ(c.own_structure->contacts[0].name, "seal 1");
+    EXPECT_EQ(c.own_structure->contacts[0].normal, (std::vector<double>{0, 1, 0, 0, 0, 0, 0, -1}));
+    EXPECT_EQ(c.own_structure->contacts[1].tangent, (std::vector<double>{0, 0, 1, 0, -1, 0, 0, 0}));
+    EXPECT_EQ(parameters::contact_of(c, 1).preload, 1.0);
+}
+
+TEST(TomlStructure, IsBuiltAndVaried) {
+    const Case c =
+        read_structure_text(ready_file("chain"), {"structure.blocks=3", "structure.stiffness_scale=2", "preload=3"});
+    EXPECT_EQ(c.own_structure->contacts.size(), 3U);
+    EXPECT_EQ(c.structure_scales.stiffness, 2.0);
+    EXPECT_EQ(parameters::contact_of(c, 1).preload, 1.0);
+    EXPECT_EQ(read_structure_text(ready_file("string")).own_structure->row.size(), 41U);
+    const Case beam = read_structure_text(whole_case(
+        "[structure]\nbuilder = \"beam\"\nlength = \"100 mm\"\nmass_per_length = 0.024\n"
+        "bending_stiffness = 0.014\naxial_stiffness = 4.2e4\ndamping_ratio = 0.01\nincidence_angle = 60\nmodes = 4\n"));
+    EXPECT_EQ(beam.own_structure->row.size(), 5U);
+}
+
+TEST(TomlStructure, IsPressedByALoadOrByGaps) {
+    const std::string without = replaced(shared_sections, "preload = \"2 N\"\n", "");
+    const Case loaded = read_structure_text(std::string(matrices) + "load = [0, -3]\n" + tip_contact + without);
+    EXPECT_FALSE(parameters::is_preloaded(*loaded.own_structure));
+    const Case pressed =
+        read_structure_text(std::string(matrices) + tip_contact + "initial_gap = \"-0.1 mm\"\n" + without);
+    EXPECT_EQ(pressed.own_structure->contacts[0].initial_gap, -1e-4);
+    expect_structure_refused(whole_case(std::string(matrices) + "load = [0, -3]\n" + tip_contact),
+                             "contact.preload means nothing for this structure");
+}
+
+TEST(TomlStructure, ThatIsWrongIsRefusedWithOneSentence) {
+    const std::string m = matrices;
+    const std::string c = tip_contact;
+    const auto with = [&](const std::string& what, const std::string& by) {
+        return whole_case(replaced(m, what, by) + c);
+    };
+    const auto touching = [&](const std::string& what, const std::string& by) {
+        return whole_case(m + replaced(c, what, by));
+    };
+    expect_structure_refused(whole_case("[structure]\n" + c), "nothing says what the structure is");
+    expect_structure_refused(whole_case(m), "the structure has no contact");
+    expect_structure_refused(with("[0, 2]]", "[0]]"), "structure.mass has 2 rows, and 1 numbers in row 2");
+    expect_structure_refused(with("[[1, 0], [0, 2]]", "[[1]]"), "the stiffness has 2 rows, the mass 1");
+    expect_structure_refused(with("[-1, 4]", "[-2, 4]"), "not symmetric");
+    expect_structure_refused(with("[0, 2]]", "[0, -2]]"), "the mass is negative for some motion");
+    expect_structure_refused(with("[0, 2]]", "[0, 0]]"), "the mass is not positive definite");
+    expect_structure_refused(with("[0, 2]]", "[0, nan]]"), "the mass holds nan");
+    expect_structure_refused(with("\"x\", \"y\"", "\"x\", \"x\""), "x");
+    expect_structure_refused(with("\"x\", \"y\"", "\"x\""), "structure.rows has 1 names");
+    expect_structure_refused(with("mass", "masss"), "unknown key structure.masss");
+    expect_structure_refused(touching("\"y\"", "\"z\""), "\"z\" is no set, node or row");
+    expect_structure_refused(touching("\"y\"", "[0, 0]"), "the normal is zero");
+    expect_structure_refused(touching("\"y\"", "[0, 1, 0]"), "the normal has 3 components");
+    expect_structure_refused(touching("\"y\"", "\"y -y\""), "the normal is zero");
+    expect_structure_refused(touching("name = \"tip\"\n", ""), "this contact has no name");
+    expect_structure_refused(touching("name = \"tip\"", "node = 12"), "\"12:2\" is no set, node or row");
+    expect_structure_refused(touching("tangent", "tangents"), "unknown key structure.contact.1.tangents");
+    expect_structure_refused(touching("name", "set = \"LIP\"\nname"), "there is no node set \"LIP\"");
+    expect_structure_refused(whole_case(m + c + "initial_gap = 1\n"), "nothing presses the structure");
+    expect_structure_refused(whole_case(m + c + "preload_share = 0\n"), "touches without load");
+    expect_structure_refused(whole_case(m + "load = [0, 1]\n" + c + "preload_share = 1\n"),
+                             "a load stands beside shares");
+    expect_structure_refused(whole_case(m + "load = [0]\n" + c), "structure.load has 1 numbers");
+    expect_structure_refused(whole_case(m + c + c), "two contacts are called \"tip\"");
+    expect_structure_refused(whole_case(m + c + replaced(c, "tip", "toe")), "\"tip\" and \"toe\" are one");
+    expect_structure_refused(whole_case(m + c + "kinetic_friction = 1.5\n[[structure.contact]]\nname = \"toe\"\n" +
+                                        "normal = \"x\"\ntangent = \"y\"\n"),
+                             "has mu_d = 1.5 above mu_s = 1");
+    expect_structure_refused(whole_case(m + c + "kinetic_friction = 0.5\n"),
+                             "contact.kinetic_friction means nothing for this structure");
+    expect_structure_refused(whole_case(m + "initial_displacement = [0, 1]\n" + c), "along its normal");
+    expect_structure_refused(whole_case("[structure]\nbuilder = \"chains\"\n"), "\"chains\" builds no structure");
+    expect_structure_refused(whole_case("[structure]\nbuilder = \"chain\"\nblocks = 1.5\nmass = 1\nstiffness = 1\n"),
+                             "it must be a whole number");
+    expect_structure_refused(whole_case("[structure]\nbuilder = \"chain\"\nblocks = 2\nmass = 1\n"),
+                             "missing key structure.stiffness");
+    expect_structure_refused(
+        whole_case("[structure]\nbuilder = \"chain\"\nblocks = 2\nmass = \"1 N\"\nstiffness = 1\n"), "kg");
+    const auto missing =
+        error_of([&] { read_structure_text(whole_case("[structure]\nfile = \"nowhere.sti\"\n" + c)); });
+    ASSERT_TRUE(missing.has_value());
+    EXPECT_EQ(missing->kind(), ErrorKind::io);
+    expect_structure_refused(whole_case(m + c + "[plate]\nmass = 1\n"), "plate stands beside [structure]");
+    expect_structure_refused(replaced(whole_case(m + c), "duration = 3", "duration = 3\nengine = \"beta_2\""),
+                             "from event to event only");
+    expect_structure_refused(replaced(whole_case(m + c), "duration = 3", "duration = 3\ninitial = \"sliding\""),
+                             "does not start sliding");
+}
+
+TEST(TomlStructure, IsRefusedWhereOnlyJointsAreKnown) {
+    const auto error = error_of([] { read_case(TomlSource{ready_file("chain"), "case.toml", {}}); });
+    ASSERT_TRUE(error.has_value());
+    EXPECT_NE(std::string(error->what()).find("this command takes a case with joints"), std::string::npos);
+    EXPECT_NE(structure_refusal(squeal_toml(), {"structure.stiffness_scale=2"}).find("its joints stand on a plate"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace stridor::io
