@@ -3,7 +3,7 @@
 #include "stridor/io/structure/row_labels_csv.hpp"
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
-#include "stridor/recordings/uff58/uff58_header.hpp"
+#include "stridor/recordings/fortran_text.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ constexpr double right_angle = 1e-3;
 
 std::vector<std::string> written_words(std::string_view text) {
     std::vector<std::string> words;
-    for (const std::string_view word : recordings::uff58::words(text))
+    for (const std::string_view word : recordings::words(text))
         words.emplace_back(word);
     return words;
 }
