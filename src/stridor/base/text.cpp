@@ -116,6 +116,13 @@ std::size_t nesting(std::string_view text) {
     return deepest;
 }
 
+std::string listed(std::span<const std::string> texts) {
+    std::string list;
+    for (const std::string& text : texts)
+        list += (list.empty() ? "" : ", ") + text;
+    return list;
+}
+
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blanks = " \t\r\n";
     const std::size_t first = text.find_first_not_of(blanks);

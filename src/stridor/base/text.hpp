@@ -34,6 +34,9 @@ std::size_t character_count(std::string_view text);
 /// ends.
 std::size_t nesting(std::string_view text);
 
+/// "a, b, c".
+std::string listed(std::span<const std::string> texts);
+
 /// Text without leading and trailing blanks.
 std::string_view trimmed(std::string_view text);
 

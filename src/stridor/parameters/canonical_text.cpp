@@ -13,13 +13,6 @@ namespace stridor::parameters {
 
 namespace {
 
-std::string listed(const std::vector<std::string>& texts) {
-    std::string list;
-    for (const std::string& text : texts)
-        list += (list.empty() ? "" : ", ") + text;
-    return list;
-}
-
 // does a line of it stand in the canonical text?
 bool is_canonical(const Case& c, const Field& field) {
     const bool names_a_thing = std::holds_alternative<Text>(field.kind);  // a title or a file name changes no result
@@ -30,12 +23,10 @@ bool is_canonical(const Case& c, const Field& field) {
 // "joint.lip2.mass = 0.1 kg", "joint.lip2.contact.preload = 20 N"
 std::string joint_lines(const Case& c, std::size_t joint) {
     const Case only = alone(c, joint);
-    const std::string opening = "joint." + joint_name(c, joint) + ".";
     std::string text;
     for (const Field& field : fields())
         if (is_of_joint(field) && is_canonical(only, field))
-            text += opening + (field.section == "contact" ? "contact." : "") + std::string(field.name) + " = " +
-                    value_text(only, field) + "\n";
+            text += key_of_joint(field, joint_name(c, joint)) + " = " + value_text(only, field) + "\n";
     return text;
 }
 
@@ -50,9 +41,9 @@ std::string canonical_text(const Case& c) {
     for (const Field& field : fields())
         if (is_canonical(c, field) && !(has_several && is_of_joint(field)))
             text += key_of(field) + " = " + value_text(c, field) + "\n";
-    if (has_temperature_table(c)) text += "temperature.at = " + listed(node_texts(c)) + "\n";
+    if (has_temperature_table(c)) text += "temperature.at = " + base::listed(node_texts(c)) + "\n";
     for (const TemperatureColumn& column : c.temperature.columns)
-        text += "temperature." + column.key + " = " + listed(value_texts(column)) + "\n";
+        text += "temperature." + column.key + " = " + base::listed(value_texts(column)) + "\n";
     if (is_of_file(c.drive)) {
         std::string samples;
         for (std::size_t k = 0; k < c.drive.times.size(); ++k)

@@ -4,6 +4,7 @@
 #include "stridor/base/field_table.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/damping_ratio.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/temperature_table.hpp"
@@ -296,7 +297,7 @@ std::string_view unit_of(const Field& field) {
 }
 
 std::string_view unit_of(std::string_view key) {
-    const Field* field = find_field(key);
+    const Field* field = field_of(key);
     return field == nullptr ? std::string_view("1") : unit_of(*field);
 }
 

@@ -94,7 +94,7 @@ std::string nearest_key(std::string_view key);
 
 /// The unit of a quantity; "1" for a field without one, and for a key that is no field's.
 std::string_view unit_of(const Field& field);
-/// The same by key.
+/// The same by key, of a joint too ("joint.lip2.mass").
 std::string_view unit_of(std::string_view key);
 
 /// One choice that gives a field a meaning: the field of it, and which of its names.

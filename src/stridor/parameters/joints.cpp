@@ -47,6 +47,16 @@ void add_joint(Case& c, std::string name, const Case& only) {
         {std::move(name), only.joint, only.contact, only.damping_ratios.axial, only.damping_ratios.flexural});
 }
 
+void exchange_joints(Case& c, std::size_t joint) {
+    STRIDOR_EXPECT(joint < joint_count(c));
+    if (joint == 0) return;
+    FurtherJoint& other = c.further_joints[joint - 1];
+    std::swap(c.joint, other.joint);
+    std::swap(c.contact, other.contact);
+    std::swap(c.damping_ratios.axial, other.axial_ratio);
+    std::swap(c.damping_ratios.flexural, other.flexural_ratio);
+}
+
 Case two_lips() {
     Case c;
     c.contact.preload = 200.0;
@@ -67,11 +77,23 @@ std::optional<JointKey> joint_key(std::string_view key) {
     if (!key.starts_with(joint_opening)) return std::nullopt;
     const std::string_view rest = key.substr(joint_opening.size());
     const std::size_t point = rest.find('.');
-    if (point == std::string_view::npos) return std::nullopt;
+    if (point == std::string_view::npos || point == 0) return std::nullopt;
     const std::string_view inner = rest.substr(point + 1);
     const bool is_of_contact = inner.starts_with(contact_opening);
     return JointKey{std::string(rest.substr(0, point)),
                     is_of_contact ? std::string(inner) : std::string(joint_opening) + std::string(inner)};
+}
+
+std::string key_of_joint(const JointKey& key) {
+    const std::string_view inner = key.key;
+    const bool is_of_contact = inner.starts_with(contact_opening);
+    return std::string(joint_opening) + key.joint + "." +
+           std::string(is_of_contact ? inner : inner.substr(joint_opening.size()));
+}
+
+std::string key_of_joint(const Field& field, std::string_view joint) {
+    STRIDOR_EXPECT(is_of_joint(field));
+    return key_of_joint({std::string(joint), key_of(field)});
 }
 
 bool names_a_joint(std::string_view name) {

@@ -28,6 +28,10 @@ Case alone(const Case& c, std::size_t joint);
 /// Appends what `alone` shows of another case as a further joint.
 void add_joint(Case& c, std::string name, const Case& only);
 
+/// Exchanges what is a joint's with what is the first one's, where fields look for it; twice changes nothing. The names
+/// stay.
+void exchange_joints(Case& c, std::size_t joint);
+
 /// Two lips of a seal on one pane: Table 1's joint twice, leaning differently, on a plate that moves evenly.
 Case two_lips();
 
@@ -39,6 +43,12 @@ struct JointKey {
 
 /// Takes "joint.lip2.contact.preload" apart; nothing for a key of any other form.
 std::optional<JointKey> joint_key(std::string_view key);
+
+/// The key again: "joint.lip2.contact.preload".
+std::string key_of_joint(const JointKey& key);
+
+/// The key of a joint's field, which is one of [joint] or [contact].
+std::string key_of_joint(const Field& field, std::string_view joint);
 
 /// A word that may name a joint: letters, digits, "_" and "-", and no key of `[joint]`.
 bool names_a_joint(std::string_view name);

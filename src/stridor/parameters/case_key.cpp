@@ -1,0 +1,230 @@
+#include "stridor/parameters/case_key.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/escapes.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/temperature_table.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace stridor::parameters {
+
+namespace {
+
+std::string visible_in_quotes(std::string_view text) {
+    return "\"" + base::visible(std::string(text)) + "\"";
+}
+
+std::vector<std::string> joint_names(const Case& c) {
+    std::vector<std::string> names;
+    for (std::size_t joint = 0; joint < joint_count(c); ++joint)
+        names.push_back(joint == 0 ? c.joint_name : c.further_joints[joint - 1].name);
+    return names;
+}
+
+// which joint a key names; nothing if it names none
+std::optional<std::size_t> joint_of(const Case& c, std::string_view key) {
+    const std::optional<JointKey> named = joint_key(key);
+    if (!named) return std::nullopt;
+    const std::vector<std::string> names = joint_names(c);
+    const auto found = std::find(names.begin(), names.end(), named->joint);
+    STRIDOR_EXPECT(found != names.end());
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+// the joints that a key is about; the first for what all of them share
+std::vector<std::size_t> joints_of(const Case& c, std::string_view key) {
+    if (const std::optional<std::size_t> joint = joint_of(c, key)) return {*joint};
+    std::vector<std::size_t> all{0};
+    const Field* field = field_of(key);
+    if (field != nullptr && is_of_joint(*field))
+        for (std::size_t joint = 1; joint < joint_count(c); ++joint)
+            all.push_back(joint);
+    return all;
+}
+
+// the case with another joint in the first place, where fields look
+class InFirstPlace {
+public:
+    InFirstPlace(Case& c, std::size_t joint) : c_(c), joint_(joint) { exchange_joints(c_, joint_); }
+    ~InFirstPlace() { exchange_joints(c_, joint_); }
+    InFirstPlace(const InFirstPlace&) = delete;
+    InFirstPlace& operator=(const InFirstPlace&) = delete;
+
+private:
+    Case& c_;
+    std::size_t joint_;
+};
+
+// what one joint's fields are asked of; the case itself is not copied, for a sampled drive is large
+template <typename Ask>
+auto asked_of(const Case& c, std::size_t joint, Ask ask) {
+    if (joint == 0) return ask(c);
+    const FurtherJoint& further = c.further_joints[joint - 1];
+    Case only;
+    only.joint = further.joint;
+    only.contact = further.contact;
+    only.damping_ratios = {further.axial_ratio, further.flexural_ratio, {}};
+    return ask(std::as_const(only));
+}
+
+const Field& expected_field(std::string_view key) {
+    const Field* field = field_of(key);
+    STRIDOR_EXPECT(field != nullptr);
+    return *field;
+}
+
+// fields of a joint that the last part of a joint's key may mean: "mass", "contact.preload", "F"
+std::vector<const Field*> joint_fields_called(const JointKey& key) {
+    const std::string_view inner = key.key.starts_with("joint.") ? std::string_view(key.key).substr(6) : key.key;
+    std::vector<const Field*> called;
+    for (const Field& field : fields())
+        if (is_of_joint(field) && (key_of(field) == key.key || short_name(field) == inner || field.symbol == inner))
+            called.push_back(&field);
+    return called;
+}
+
+std::string unknown_of_joint(const JointKey& key) {
+    std::vector<std::string> keys;
+    for (const Field& field : fields())
+        if (is_of_joint(field)) keys.push_back(key_of_joint(field, key.joint));
+    const std::vector<std::string_view> views(keys.begin(), keys.end());
+    return std::string(base::nearest_name(key_of_joint(key), views));
+}
+
+}  // namespace
+
+const Field* field_of(std::string_view key) {
+    if (const Field* field = find_field(key)) return field;
+    const std::optional<JointKey> named = joint_key(key);
+    const Field* field = named ? find_field(named->key) : nullptr;
+    return field != nullptr && is_of_joint(*field) ? field : nullptr;
+}
+
+std::string key_called(std::string_view name) {
+    const std::optional<JointKey> named = joint_key(name);
+    if (!named) return key_of(field_named(name));
+    const std::vector<const Field*> called = joint_fields_called(*named);
+    if (called.size() == 1) return key_of_joint(*called.front(), named->joint);
+    const std::string near = unknown_of_joint(*named);
+    throw Error(ErrorKind::input, {visible_in_quotes(name) + " is no key of a joint", "",
+                                   near.empty() ? "" : "Did you mean " + near + "?"});
+}
+
+std::string quantity_key_called(std::string_view name) {
+    std::string key = key_called(name);
+    if (std::holds_alternative<Quantity>(field_of(key)->kind)) return key;
+    throw Error(ErrorKind::input,
+                {visible_in_quotes(name) + " is no quantity", "it has names or text instead of numbers", ""});
+}
+
+void expect_joint_of(const Case& c, std::string_view key) {
+    const std::optional<JointKey> named = joint_key(key);
+    if (!named) return;
+    const std::vector<std::string> names = joint_names(c);
+    if (std::find(names.begin(), names.end(), named->joint) != names.end()) return;
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const std::string_view near = base::nearest_name(named->joint, views);
+    throw Error(ErrorKind::input, {"there is no joint " + visible_in_quotes(named->joint),
+                                   names.size() == 1 ? "this case has one joint" : "",
+                                   names.size() == 1 ? "Write " + named->key + "."
+                                   : near.empty()    ? "The joints are " + base::listed(names) + "."
+                                                     : "Did you mean joint." + std::string(near) + "?"});
+}
+
+std::vector<std::string> single_keys(const Case& c, std::string_view key) {
+    const Field& field = expected_field(key);
+    if (!is_of_joint(field) || c.further_joints.empty()) return {key_of(field)};
+    std::vector<std::string> keys;
+    for (const std::size_t joint : joints_of(c, key))
+        keys.push_back(key_of_joint(field, joint_name(c, joint)));
+    return keys;
+}
+
+bool overlap(const Case& c, std::string_view a, std::string_view b) {
+    const std::vector<std::string> of_a = single_keys(c, a);
+    const std::vector<std::string> of_b = single_keys(c, b);
+    return std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end();
+}
+
+std::vector<std::string> keys_of(const Case& c) {
+    const bool has_several = !c.further_joints.empty();
+    std::vector<std::string> keys;
+    for (std::size_t joint = 0; has_several && joint < joint_count(c); ++joint)
+        for (const Field& field : fields())
+            if (is_of_joint(field) && asked_of(c, joint, field.belongs))
+                keys.push_back(key_of_joint(field, joint_name(c, joint)));
+    for (const Field& field : fields())
+        if (field.belongs(c) && !(has_several && is_of_joint(field))) keys.push_back(key_of(field));
+    return keys;
+}
+
+std::vector<std::string> quantity_keys(const Case& c) {
+    std::vector<std::string> keys = keys_of(c);
+    std::erase_if(keys, [](const std::string& key) { return !std::holds_alternative<Quantity>(field_of(key)->kind); });
+    return keys;
+}
+
+bool belongs(const Case& c, std::string_view key) {
+    const Field& field = expected_field(key);
+    const std::vector<std::size_t> joints = joints_of(c, key);
+    return std::any_of(joints.begin(), joints.end(),
+                       [&](std::size_t joint) { return asked_of(c, joint, field.belongs); });
+}
+
+double get_quantity(const Case& c, std::string_view key) {
+    const Field& field = expected_field(key);
+    return asked_of(c, joints_of(c, key).front(), [&](const Case& of) { return get_quantity(of, field); });
+}
+
+namespace {
+
+// the values of each joint that the key is about, as texts
+std::vector<std::string> value_texts_of(const Case& c, std::string_view key) {
+    const Field& field = expected_field(key);
+    std::vector<std::string> texts;
+    for (const std::size_t joint : joints_of(c, key))
+        texts.push_back(asked_of(c, joint, [&](const Case& of) { return value_text(of, field); }));
+    return texts;
+}
+
+bool are_alike(const std::vector<std::string>& texts) {
+    return std::all_of(texts.begin(), texts.end(), [&](const std::string& text) { return text == texts.front(); });
+}
+
+}  // namespace
+
+bool has_one_value(const Case& c, std::string_view key) {
+    return are_alike(value_texts_of(c, key));
+}
+
+void set_quantity(Case& c, std::string_view key, double value) {
+    const Field& field = expected_field(key);
+    for (const std::size_t joint : joints_of(c, key)) {
+        const InFirstPlace first(c, joint);
+        try {
+            set_quantity(c, field, value);
+        } catch (const Error& error) {
+            base::Problem problem = error.problem();
+            if (problem.what.starts_with(key_of(field)))
+                problem.what.replace(0, key_of(field).size(), std::string(key));
+            throw Error(error.kind(), std::move(problem));
+        }
+    }
+}
+
+Range range_of(const Case& c, std::string_view key) {
+    return range_of(c, expected_field(key));
+}
+
+std::string value_text(const Case& c, std::string_view key) {
+    const std::vector<std::string> texts = value_texts_of(c, key);
+    return are_alike(texts) ? texts.front() : base::listed(texts);
+}
+
+}  // namespace stridor::parameters
