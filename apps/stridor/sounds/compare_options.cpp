@@ -42,7 +42,7 @@ void add_motion_options(CLI::App& command, MotionOptions& options) {
 sound::Pickup pickup_of(const MotionOptions& options) {
     const signal::MotionQuantity quantity =
         options.quantity == "velocity" ? signal::MotionQuantity::velocity : signal::MotionQuantity::acceleration;
-    return {options.of == "joint" ? 0U : 2U, quantity};
+    return {options.of == "joint" ? 0U : sound::last_dof, quantity};
 }
 
 void add_compare_options(CLI::App& command, CompareOptions& options) {

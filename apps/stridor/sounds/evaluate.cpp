@@ -39,7 +39,7 @@ hearing::HearingOptions hearing_options(const EvaluateOptions& options) {
     hearing::HearingOptions hearing;
     hearing.perturb_every = options.perturb_every;
     hearing.threads = options.threads;
-    if (options.of == "plate") hearing.settings.sound.pickup.dof = 2;
+    if (options.of == "plate") hearing.settings.sound.pickup.dof = sound::last_dof;
     for (const std::string& assignment : options.assignments)
         if (parameters::is_sound_threshold(assignment))
             parameters::set_sound_threshold(hearing.settings.thresholds, assignment);

@@ -85,8 +85,10 @@ void add_listen(CLI::App& program) {
         ->check(one_of({"going", "coming"}));
     command->add_flag("--judged", options->texts.is_judged, "only the steady part the verdict is made from");
     add_output_file(*command, options->out, "write FILE.wav instead of playing");
-    command->add_option("--of", options->texts.of, "whose motion")
-        ->check(one_of({"joint", "plate"}))
+    command
+        ->add_option("--of", options->texts.of,
+                     "whose motion: joint (of several the first), plate, or the name of one of several joints")
+        ->type_name("joint|plate|NAME")
         ->capture_default_str();
     command->add_option("--quantity", options->texts.quantity, "what of it")
         ->check(one_of({"velocity", "acceleration"}))

@@ -45,7 +45,7 @@ Listening listening_in(const World& world, const Json& body) {
     sound::AuralisationSettings& settings = listening.settings;
     if (of != "joint" && of != "plate") throw none_of("joint, plate", of);
     if (quantity != "velocity" && quantity != "acceleration") throw none_of("velocity, acceleration", quantity);
-    settings.pickup.dof = of == "joint" ? 0 : 2;  // along the plate, or across it
+    settings.pickup.dof = of == "joint" ? 0 : sound::last_dof;  // along the plate, or across it
     settings.pickup.quantity =
         quantity == "velocity" ? signal::MotionQuantity::velocity : signal::MotionQuantity::acceleration;
     settings.rate = number_between(body, "rate", 8000.0, 96000.0, settings.rate);

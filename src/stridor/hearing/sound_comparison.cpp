@@ -189,8 +189,9 @@ bool is_resampled(const NamedSound& sound, double rate) {
 
 std::string motion_words(const sound::Pickup& pickup) {
     const bool is_velocity = pickup.quantity == signal::MotionQuantity::velocity;
-    return std::string(pickup.dof < 2 ? "joint " : "plate ") + (is_velocity ? "velocity" : "acceleration") + " along " +
-           (pickup.dof == 0 ? "x" : "y");
+    const bool is_plate = pickup.dof == sound::last_dof;
+    return std::string(is_plate ? "plate " : "joint ") + (is_velocity ? "velocity" : "acceleration") + " along " +
+           (!is_plate && pickup.dof % 2 == 0 ? "x" : "y");
 }
 
 ComparedSound compared(const NamedSound& named, const ComparisonSettings& settings, const std::stop_token& stop) {

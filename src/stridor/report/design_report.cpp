@@ -4,7 +4,7 @@
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/picture.hpp"
 #include "stridor/io/case/toml_writer.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/pictures/category_colours.hpp"
 #include "stridor/pictures/design_mark.hpp"
 #include "stridor/pictures/noise_chart.hpp"
@@ -185,10 +185,12 @@ std::vector<Section> advice_sections(const advice::Advice& advice) {
 Section parameter_section(const parameters::Case& c) {
     Section section{"Parameters"};
     section.table.columns = {"key", "symbol", "value", "meaning"};
-    for (const parameters::Field& field : parameters::fields())
-        if (field.belongs(c) && !field.section.empty())
-            section.table.rows.push_back({parameters::key_of(field), std::string(field.symbol),
-                                          parameters::value_text(c, field), std::string(field.sentence)});
+    for (const std::string& key : parameters::keys_of(c)) {
+        const parameters::Field& field = *parameters::field_of(key);
+        if (field.section.empty()) continue;
+        section.table.rows.push_back(
+            {key, std::string(field.symbol), parameters::value_text(c, key), std::string(field.sentence)});
+    }
     return section;
 }
 
@@ -220,8 +222,11 @@ Report design_report(const DesignResults& results) {
     for (const Verdict& verdict : results.verdicts)
         report.lead.push_back(plain_words(verdict));
     report.sketch = sketch_svg(results.design);
+    const bool has_several = !results.design.further_joints.empty();
     report.sketch_caption =
-        "The model: a joint, pressed on a plate that moves under it, held at an angle by springs and dampers.";
+        has_several
+            ? "The model: joints, pressed on one plate that moves under them, held at angles by springs and dampers."
+            : "The model: a joint, pressed on a plate that moves under it, held at an angle by springs and dampers.";
     report.sections.push_back(verdict_section(results));
     if (!results.sounds.empty())
         report.sections.push_back(sound_section(results.sounds));
@@ -242,10 +247,12 @@ Report design_report(const DesignResults& results) {
     file.file = {"case.toml", io::case_toml(results.design, {io::Comments::none, {}})};
     report.sections.push_back(std::move(file));
     report.sections.push_back(origin_section(results));
-    report.foot =
-        "A category names a pattern of vibration of a small model (one joint, one plate, one point of contact), not a "
-        "sound pressure in a car. What the model does not hold, such as wear, temperature, several contacts and the "
-        "radiation of sound, is not in this verdict either.";
+    report.foot = std::string("A category names a pattern of vibration of a small model (") +
+                  (has_several ? "joints on one plate, one point of contact each"
+                               : "one joint, one plate, one point of contact") +
+                  "), not a sound pressure in a car. What the model does not hold, such as wear, temperature, " +
+                  (has_several ? "" : "several contacts ") +
+                  "and the radiation of sound, is not in this verdict either.";
     return report;
 }
 

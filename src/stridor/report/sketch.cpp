@@ -1,5 +1,8 @@
 #include "stridor/report/sketch.hpp"
 
+#include "stridor/base/escapes.hpp"
+#include "stridor/parameters/joints.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -195,17 +198,19 @@ std::string incidence_name(double angle, Crowd& crowd) {
     return sign(crowd.place(candidates, letter_length), "α");
 }
 
-std::string plate(const parameters::Case& c) {
+// under all joints, so much longer than under one
+std::string plate(const parameters::Case& c, double longer) {
     std::string text =
-        fmt::format("<rect x=\"20\" y=\"{}\" width=\"300\" height=\"{}\" fill=\"currentColor\" fill-opacity=\"0.08\"/>",
-                    contact.y, thickness);
+        fmt::format("<rect x=\"20\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"currentColor\" fill-opacity=\"0.08\"/>",
+                    contact.y, 300.0 + longer, thickness);
     text += support({contact.x, contact.y + thickness}, {contact.x, height - 12.0});
     text += sign({contact.x + 18, contact.y + 48}, "k", "2y") + sign({contact.x - 36, contact.y + 48}, "c", "2y");
     text += sign({28, contact.y + 14}, "m", "2");
-    text += arrow({262, contact.y + 36}, {312, contact.y + 36});
+    const double right = 262 + longer;
+    text += arrow({right, contact.y + 36}, {right + 50, contact.y + 36});
     const bool is_constant = parameters::is_steady(c.drive);
     text +=
-        sign({262, contact.y + 54}, "V", "", is_constant ? fmt::format("{:g} m/s", std::abs(c.drive.velocity)) : "");
+        sign({right, contact.y + 54}, "V", "", is_constant ? fmt::format("{:g} m/s", std::abs(c.drive.velocity)) : "");
     return text;
 }
 
@@ -268,14 +273,36 @@ std::string joint_part(const parameters::Case& c) {
 
 }  // namespace
 
+namespace {
+
+// one of several joints in its place, with its name above its values
+std::string joint_in_place(const parameters::Case& c, std::size_t joint) {
+    const parameters::Case only = parameters::alone(c, joint);
+    const std::string name = fmt::format("<text x=\"20\" y=\"{:.1f}\" font-weight=\"bold\">{}</text>", contact.y + 34,
+                                         base::markup_text(parameters::joint_name(c, joint)));
+    return fmt::format("<g transform=\"translate({:.1f} 0)\">", static_cast<double>(joint) * width) + joint_part(only) +
+           name + values(only) + "</g>";
+}
+
+std::string joints_in_place(const parameters::Case& c) {
+    if (c.further_joints.empty()) return joint_part(c) + values(c);
+    std::string text;
+    for (std::size_t joint = 0; joint < parameters::joint_count(c); ++joint)
+        text += joint_in_place(c, joint);
+    return text;
+}
+
+}  // namespace
+
 std::string sketch_svg(const parameters::Case& c) {
+    const double longer = static_cast<double>(parameters::joint_count(c) - 1) * width;
     return fmt::format(
                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" fill=\"none\" stroke=\"currentColor\" "
                "stroke-width=\"1.2\" stroke-linecap=\"round\" stroke-linejoin=\"round\">"
                "<style>.stridor-sketch text{{fill:currentColor;stroke:none;font:13px serif}}</style>"
                "<g class=\"stridor-sketch\">",
-               width, height) +
-           plate(c) + joint_part(c) + values(c) + "</g></svg>";
+               width + longer, height) +
+           plate(c, longer) + joints_in_place(c) + "</g></svg>";
 }
 
 }  // namespace stridor::report

@@ -80,8 +80,8 @@ std::vector<double> Auralisation::add(const record::Trace& trace) {
         limiter_.emplace(interval, settings_.rate, settings_.pickup.quantity);
         first_ = trace.time.front();
     }
-    const std::size_t dof = settings_.pickup.dof;
-    STRIDOR_EXPECT(dof < trace.displacement.size());
+    const std::size_t dof = std::min(settings_.pickup.dof, trace.displacement.size() - 1);
+    STRIDOR_EXPECT(settings_.pickup.dof == last_dof || settings_.pickup.dof == dof);
     return heard(limiter_->push({trace.displacement[dof], trace.velocity[dof], trace.acceleration[dof]}));
 }
 

@@ -14,9 +14,12 @@
 
 namespace stridor::sound {
 
+/// The last degree of freedom, however many there are: of the rubbing system the plate's.
+inline constexpr std::size_t last_dof = static_cast<std::size_t>(-1);
+
 /// Where and how a motion is listened to.
 struct Pickup {
-    std::size_t dof = 0;  // [1] degree of freedom; the rubbing system's are x1, y1, y2
+    std::size_t dof = 0;  // [1] degree of freedom: x and y of each joint in turn, then the plate's; or `last_dof`
     signal::MotionQuantity quantity = signal::MotionQuantity::velocity;
 };
 

@@ -1,5 +1,7 @@
 #include "stridor/report/sketch.hpp"
 
+#include "stridor/parameters/joints.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -66,6 +68,12 @@ TEST(Sketch, KeepsItsLabelsApartAtEveryAngle) {
                     << angle << " degrees: labels " << k << " and " << i;
         }
     }
+}
+
+TEST(Sketch, OfSeveralJointsHasEachInAPlaceOfItsOwn) {
+    const std::string svg = sketch_svg(parameters::two_lips());
+    for (const char* text : {"viewBox=\"0 0 680 250\"", ">upper<", ">lower<", "70°", "60°", "translate(340.0 0)"})
+        EXPECT_NE(svg.find(text), std::string::npos) << text;
 }
 
 }  // namespace

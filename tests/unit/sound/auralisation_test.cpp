@@ -6,6 +6,7 @@
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/mass_on_belt.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/belt_run.hpp"
 
@@ -182,6 +183,17 @@ TEST(Auralisation, CutsTheStretchesOfADirection) {
     EXPECT_NEAR(whole, 0.5, 1e-12);
     for (const Stretch& stretch : judged)
         EXPECT_NEAR(stretch.to - stretch.from, 0.1 * (1.0 - c.verdict.settling - c.verdict.reversal), 1e-12);
+}
+
+TEST(Auralisation, OfTheLastDegreeOfFreedomIsThatOfThePlate) {
+    parameters::Case c = parameters::two_lips();
+    c.run.duration = c.run.window = 0.01;
+    const record::Trace trace = trace_of(c, 1.0 / (rate * trace_density));
+    ASSERT_EQ(trace.displacement.size(), 5U);
+    const AuralisationSettings plate{{last_dof}, rate, 0.0, 0.0, {}};
+    const AuralisationSettings fifth{{4}, rate, 0.0, 0.0, {}};
+    EXPECT_EQ(auralise(trace, plate).samples, auralise(trace, fifth).samples);
+    EXPECT_GT(peak(auralise(trace, plate).samples), 0.0);
 }
 
 }  // namespace

@@ -4,9 +4,15 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/noise_library/entry_filler.hpp"
+#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/joints.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace stridor::io {
 
@@ -33,10 +39,17 @@ bool is_simulated(const Metadata& metadata) {
     return value_of(metadata, "origin") == "simulation" || value_of(metadata, "schema") == "stridor.trace/1";
 }
 
-// a trace tells each key of its case as a line
+// a trace tells each key of its case as a line; of several joints each begins with its name
 std::string case_of_trace(const Metadata& metadata) {
     TomlSource source{"", "the trace", {}};
+    std::vector<std::string> joints;
     for (const auto& [key, value] : metadata) {
+        const std::optional<parameters::JointKey> of_joint = parameters::joint_key(key);
+        const bool is_name = of_joint && parameters::names_a_joint(of_joint->joint);
+        if (is_name && std::find(joints.begin(), joints.end(), of_joint->joint) == joints.end()) {
+            joints.push_back(of_joint->joint);
+            source.text += "[[joint]]\nname = \"" + of_joint->joint + "\"\n";
+        }
         if (key.find('.') != std::string::npos) source.overrides.push_back(key + "=" + value);
         if (key == "title") source.overrides.push_back("title=" + value);
     }
@@ -57,7 +70,8 @@ void take_case(Entry& entry, const Notes& note) {
         return;
     }
     noise_library::EntryFiller filler(entry);
-    filler.take("preload", c.contact.preload);
+    // of several joints that differ there is no one preload
+    if (parameters::has_one_value(c, "contact.preload")) filler.take("preload", c.contact.preload);
     filler.take("velocity", noise_library::peak_velocity(c.drive));
     filler.take("velocity_profile", noise_library::profile_of(c.drive));
     for (const std::string& sentence : filler.notes(entry.file + " is a simulation; its case"))

@@ -2,12 +2,14 @@
 
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/escapes.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/chart/toml_study.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/cell_choice.hpp"
 
@@ -68,16 +70,31 @@ ListeningChoice chosen_cell(const ListeningTexts& texts, TomlSource source) {
 
 // --- what of it
 
-sound::Pickup pickup_in(const ListeningTexts& texts) {
-    const bool is_joint = texts.of == "joint";
-    const std::string component = texts.component.empty() ? (is_joint ? "x" : "y") : texts.component;
-    if (!is_joint && component == "x")
+// the number of the joint that is heard; nothing for the plate
+std::optional<std::size_t> joint_in(const ListeningTexts& texts, const parameters::Case& c) {
+    if (texts.of == "plate") return std::nullopt;
+    if (texts.of == "joint") return 0;
+    std::vector<std::string> names;
+    for (std::size_t joint = 0; joint < parameters::joint_count(c); ++joint) {
+        names.push_back(parameters::joint_name(c, joint));
+        if (names.back() == texts.of) return joint;
+    }
+    const bool has_several = names.size() > 1;
+    base::refuse(
+        "--of \"" + base::visible(texts.of) + "\" is nothing that moves in this case", "",
+        has_several ? "Listen to joint (the first), plate, " + base::listed(names) + "." : "Listen to joint or plate.");
+}
+
+sound::Pickup pickup_in(const ListeningTexts& texts, const parameters::Case& c) {
+    const std::optional<std::size_t> joint = joint_in(texts, c);
+    const std::string component = texts.component.empty() ? (joint ? "x" : "y") : texts.component;
+    if (!joint && component == "x")
         base::refuse("the plate's motion along x is imposed", "it is the drive, without any vibration",
                      "Listen to --component y of the plate, or to the joint.");
     const MotionQuantity quantity =
         texts.quantity == "velocity" ? MotionQuantity::velocity : MotionQuantity::acceleration;
-    if (!is_joint) return {2, quantity};
-    return {component == "x" ? 0U : 1U, quantity};
+    if (!joint) return {sound::last_dof, quantity};
+    return {2 * *joint + (component == "x" ? 0U : 1U), quantity};
 }
 
 // the part of the motion that is heard; all of it if no direction is named
@@ -116,7 +133,7 @@ ListeningChoice chosen_case(ListeningTexts& texts, TomlSource source) {
 
 sound::AuralisationSettings listening_settings(const ListeningTexts& texts, const parameters::Case& c) {
     sound::AuralisationSettings settings;
-    settings.pickup = pickup_in(texts);
+    settings.pickup = pickup_in(texts, c);
     settings.rate = base::parse_quantity(texts.rate, "Hz");
     settings.high_pass = base::parse_quantity(texts.high_pass, "Hz");
     settings.fade = base::parse_quantity(texts.fade, "s");
@@ -160,8 +177,9 @@ SoundInfo sound_info(const ListeningTexts& texts, const ListeningChoice& choice,
                      const sound::AuralisationSettings& settings, const hearing::RenderedSound& sound) {
     SoundInfo info;
     info.cell = choice.cell;
-    info.of = texts.of;
-    info.component = settings.pickup.dof == 0 ? "x" : "y";
+    const std::optional<std::size_t> joint = joint_in(texts, choice.c);
+    info.of = joint ? parameters::joint_name(choice.c, *joint) : texts.of;
+    info.component = joint && settings.pickup.dof % 2 == 0 ? "x" : "y";
     info.quantity = texts.quantity;
     info.direction = texts.direction.empty() ? "whole" : texts.direction;
     info.part = texts.is_judged ? "judged" : "all";

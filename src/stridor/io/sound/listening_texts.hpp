@@ -14,10 +14,10 @@ namespace stridor::io {
 
 /// The texts of `stridor listen`; quantities carry their units.
 struct ListeningTexts {
-    std::string cell{};       // "x=20 N,y=0.6"; empty: the case itself
-    std::string direction{};  // "going", "coming"; empty: the whole motion
-    bool is_judged = false;   // only the steady part the verdict is made from
-    std::string of = "joint";
+    std::string cell{};        // "x=20 N,y=0.6"; empty: the case itself
+    std::string direction{};   // "going", "coming"; empty: the whole motion
+    bool is_judged = false;    // only the steady part the verdict is made from
+    std::string of = "joint";  // "joint", of several the first; "plate"; or the name of one of several joints
     std::string quantity = "velocity";
     std::string component{};  // empty: x of the joint, y of the plate
     std::string rate = "48000 Hz";
