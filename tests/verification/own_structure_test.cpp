@@ -28,7 +28,7 @@ using integration::Motion;
 
 parameters::Case read_ready(const std::string& name, std::vector<std::string> overrides) {
     return io::read_case(io::TomlSource{io::ready_file(name), name, std::move(overrides)},
-                         io::JointsTaken::or_structure);
+                         io::SystemsTaken::or_structure);
 }
 
 Motion run_with_history(const parameters::Case& c) {
@@ -69,7 +69,7 @@ TEST(OwnStructure, ChainOfUnequalStartHasTheEventsOfRungeKutta) {
     std::string text = io::ready_file("chain");
     text.insert(text.find("\n[contact]"), "initial_displacement = [0.3, 0, 0, 0]\n");
     const Motion motion = run_with_history(io::read_case(
-        io::TomlSource{text, "chain", {"run.duration=40", "run.window=39"}}, io::JointsTaken::or_structure));
+        io::TomlSource{text, "chain", {"run.duration=40", "run.window=39"}}, io::SystemsTaken::or_structure));
     expect_times(motion.record.histories[0],
                  {2.066157008309, 8.792909821550, 13.115476994928, 22.12023972075, 25.45689449152, 35.42627773191},
                  1e-10);
@@ -155,7 +155,7 @@ std::string strip_case(const Strip& strip, const support::ScratchFolder& folder)
 TEST(OwnStructure, StripOfRubberHasTheMeanSharesOfThePrototype) {
     const Strip strip = read_strip();
     const support::ScratchFolder folder;
-    const parameters::Case c = io::read_case(strip_case(strip, folder), {}, io::JointsTaken::or_structure);
+    const parameters::Case c = io::read_case(strip_case(strip, folder), {}, io::SystemsTaken::or_structure);
     ASSERT_EQ(c.own_structure->contacts.size(), 5U);
     EXPECT_FALSE(parameters::is_preloaded(*c.own_structure));
     const Motion motion = integration::simulate(c);

@@ -3,9 +3,11 @@
 #include "designs/chart_run.hpp"
 #include "interrupt.hpp"
 #include "sounds/compare.hpp"
+#include "stridor/base/error.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/pictures/contact_states.hpp"
 #include "stridor/pictures/friction_law.hpp"
@@ -109,7 +111,13 @@ CLI::App* add_one(CLI::App& figure, const char* name, const char* description,
 }
 
 void draw_law(const OneFigureOptions& options) {
-    pictures::draw(pictures::friction_law(load_case(options.input).contact), options.output);
+    const Case c = load_case(options.input);
+    for (const char* key : {"contact.friction", "contact.static_friction", "contact.kinetic_friction",
+                            "contact.static_friction_coming", "contact.kinetic_friction_coming"})
+        if (!parameters::has_one_value(c, key))
+            base::refuse("the joints differ: " + std::string(key) + " = " + parameters::value_text(c, key),
+                         "this is the picture of one law of friction", "");
+    pictures::draw(pictures::friction_law(c.contact), options.output);
 }
 
 void draw_states(const OneFigureOptions& options) {

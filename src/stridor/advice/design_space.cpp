@@ -4,8 +4,8 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/check.hpp"
-#include "stridor/parameters/field_name.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
@@ -18,20 +18,10 @@ namespace {
 
 using base::shortest;
 using parameters::Case;
-using parameters::Field;
 using parameters::Quantity;
 
 double octaves(const DesignParameter& parameter) {
     return base::logarithm_2(parameter.to / parameter.from);
-}
-
-std::vector<const Field*> quantities_of(const Case& c) {
-    std::vector<const Field*> found;
-    for (const Field& field : parameters::fields())
-        if (std::holds_alternative<Quantity>(field.kind) && field.belongs(c) &&
-            parameters::temperature_column(c, parameters::key_of(field)) == nullptr)
-            found.push_back(&field);
-    return found;
 }
 
 // wide enough for the case's own value
@@ -49,16 +39,20 @@ DesignParameter widened(DesignParameter parameter, double value) {
     return parameter;
 }
 
-void check_end(const Case& c, const Field& field, double value) {
+const Quantity& quantity_of(std::string_view key) {
+    return std::get<Quantity>(parameters::field_of(key)->kind);
+}
+
+void check_end(const Case& c, const std::string& key, double value) {
     Case probe = c;
-    parameters::set_quantity(probe, field, value);
+    parameters::set_quantity(probe, key, value);
 }
 
 DesignParameter parameter_for(const Case& c, const AskedRange& asked) {
-    const Field& field = quantity_named(c, asked.name);
-    const auto& quantity = std::get<Quantity>(field.kind);
-    const std::string key = parameters::key_of(field);
-    const double value = parameters::get_quantity(c, field);
+    const std::string key = quantity_key_called(c, asked.name);
+    expect_one_value(c, key);
+    const Quantity& quantity = quantity_of(key);
+    const double value = parameters::get_quantity(c, key);
     DesignParameter parameter{key, 0.0, 0.0, quantity.usual ? quantity.usual->scale : sweep::Scale::linear};
     if (quantity.usual)
         parameter = widened({key, quantity.usual->from, quantity.usual->to, quantity.usual->scale}, value);
@@ -68,8 +62,8 @@ DesignParameter parameter_for(const Case& c, const AskedRange& asked) {
     if (!asked.from && !asked.to) return parameter;
     parameter.from = asked.from.value_or(parameter.from);
     parameter.to = asked.to.value_or(parameter.to);
-    check_end(c, field, parameter.from);
-    check_end(c, field, parameter.to);
+    check_end(c, key, parameter.from);
+    check_end(c, key, parameter.to);
     if (!(parameter.from < parameter.to))
         base::refuse(key + " from " + shortest(parameter.from) + " to " + shortest(parameter.to) + " is no range",
                      "its first end has to be below its second", parameter.from > parameter.to ? "Swap them?" : "");
@@ -78,8 +72,11 @@ DesignParameter parameter_for(const Case& c, const AskedRange& asked) {
 
 std::vector<AskedRange> usual_ranges(const Case& c) {
     std::vector<AskedRange> ranges;
-    for (const Field* field : quantities_of(c))
-        if (std::get<Quantity>(field->kind).usual) ranges.push_back({parameters::key_of(*field)});
+    for (const std::string& key : parameters::quantity_keys(c)) {
+        const bool follows =
+            parameters::temperature_column(c, parameters::key_of(*parameters::field_of(key))) != nullptr;
+        if (quantity_of(key).usual && !follows) ranges.push_back({key});
+    }
     return ranges;
 }
 
@@ -104,16 +101,24 @@ double share_of(const DesignParameter& parameter, double value) {
     return std::clamp(share, 0.0, 1.0);
 }
 
-const Field& quantity_named(const Case& c, std::string_view name) {
-    const Field& field = parameters::quantity_named(name);
-    if (!field.belongs(c))
+std::string quantity_key_called(const Case& c, std::string_view name) {
+    std::string key = parameters::quantity_key_called(name);
+    parameters::expect_joint_of(c, key);
+    if (!parameters::belongs(c, key))
         base::refuse("\"" + std::string(name) + "\" changes nothing",
                      "this case, with its kind of drive and start, does not use it",
                      "`stridor check FILE` lists what it uses.");
-    if (parameters::temperature_column(c, parameters::key_of(field)) != nullptr)
-        base::refuse(parameters::key_of(field) + " cannot be set", "it follows the temperature by a table",
+    if (parameters::temperature_column(c, parameters::key_of(*parameters::field_of(key))) != nullptr)
+        base::refuse(key + " cannot be set", "it follows the temperature by a table",
                      "Vary temperature instead, or take it out of [temperature].");
-    return field;
+    return key;
+}
+
+void expect_one_value(const Case& c, std::string_view key) {
+    if (parameters::has_one_value(c, key)) return;
+    const std::vector<std::string> keys = parameters::single_keys(c, key);
+    base::refuse(std::string(key) + " is not the same for all joints: " + parameters::value_text(c, key),
+                 "a design has one value of it, from which it is changed", "Name a joint: " + base::listed(keys) + ".");
 }
 
 DesignSpace design_space(const Case& c, std::span<const AskedRange> asked) {
@@ -124,11 +129,11 @@ DesignSpace design_space(const Case& c, std::span<const AskedRange> asked) {
     for (const AskedRange& range : asked.empty() ? std::span<const AskedRange>(usual) : asked) {
         DesignParameter parameter = parameter_for(c, range);
         for (const DesignParameter& other : space.parameters)
-            if (other.key == parameter.key)
+            if (parameters::overlap(c, other.key, parameter.key))
                 base::refuse(parameter.key + " is asked for twice", "each parameter has one range", "");
-        const Field& field = *parameters::find_field(parameter.key);
-        space.origin.push_back(share_of(parameter, parameters::get_quantity(c, field)));
-        if (!asked.empty() || field.section != "drive") space.free.push_back(space.parameters.size());
+        space.origin.push_back(share_of(parameter, parameters::get_quantity(c, parameter.key)));
+        if (!asked.empty() || parameters::field_of(parameter.key)->section != "drive")
+            space.free.push_back(space.parameters.size());
         space.parameters.push_back(std::move(parameter));
     }
     return space;
@@ -139,8 +144,7 @@ Case design_at(const DesignSpace& space, const Shares& shares) {
     Case c = space.base;
     for (std::size_t k = 0; k < shares.size(); ++k)
         if (shares[k] != space.origin[k])
-            parameters::set_quantity(c, *parameters::find_field(space.parameters[k].key),
-                                     value_at(space.parameters[k], shares[k]));
+            parameters::set_quantity(c, space.parameters[k].key, value_at(space.parameters[k], shares[k]));
     return c;
 }
 

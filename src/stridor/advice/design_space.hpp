@@ -48,17 +48,22 @@ struct DesignSpace {
 
 /// A range that a user asks for by name; without ends the usual one.
 struct AskedRange {
-    std::string name;  // in any spelling of `quantity_named`
+    std::string name;  // in any spelling of `quantity_key_called`
     std::optional<double> from{};
     std::optional<double> to{};
 };
 
-/// `parameters::quantity_named`, which also throws `Error` (input) if the field changes nothing in this case.
-const parameters::Field& quantity_named(const parameters::Case& c, std::string_view name);
+/// `parameters::quantity_key_called`, which also throws `Error` (input) if the quantity changes nothing in this case,
+/// or is of a joint that it does not have.
+std::string quantity_key_called(const parameters::Case& c, std::string_view name);
+
+/// Throws `Error` (input) for a key of all joints in which they differ: the design has no one value of it.
+void expect_one_value(const parameters::Case& c, std::string_view key);
 
 /// The space of the ranges asked for, all of them free, or, if there are none, of all quantities that have a usual
-/// range and belong to the case. Of these the drive is not free: a product has to bear how it is moved, so its margins
-/// are of interest, but advice to move it otherwise is not. A range is widened to hold the case's own value.
+/// range and belong to the case, each of several joints with its own. Of these the drive is not free: a product has to
+/// bear how it is moved, so its margins are of interest, but advice to move it otherwise is not. A range is widened to
+/// hold the case's own value.
 ///
 /// Throws `Error` (input) for a name that is none or comes twice, for ends out of the field's range or order, for a
 /// quantity without a usual range whose ends are not given, and for a case with `parameters::findings`.

@@ -2,6 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/check.hpp"
 
 #include <algorithm>
@@ -151,7 +152,7 @@ std::vector<ParameterMargin> scans(const DesignSpace& space, const DesignVerdict
         const DesignParameter& parameter = space.parameters[k];
         ParameterMargin& margin = margins[k];
         margin.parameter = k;
-        margin.value = parameters::get_quantity(space.base, *parameters::find_field(parameter.key));
+        margin.value = parameters::get_quantity(space.base, parameter.key);
         margin.below.last = value_at(parameter, tracks[k].below.share);
         margin.below.end = tracks[k].below.end;
         margin.below.reason = tracks[k].below.reason;

@@ -1,6 +1,7 @@
 #include "stridor/advice/quieting.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/parameters/case_key.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,17 +36,13 @@ constexpr std::size_t polished_combinations = 3;
 // so many of the designs found first are polished: the nearest one need not lead to the nearest one
 constexpr std::size_t polished_starts = 5;
 
-const parameters::Field& field_of(const DesignSpace& space, std::size_t parameter) {
-    return *parameters::find_field(space.parameters[parameter].key);
-}
-
 // a new value for one parameter, `share` or a little further away from the present one
 ParameterChange rounded(const DesignSpace& space, std::size_t parameter, double share, double room) {
     const DesignParameter& range = space.parameters[parameter];
     const double outwards = share > space.origin[parameter] ? 1.0 : -1.0;
     const double near = value_at(range, share);
     const double far = value_at(range, std::clamp(share + outwards * room, 0.0, 1.0));
-    return {parameter, parameters::get_quantity(space.base, field_of(space, parameter)), roundest(near, far)};
+    return {parameter, parameters::get_quantity(space.base, range.key), roundest(near, far)};
 }
 
 DesignChange change_of(const DesignSpace& space, std::vector<ParameterChange> set) {
@@ -61,7 +58,7 @@ DesignChange change_of(const DesignSpace& space, std::vector<ParameterChange> se
 double neighbour(const DesignSpace& space, const ParameterChange& change, int steps) {
     const DesignParameter& range = space.parameters[change.parameter];
     const double size = change.to != 0.0 ? std::abs(change.to) : range.to - range.from;
-    const parameters::Range allowed = parameters::range_of(space.base, field_of(space, change.parameter));
+    const parameters::Range allowed = parameters::range_of(space.base, range.key);
     return std::clamp(change.to + steps * neighbourhood * size, allowed.low, allowed.high);
 }
 
@@ -72,7 +69,7 @@ std::vector<Case> around(const DesignSpace& space, const DesignChange& change) {
         std::vector<Case> more;
         for (const int steps : {0, -1, 1})
             for (Case c : cases) {
-                parameters::set_quantity(c, field_of(space, each.parameter), neighbour(space, each, steps));
+                parameters::set_quantity(c, space.parameters[each.parameter].key, neighbour(space, each, steps));
                 more.push_back(std::move(c));
             }
         cases = std::move(more);

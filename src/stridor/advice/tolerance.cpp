@@ -5,6 +5,7 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/case_key.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -113,9 +114,9 @@ double normal_quantile(double p) {
 }
 
 Tolerance tolerance_for(const Case& c, const AskedTolerance& asked) {
-    const parameters::Field& field = quantity_named(c, asked.name);
-    const std::string key = parameters::key_of(field);
-    const double value = parameters::get_quantity(c, field);
+    const std::string key = quantity_key_called(c, asked.name);
+    expect_one_value(c, key);
+    const double value = parameters::get_quantity(c, key);
     STRIDOR_EXPECT(asked.relative.has_value() != asked.absolute.has_value());
     const double amount = asked.relative ? *asked.relative * std::abs(value) : *asked.absolute;
     if (!(amount > 0.0) || !std::isfinite(amount))
@@ -125,7 +126,7 @@ Tolerance tolerance_for(const Case& c, const AskedTolerance& asked) {
     for (const double end : {value - amount, value + amount}) {
         Case probe = c;
         try {
-            parameters::set_quantity(probe, field, end);
+            parameters::set_quantity(probe, key, end);
         } catch (const Error& error) {
             base::refuse("the tolerance of " + key + " reaches " + shortest(end), error.problem().why,
                          "Make it smaller.");
@@ -137,7 +138,7 @@ Tolerance tolerance_for(const Case& c, const AskedTolerance& asked) {
 Case sampled(const DesignSpace& space, std::span<const Tolerance> tolerances, const std::vector<double>& point) {
     Case c = space.base;
     for (std::size_t k = 0; k < tolerances.size(); ++k)
-        parameters::set_quantity(c, *parameters::find_field(tolerances[k].key), value_at(tolerances[k], point[k]));
+        parameters::set_quantity(c, tolerances[k].key, value_at(tolerances[k], point[k]));
     return c;
 }
 
@@ -162,7 +163,7 @@ std::vector<Tolerance> tolerances(const Case& c, std::span<const AskedTolerance>
     for (const AskedTolerance& each : asked) {
         Tolerance tolerance = tolerance_for(c, each);
         for (const Tolerance& other : all)
-            if (other.key == tolerance.key)
+            if (parameters::overlap(c, other.key, tolerance.key))
                 base::refuse(tolerance.key + " has two tolerances", "each parameter has one", "");
         all.push_back(std::move(tolerance));
     }

@@ -27,7 +27,7 @@ inline constexpr std::array<std::string_view, 2> spread_names{"uniform", "normal
 
 /// A tolerance that a user asks for by name: one of the two amounts.
 struct AskedTolerance {
-    std::string name;                  // a key, or what `quantity_named` makes one of
+    std::string name;                  // a key, or what `quantity_key_called` makes one of
     std::optional<double> relative{};  // [1] of the present value: 0.1 for 10 %
     std::optional<double> absolute{};  // in the field's unit
     Spread spread = Spread::uniform;

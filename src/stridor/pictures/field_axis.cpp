@@ -1,12 +1,15 @@
 #include "stridor/pictures/field_axis.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace stridor::pictures {
@@ -19,14 +22,22 @@ std::string spelled(std::string_view name) {
     return words;
 }
 
-drawing::StyledText value_of(const parameters::Case& c, const parameters::Field& field) {
+drawing::StyledText value_of(const parameters::Case& c, std::string_view key) {
+    const parameters::Field& field = *parameters::field_of(key);
+    if (!parameters::has_one_value(c, key)) return drawing::StyledText(parameters::value_text(c, key));
     if (const auto* quantity = std::get_if<parameters::Quantity>(&field.kind)) {
         const drawing::StyledText unit = drawing::unit_text(quantity->unit);
-        const drawing::StyledText value = drawing::number_text(quantity->get(c));
+        const drawing::StyledText value = drawing::number_text(parameters::get_quantity(c, key));
         if (drawing::is_empty(unit)) return value;
         return value + (quantity->unit == "deg" ? drawing::StyledText() : drawing::StyledText(" ")) + unit;
     }
-    return drawing::StyledText(spelled(parameters::value_text(c, field)));
+    return drawing::StyledText(spelled(parameters::value_text(c, key)));
+}
+
+// "lip2: " of one of several joints
+drawing::StyledText whose(std::string_view key) {
+    const std::optional<parameters::JointKey> of_joint = parameters::joint_key(key);
+    return of_joint ? drawing::StyledText(of_joint->joint + ": ") : drawing::StyledText();
 }
 
 // "k1i, μd over θ by table"
@@ -61,8 +72,8 @@ std::vector<double> cell_edges(const sweep::Axis& axis) {
 
 drawing::PanelAxis field_axis(const sweep::Axis& axis) {
     drawing::PanelAxis result;
-    if (const parameters::Field* field = parameters::find_field(axis.parameter)) {
-        result.label = field_label(*field);
+    if (const parameters::Field* field = parameters::field_of(axis.parameter)) {
+        result.label = whose(axis.parameter) + field_label(*field);
         if (const auto* quantity = std::get_if<parameters::Quantity>(&field->kind)) result.unit = quantity->unit;
     }
     result.scale = axis.scale == sweep::Scale::linear ? drawing::AxisScale::linear : drawing::AxisScale::logarithmic;
@@ -77,20 +88,18 @@ drawing::StyledText field_label(const parameters::Field& field) {
 }
 
 drawing::StyledText setting(const parameters::Case& c, std::string_view key) {
-    const parameters::Field* field = parameters::find_field(key);
+    const parameters::Field* field = parameters::field_of(key);
     STRIDOR_EXPECT(field != nullptr);
     const drawing::StyledText name = field->symbol.empty()
                                          ? drawing::StyledText(spelled(parameters::short_name(*field)))
                                          : drawing::symbol(field->symbol);
-    return name + " = " + value_of(c, *field);
+    return whose(key) + name + " = " + value_of(c, key);
 }
 
 drawing::StyledText settings(const parameters::Case& c, std::span<const std::string_view> keys) {
     drawing::StyledText row;
     for (const std::string_view key : keys) {
-        const parameters::Field* field = parameters::find_field(key);
-        STRIDOR_EXPECT(field != nullptr);
-        if (field->belongs(c)) row = drawing::is_empty(row) ? setting(c, key) : row + ", " + setting(c, key);
+        if (parameters::belongs(c, key)) row = drawing::is_empty(row) ? setting(c, key) : row + ", " + setting(c, key);
     }
     return row;
 }
@@ -110,9 +119,13 @@ drawing::StyledText conditions(const parameters::Case& c, std::span<const std::s
     const auto varies = [&](std::string_view key) {
         return std::find(varied.begin(), varied.end(), key) != varied.end();
     };
-    // several joints have no one angle and preload
+    // what several joints have in common is said; what each has of its own has no place here
     const auto is_of_one = [&](std::string_view key) {
-        return !c.further_joints.empty() && (key.starts_with("joint.") || key.starts_with("contact."));
+        const bool is_varied = std::any_of(varied.begin(), varied.end(), [&](std::string_view each) {
+            return parameters::field_of(each) == parameters::find_field(key);
+        });
+        return !c.further_joints.empty() && parameters::is_of_joint(*parameters::find_field(key)) &&
+               (is_varied || !parameters::has_one_value(c, key));
     };
     // what follows an axis has no one value
     const bool is_temperature_varied = varies("temperature.value");

@@ -15,13 +15,15 @@ namespace stridor::pictures {
 /// edges half a cell beyond the ends; shape [points + 1].
 std::vector<double> cell_edges(const sweep::Axis& axis);
 
-/// The axis of a chart: name, symbol, unit and scale of the quantity, from the first cell's edge to the last one's.
+/// The axis of a chart: name, symbol, unit and scale of the quantity, after the name of the joint if it is of one; from
+/// the first cell's edge to the last one's.
 drawing::PanelAxis field_axis(const sweep::Axis& axis);
 
 /// Name and symbol of a field: "kinetic friction μ_d".
 drawing::StyledText field_label(const parameters::Field& field);
 
-/// A field with its value: "α = 70°", "F = 20 N". Fields without a symbol are called by their name.
+/// A field with its value: "α = 70°", "F = 20 N", of one of several joints "lip2: F = 20 N". Fields without a
+/// symbol are called by their name.
 drawing::StyledText setting(const parameters::Case& c, std::string_view key);
 
 /// Settings in a row, parted by commas; fields that mean nothing for the case are left out.

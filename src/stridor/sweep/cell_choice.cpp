@@ -4,7 +4,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/case_key.hpp"
 
 #include <fmt/format.h>
 
@@ -88,7 +88,7 @@ CellPlace nearest_cell(const Study& study, const CellChoice& choice) {
 std::string cell_words(const Study& study, const CellPlace& place) {
     const parameters::Case c = case_at(study, place);
     const auto words = [&](const Axis& axis) {
-        return axis.parameter + " = " + parameters::value_text(c, *parameters::find_field(axis.parameter));
+        return axis.parameter + " = " + parameters::value_text(c, axis.parameter);
     };
     return words(study.x) + ", " + words(study.y);
 }

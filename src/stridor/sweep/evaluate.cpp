@@ -8,6 +8,7 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/check.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
@@ -38,15 +39,26 @@ Attempt ended(Motion motion, const Case& c) {
 }
 
 // the tally of one direction; an empty one if the drive never moves that way, which is judged undecided
-record::Tally tally_of(const Motion& motion, Direction direction) {
+record::Tally tally_of(const Case& c, const Motion& motion, Direction direction) {
     const Phase wanted = direction == Direction::going ? Phase::going : Phase::coming;
     for (const record::Tally& tally : motion.record.phases)
         if (tally.phase == wanted || tally.phase == Phase::all) return tally;
     record::Tally nothing;
     nothing.phase = wanted;
-    nothing.vibration.resize(model::rubbing_system_dofs);
-    nothing.closing_vibration.resize(model::rubbing_system_dofs);
+    const auto dofs = static_cast<std::size_t>(model::dofs_of_system(c));
+    nothing.contacts.resize(parameters::joint_count(c));
+    nothing.vibration.resize(dofs);
+    nothing.closing_vibration.resize(dofs);
     return nothing;
+}
+
+// of steady sliding; unknown for several joints, whose modes are not looked at
+analysis::SlidingStability stability_of(const Case& c, Direction direction) {
+    if (c.further_joints.empty()) return analysis::sliding_stability(model::rubbing_system(c), direction);
+    analysis::SlidingStability unknown;
+    unknown.growth = Cell::unknown;
+    unknown.frequency = Cell::unknown;
+    return unknown;
 }
 
 }  // namespace
@@ -73,12 +85,11 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     if (attempt.status != Status::done) return cell;
 
     const classification::Verdict verdict =
-        classification::classify_phase(tally_of(attempt.motion, direction), c.verdict);
+        classification::classify_phase(tally_of(c, attempt.motion, direction), c.verdict);
     cell.category = verdict.category;
     cell.quiet = verdict.quiet;
     if (verdict.category == classification::Category::undecided) cell.message = verdict.reasons.back();
-    const analysis::SlidingStability stability = analysis::sliding_stability(model::rubbing_system(c), direction);
-    cell.figures = figures_of({verdict.evidence, stability, attempt.motion});
+    cell.figures = figures_of({verdict.evidence, stability_of(c, direction), attempt.motion});
     return cell;
 }
 

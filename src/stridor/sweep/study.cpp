@@ -6,6 +6,7 @@
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/field_table.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/resolution.hpp"
@@ -14,6 +15,7 @@
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -61,25 +63,29 @@ double octaves(const Axis& axis) {
     return base::logarithm_2(axis.to) - base::logarithm_2(axis.from);
 }
 
-// the field of an axis named "chart.x" or "chart.y"
-const Field& quantity_of(const Study& study, const Axis& axis, const std::string& name) {
-    const Field* field = parameters::find_field(axis.parameter);
+// refuses an axis named "chart.x" or "chart.y" along what is no quantity of the case
+void check_quantity(const Study& study, const Axis& axis, const std::string& name) {
+    const Field* field = parameters::field_of(axis.parameter);
     const bool is_quantity = field != nullptr && std::holds_alternative<parameters::Quantity>(field->kind);
     if (!is_quantity) {
         base::refuse(name + ".parameter = " + in_quotes(axis.parameter) + " is no quantity",
                      field == nullptr ? "a case has no such key" : "it has no numbers an axis could run through",
                      base::did_you_mean(axis.parameter, parameters::quantity_keys()));
     }
-    if (!field->belongs(widest_case(study)))
+    try {
+        parameters::expect_joint_of(study.base, axis.parameter);
+    } catch (const Error& error) {
+        base::refuse(name + ".parameter: " + error.problem().what, error.problem().why, error.problem().suggestion);
+    }
+    if (!parameters::belongs(widest_case(study), axis.parameter))
         base::refuse(name + ".parameter = " + in_quotes(axis.parameter) + " changes nothing",
                      "this case, with its kind of drive and start, does not use it", "Choose another quantity.");
-    return *field;
 }
 
-void check_end(const Study& study, const Field& field, double value, const std::string& name) {
+void check_end(const Study& study, const Axis& axis, double value, const std::string& name) {
     Case probe = study.base;
     try {
-        parameters::set_quantity(probe, field, value);
+        parameters::set_quantity(probe, axis.parameter, value);
     } catch (const Error& error) {
         throw Error(error.kind(),
                     {name + ": " + error.problem().what, error.problem().why, error.problem().suggestion});
@@ -91,15 +97,15 @@ void check_end(const Study& study, const Field& field, double value, const std::
 }
 
 void check_axis(const Study& study, const Axis& axis, const std::string& name) {
-    const Field& field = quantity_of(study, axis, name);
+    check_quantity(study, axis, name);
     if (axis.points < 2)
         base::refuse(name + ".points = " + std::to_string(axis.points) + " makes no axis",
                      "both ends belong to it, so it has two at least", "");
     if (axis.points > most_points)
         base::refuse(name + ".points = " + std::to_string(axis.points) + " is too many",
                      "an axis has at most " + std::to_string(most_points) + " points", "");
-    check_end(study, field, axis.from, name + ".from");
-    check_end(study, field, axis.to, name + ".to");
+    check_end(study, axis, axis.from, name + ".from");
+    check_end(study, axis, axis.to, name + ".to");
     if (!(axis.from < axis.to))
         base::refuse(name + ".from = " + shortest(axis.from) + " is not below " + name + ".to = " + shortest(axis.to),
                      "an axis rises", axis.from > axis.to ? "Swap them?" : "");
@@ -189,7 +195,7 @@ void remove_line(std::string& text, std::string_view key) {
 }
 
 std::string setting(const Case& c, const std::string& key) {
-    return " --set " + key + "=" + shortest(parameters::get_quantity(c, *parameters::find_field(key)));
+    return " --set " + key + "=" + shortest(parameters::get_quantity(c, key));
 }
 
 }  // namespace
@@ -206,12 +212,16 @@ double value_at(const Axis& axis, int index) {
 }
 
 Axis resting_axis(const Case& c, const Axis& x) {
-    constexpr std::string_view preload = "contact.preload";
-    constexpr std::string_view friction = "contact.kinetic_friction";
-    // beside preload: what does not follow the temperature
-    const bool is_free = parameters::temperature_column(c, friction) == nullptr;
-    const std::string key(x.parameter != preload ? preload : is_free ? friction : "joint.incidence_angle");
-    const double value = parameters::get_quantity(c, *parameters::find_field(key));
+    constexpr std::array<std::string_view, 3> resting{"contact.preload", "contact.kinetic_friction",
+                                                      "joint.incidence_angle"};
+    // what x leaves alone and does not follow the temperature; of several joints the first one's
+    const auto rests = [&](std::string_view key) {
+        return !parameters::overlap(c, x.parameter, key) && parameters::temperature_column(c, key) == nullptr;
+    };
+    const auto* const found = std::find_if(resting.begin(), resting.end(), rests);
+    STRIDOR_EXPECT(found != resting.end());
+    const std::string key = parameters::single_keys(c, *found).front();
+    const double value = parameters::get_quantity(c, key);
     return {key, value, value, 1, Scale::linear};
 }
 
@@ -220,14 +230,14 @@ bool has_one_axis(const Study& study) {
 }
 
 double own_value(const Study& study, const Axis& axis) {
-    const double value = parameters::get_quantity(study.base, *parameters::find_field(axis.parameter));
+    const double value = parameters::get_quantity(study.base, axis.parameter);
     return axis.parameter == "drive.velocity" && is_constant(study) ? std::abs(value) : value;
 }
 
 bool holds_design(const Study& study) {
     const auto holds = [&](const Axis& axis) {
         const double value = own_value(study, axis);
-        return value >= axis.from && value <= axis.to;
+        return parameters::has_one_value(study.base, axis.parameter) && value >= axis.from && value <= axis.to;
     };
     return holds(study.x) && holds(study.y);
 }
@@ -255,8 +265,8 @@ std::size_t index_of(const Study& study, const CellPlace& place) {
 
 Case case_at(const Study& study, const CellPlace& place) {
     Case c = study.base;
-    parameters::set_quantity(c, *parameters::find_field(study.x.parameter), value_at(study.x, place.ix));
-    parameters::set_quantity(c, *parameters::find_field(study.y.parameter), value_at(study.y, place.iy));
+    parameters::set_quantity(c, study.x.parameter, value_at(study.x, place.ix));
+    parameters::set_quantity(c, study.y.parameter, value_at(study.y, place.iy));
     const double sign = study.directions[place.direction] == Direction::going ? 1.0 : -1.0;
     if (is_constant(study)) c.drive.velocity = std::copysign(c.drive.velocity, sign);
     if (!study.starts.empty()) c.run.initial = study.starts[place.start];
@@ -271,6 +281,9 @@ void check(const Study& study) {
         check_axis(study, study.y, "chart.y");
     if (study.x.parameter == study.y.parameter)
         base::refuse("chart.x and chart.y are both " + study.x.parameter, "a chart needs two different quantities", "");
+    if (parameters::overlap(study.base, study.x.parameter, study.y.parameter))
+        base::refuse("chart.x = " + study.x.parameter + " and chart.y = " + study.y.parameter + " overlap",
+                     "a key without a joint's name is that of all joints", "Name a joint in both.");
     check_directions(study);
     check_starts(study);
     check_refinement(study);
@@ -301,8 +314,9 @@ std::string canonical_text(const Study& study) {
     Case c = widest_case(study);
     if (is_constant(study)) c.drive.velocity = std::abs(c.drive.velocity);
     std::string text = parameters::canonical_text(c);
-    remove_line(text, study.x.parameter);
-    remove_line(text, study.y.parameter);
+    for (const Axis* axis : {&study.x, &study.y})
+        for (const std::string& key : parameters::single_keys(study.base, axis->parameter))
+            remove_line(text, key);
     if (!study.starts.empty()) remove_line(text, initial_key);
     text += axis_line("chart.x", study.x) + axis_line("chart.y", study.y) + "chart.directions =";
     for (const Direction direction : study.directions)

@@ -16,9 +16,9 @@ using parameters::scale_names;
 /// Most points of an axis: more make a chart nobody can compute, and are a slip of the keyboard.
 inline constexpr int most_points = 4096;
 
-/// One axis of a chart: a quantity of the field table and the values it takes, rising, both ends included.
+/// One axis of a chart: a quantity of the case and the values it takes, rising, both ends included.
 struct Axis {
-    std::string parameter;  // "contact.preload"
+    std::string parameter;  // "contact.preload" of all joints, "joint.lip2.contact.preload" of one (`case_key.hpp`)
     double from = 0.0;      // in the field's unit (SI, angles in deg)
     double to = 1.0;
     int points = 2;  // [1] from 2 to `most_points`; 1: a resting axis
@@ -51,11 +51,11 @@ Axis resting_axis(const parameters::Case& c, const Axis& x);
 /// Does x alone vary?
 bool has_one_axis(const Study& study);
 
-/// The base case's own value of an axis' quantity; of the velocity of a constant drive its magnitude, for the
-/// directions give its sign.
+/// The base case's own value of an axis' quantity, of several joints the first one's; of the velocity of a constant
+/// drive its magnitude, for the directions give its sign.
 double own_value(const Study& study, const Axis& axis);
 
-/// Do the base case's own values lie within both axes?
+/// Do the base case's own values lie within both axes? Where joints differ in one, there is no one place.
 bool holds_design(const Study& study);
 
 /// Number of cells: x.points * y.points * directions.

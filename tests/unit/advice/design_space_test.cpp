@@ -1,5 +1,7 @@
 #include "stridor/advice/design_space.hpp"
 
+#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"
@@ -123,10 +125,10 @@ TEST(DesignSpace, AcceptsRangesOfSettings) {
 }
 
 TEST(QuantityNamed, TakesShortNamesAndSymbolsThatMeanOneThing) {
-    EXPECT_EQ(parameters::key_of(quantity_named(squeal_case, "preload")), "contact.preload");
-    EXPECT_EQ(parameters::key_of(quantity_named(squeal_case, "mu_d")), "contact.kinetic_friction");
-    EXPECT_EQ(parameters::key_of(quantity_named(squeal_case, "amplitude")), "drive.amplitude");
-    EXPECT_EQ(parameters::key_of(quantity_named(constant_drive(0.1), "velocity")), "drive.velocity");
+    EXPECT_EQ(quantity_key_called(squeal_case, "preload"), "contact.preload");
+    EXPECT_EQ(quantity_key_called(squeal_case, "mu_d"), "contact.kinetic_friction");
+    EXPECT_EQ(quantity_key_called(squeal_case, "amplitude"), "drive.amplitude");
+    EXPECT_EQ(quantity_key_called(constant_drive(0.1), "velocity"), "drive.velocity");
 }
 
 TEST(QuantityNamed, SaysWhatItCannotTake) {
@@ -146,6 +148,43 @@ TEST(DesignSpace, RefusesRangesThatAreNone) {
     Case c = squeal_case;
     c.contact.kinetic_friction = 0.9;
     EXPECT_TRUE(refusal(c, {}).says("exceeds mu_s"));
+}
+
+TEST(DesignSpace, OfSeveralJointsHasEachWithItsOwnQuantities) {
+    const DesignSpace space = design_space(parameters::two_lips());
+    const auto has = [&](const char* key) {
+        return std::any_of(space.parameters.begin(), space.parameters.end(),
+                           [&](const DesignParameter& parameter) { return parameter.key == key; });
+    };
+    EXPECT_TRUE(has("joint.upper.incidence_angle"));
+    EXPECT_TRUE(has("joint.lower.contact.preload"));
+    EXPECT_TRUE(has("plate.mass"));
+    EXPECT_FALSE(has("contact.preload"));
+    EXPECT_EQ(parameters::canonical_text(design_at(space, space.origin)),
+              parameters::canonical_text(parameters::two_lips()));
+}
+
+TEST(DesignSpace, OfSeveralJointsChangesTheJointThatIsNamed) {
+    const std::vector<AskedRange> asked{{"joint.lower.F", 20.0, 400.0}, {"joint.upper.alpha", 30.0, 80.0}};
+    const DesignSpace space = design_space(parameters::two_lips(), asked);
+    const Case c = design_at(space, {1.0, 0.0});
+    EXPECT_EQ(c.further_joints[0].contact.preload, 400.0);
+    EXPECT_EQ(c.contact.preload, 200.0);
+    EXPECT_EQ(c.joint.incidence_angle, 30.0);
+}
+
+TEST(DesignSpace, OfSeveralJointsChangesAllThatAreAlikeAtOnce) {
+    const std::vector<AskedRange> asked{{"preload", 20.0, 400.0}};
+    const DesignSpace space = design_space(parameters::two_lips(), asked);
+    const Case c = design_at(space, {1.0});
+    EXPECT_EQ(c.contact.preload, 400.0);
+    EXPECT_EQ(c.further_joints[0].contact.preload, 400.0);
+    // 70 and 60 degrees are no one design
+    const Thrown differ = refusal(parameters::two_lips(), {{"incidence_angle"}});
+    EXPECT_TRUE(differ.says("joint.incidence_angle is not the same for all joints: 70 deg, 60 deg"));
+    EXPECT_TRUE(differ.says("joint.upper.incidence_angle, joint.lower.incidence_angle"));
+    EXPECT_TRUE(refusal(parameters::two_lips(), {{"preload"}, {"joint.lower.preload"}}).says("asked for twice"));
+    EXPECT_TRUE(refusal(parameters::two_lips(), {{"joint.third.preload"}}).says("there is no joint \"third\""));
 }
 
 }  // namespace

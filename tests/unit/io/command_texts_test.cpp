@@ -25,7 +25,7 @@ using support::thrown_by;
 TEST(ReadyFiles, AreReadAsWhatTheyAre) {
     for (const std::string& name : ready_file_names()) {
         if (name != "schema") {
-            EXPECT_NO_THROW(read_case({ready_file(name), name, {}}, JointsTaken::several)) << name;
+            EXPECT_NO_THROW(read_case({ready_file(name), name, {}})) << name;
         }
     }
     EXPECT_EQ(ready_file("schema").front(), '{');
@@ -53,6 +53,23 @@ TEST(AskedTexts, AreRangesAndTolerances) {
     EXPECT_EQ(read_asked_tolerance(c, "preload=2 N").absolute, 2.0);
     EXPECT_TRUE(thrown_by([&] { read_asked_tolerance(c, "preload"); }).says("expected KEY=AMOUNT"));
     EXPECT_TRUE(thrown_by([&] { read_asked_range(c, "preload=1:2:3"); }).says("expected KEY or KEY=FROM:TO"));
+}
+
+TEST(ListeningTexts, NameOneOfSeveralJoints) {
+    const TomlSource source{ready_file("two-lips"), "two-lips.toml", {}};
+    const auto dof_of = [&](const std::string& of, const std::string& component) {
+        ListeningTexts texts;
+        texts.of = of;
+        texts.component = component;
+        const ListeningChoice choice = chosen_case(texts, source);
+        return listening_settings(texts, choice.c).pickup.dof;
+    };
+    EXPECT_EQ(dof_of("joint", ""), 0U);
+    EXPECT_EQ(dof_of("upper", "y"), 1U);
+    EXPECT_EQ(dof_of("lower", ""), 2U);
+    EXPECT_EQ(dof_of("lower", "y"), 3U);
+    EXPECT_EQ(dof_of("plate", ""), sound::last_dof);
+    EXPECT_TRUE(thrown_by([&] { dof_of("lowr", ""); }).says("joint (the first), plate, upper, lower"));
 }
 
 TEST(ListeningTexts, BecomeSettings) {

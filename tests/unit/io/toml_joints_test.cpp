@@ -27,7 +27,7 @@ std::string two_joints() {
 }
 
 Case read_joints(const std::string& text, std::vector<std::string> overrides = {}) {
-    return read_case(TomlSource{text, "case.toml", std::move(overrides)}, JointsTaken::several);
+    return read_case(TomlSource{text, "case.toml", std::move(overrides)});
 }
 
 std::string refusal_of(const std::string& text, std::vector<std::string> overrides = {}) {
@@ -82,13 +82,6 @@ TEST(TomlJoints, SayWhatIsWrongOnceAndWhere) {
               std::string::npos);
     EXPECT_NE(refusal_of(two_joints(), {"run.engine=beta_2"}).find("from event to event only"), std::string::npos);
     EXPECT_NE(refusal_of(two_joints(), {"contact.impact=normal-only"}).find("plastic impacts only"), std::string::npos);
-}
-
-TEST(TomlJoints, AreRefusedByWhoTakesOne) {
-    const auto error = error_of([] { read_case(TomlSource{two_joints(), "case.toml", {}}); });
-    ASSERT_TRUE(error);
-    EXPECT_NE(std::string(error->what()).find("takes a case with one joint"), std::string::npos);
-    EXPECT_EQ(error->place()->line, 2);
 }
 
 TEST(TomlJoints, OfAListThatIsTooLongAreRefused) {

@@ -33,7 +33,7 @@ std::string whole_case(const std::string& structure) {
 }
 
 Case read_structure_text(const std::string& text, std::vector<std::string> overrides = {}) {
-    return read_case(TomlSource{text, "case.toml", std::move(overrides)}, JointsTaken::or_structure);
+    return read_case(TomlSource{text, "case.toml", std::move(overrides)}, SystemsTaken::or_structure);
 }
 
 std::string structure_refusal(const std::string& text, std::vector<std::string> overrides = {}) {
@@ -87,7 +87,7 @@ TEST(TomlStructure, HasItsMatricesInFilesBesideIt) {
         "# where it rubs\nname,normal,tangent,initial_gap [mm],preload_share\ntip,u2,-u1,0,1\n"
         "toe,u1,u2,1,\n");
     put("case.toml", whole_case("[structure]\nmass = \"m.csv\"\nstiffness = \"k.csv\"\ncontacts = \"contacts.csv\"\n"));
-    const Case c = read_case((folder / "case.toml").string(), {}, JointsTaken::or_structure);
+    const Case c = read_case((folder / "case.toml").string(), {}, SystemsTaken::or_structure);
     EXPECT_EQ(c.own_structure->stiffness, (std::vector<double>{3, -1, -1, 4}));
     ASSERT_EQ(c.own_structure->contacts.size(), 2U);
     EXPECT_EQ(c.own_structure->contacts[1].initial_gap, 1e-3);
@@ -97,7 +97,7 @@ TEST(TomlStructure, HasItsMatricesInFilesBesideIt) {
     put("rows.csv", "node,component,x,y,z,set\n7,x,0,0,0,TIP\n7,z,0,0,0,TIP\n");
     put("case.toml", whole_case("[structure]\nmass = \"m.mtx\"\nstiffness = \"k.mtx\"\nlabels = \"rows.csv\"\n"
                                 "[[structure.contact]]\nset = \"TIP\"\nnormal = \"z\"\ntangent = \"-x\"\n"));
-    const Case labelled = read_case((folder / "case.toml").string(), {}, JointsTaken::or_structure);
+    const Case labelled = read_case((folder / "case.toml").string(), {}, SystemsTaken::or_structure);
     EXPECT_EQ(labelled.own_structure->row, (std::vector<std::string>{"7.1", "7.3"}));
     EXPECT_EQ(labelled.own_structure->contacts[0].name, "7");
     // the same structure but for its second contact
@@ -120,7 +120,7 @@ TEST(TomlStructure, PairsNodesOfTwoSetsThatAreNearest) {
         whole_case("[structure]\nmass = \"unit.mtx\"\nstiffness = \"unit.mtx\"\nlabels = \"rows.csv\"\n"
                    "[[structure.contact]]\nname = \"seal\"\nset = \"LIP\"\nagainst = \"PANE\"\nnormal = \"z\"\n"
                    "tangent = [2, 0, 0]\npreload_share = 1\n"));
-    const Case c = read_case((folder / "case.toml").string(), {}, JointsTaken::or_structure);
+    const Case c = read_case((folder / "case.toml").string(), {}, SystemsTaken::or_structure);
     ASSERT_EQ(c.own_structure->contacts.size(), 2U);
     EXPECT_EQ(c.own_structure->contacts[0].name, "seal 1");
     EXPECT_EQ(c.own_structure->contacts[0].normal, (std::vector<double>{0, 1, 0, 0, 0, 0, 0, -1}));

@@ -3,6 +3,7 @@
 #include "io_support.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/axis_text.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <gtest/gtest.h>
@@ -204,6 +205,36 @@ TEST(TomlStudy, ReadsAFile) {
     storage::write_file((scratch / "c.toml").string(), study_toml(sweep::figure_8()));
     EXPECT_EQ(sweep::canonical_text(read_study((scratch / "c.toml").string())),
               sweep::canonical_text(sweep::figure_8()));
+}
+
+TEST(TomlStudy, OfSeveralJointsIsWrittenAsItIsRead) {
+    const std::string two = case_toml(parameters::two_lips());
+    const std::string chart =
+        "[chart]\nx = { parameter = \"joint.lower.F\", from = \"20 N\", to = 400, points = 3 }\n"
+        "y = { parameter = \"mu_d\", from = 0.1, to = 0.8, points = 4 }\n";
+    const Study study = read_study(TomlSource{two + chart, "two.toml", {}});
+    EXPECT_EQ(study.x.parameter, "joint.lower.contact.preload");
+    EXPECT_EQ(study.y.parameter, "contact.kinetic_friction");
+    ASSERT_EQ(study.base.further_joints.size(), 1U);
+    const Study again = read_study(TomlSource{study_toml(study), "again.toml", {}});
+    EXPECT_EQ(sweep::canonical_text(again), sweep::canonical_text(study));
+    const auto error = error_of([&] {
+        read_study(TomlSource{two + replaced(chart, "joint.lower.F", "joint.lowr.F"), "two.toml", {}});
+    });
+    ASSERT_TRUE(error);
+    EXPECT_NE(std::string(error->what()).find("there is no joint \"lowr\""), std::string::npos) << error->what();
+    ASSERT_TRUE(error->place());
+    EXPECT_GT(error->place()->line, 1);
+}
+
+TEST(TomlStudy, OfSeveralJointsTakesAxesFromTheCommandLine) {
+    const std::string two = case_toml(parameters::two_lips());
+    const Study study =
+        read_study(TomlSource{two, "two.toml", {}}, {"joint.upper.alpha=30:80:4", "joint.lower.F=20:400"});
+    EXPECT_EQ(study.x.parameter, "joint.upper.incidence_angle");
+    EXPECT_EQ(study.y.parameter, "joint.lower.contact.preload");
+    EXPECT_EQ(study.y.scale, sweep::Scale::logarithmic);
+    EXPECT_TRUE(error_of([&] { read_study(TomlSource{two, "two.toml", {}}, {"joint.third.F=20:400", ""}); }));
 }
 
 }  // namespace

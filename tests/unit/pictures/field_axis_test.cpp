@@ -1,5 +1,6 @@
 #include "stridor/pictures/field_axis.hpp"
 
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "support/property.hpp"
 
@@ -7,6 +8,9 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace stridor::pictures {
 namespace {
@@ -91,6 +95,25 @@ TEST(Conditions, NameNoValueOfWhatFollowsAnAxis) {
     EXPECT_EQ(over.find("θ ="), std::string::npos) << over;
     EXPECT_NE(over.find("μs = 0.8"), std::string::npos) << over;
     EXPECT_TRUE(over.ends_with("; k1i, μd over θ by table")) << over;
+}
+
+TEST(FieldAxis, OfOneOfSeveralJointsSaysWhose) {
+    const parameters::Case c = parameters::two_lips();
+    const drawing::PanelAxis axis =
+        field_axis({"joint.lower.contact.preload", 10.0, 400.0, 3, sweep::Scale::logarithmic});
+    EXPECT_EQ(drawing::plain_text(axis.label).rfind("lower: preload ", 0), 0U) << drawing::plain_text(axis.label);
+    EXPECT_EQ(axis.unit, "N");
+    EXPECT_EQ(drawing::plain_text(setting(c, "joint.lower.incidence_angle")).rfind("lower: ", 0), 0U);
+    EXPECT_NE(drawing::plain_text(setting(c, "joint.lower.incidence_angle")).find("60"), std::string::npos);
+}
+
+TEST(FieldAxis, ConditionsOfSeveralJointsAreThoseTheyHaveInCommon) {
+    const parameters::Case c = parameters::two_lips();
+    const std::string said = drawing::plain_text(conditions(c));
+    EXPECT_NE(said.find("200 N"), std::string::npos) << said;
+    EXPECT_EQ(said.find("70"), std::string::npos) << said;  // they lean differently
+    const std::vector<std::string_view> varied{"joint.lower.contact.preload"};
+    EXPECT_EQ(drawing::plain_text(conditions(c, varied)).find("200 N"), std::string::npos);
 }
 
 }  // namespace

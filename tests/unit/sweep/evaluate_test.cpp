@@ -7,6 +7,7 @@
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/rubbing_system.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "support/error_text.hpp"
 #include "support/small_study.hpp"
 
@@ -174,6 +175,24 @@ TEST(Evaluate, GivesNoCellWhenStopped) {
     std::stop_source source;
     source.request_stop();
     EXPECT_TRUE(evaluate(small_study(), 0, 0, source.get_token()).empty());
+}
+
+TEST(Evaluate, OfSeveralJointsJudgesTheLoudestContact) {
+    Study study = small_study();
+    study.base = parameters::two_lips();
+    study.base.run.duration = 0.05;
+    study.base.run.window = 0.05;
+    study.x = {"joint.lower.contact.preload", 100.0, 200.0, 2, Scale::linear};
+    const std::vector<Cell> cells = evaluate(study, 1, 1);
+    ASSERT_EQ(cells.size(), 2U);
+    const parameters::Case c = case_at(study, {1, 1, 1});
+    const auto verdict = classification::classify_phase(integration::simulate(c).record.phases[0], c.verdict);
+    ASSERT_EQ(cells[1].status, Status::done) << cells[1].message;
+    EXPECT_EQ(cells[1].category, verdict.category);
+    EXPECT_EQ(figure_of(cells[1], "stick"), verdict.evidence.rates.stick);
+    // the modes of several sliding contacts are not looked at
+    EXPECT_TRUE(std::isnan(figure_of(cells[1], "growth_rate")));
+    EXPECT_TRUE(std::isnan(figure_of(cells[1], "mode_frequency")));
 }
 
 }  // namespace

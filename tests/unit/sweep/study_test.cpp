@@ -1,7 +1,9 @@
 #include "stridor/sweep/study.hpp"
 
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/paper_charts.hpp"
 #include "support/error_text.hpp"
@@ -393,6 +395,73 @@ TEST(Study, KeepsDampingRatiosAlongItsAxes) {
         EXPECT_EQ(c.plate.damping, 2.0 * 0.05 * std::sqrt(c.plate.stiffness * c.plate.mass));
     }
     EXPECT_NE(canonical_text(study).find("plate.damping = damping ratio 0.05"), std::string::npos);
+}
+
+// Table 1's joint twice, over something of the second one
+Study study_of_two_joints() {
+    Study study = small_study();
+    study.base = parameters::two_lips();
+    study.x = {"joint.lower.contact.preload", 2.0, 400.0, 4, Scale::logarithmic};
+    study.y = {"joint.upper.incidence_angle", 30.0, 80.0, 3, Scale::linear};
+    return study;
+}
+
+TEST(Study, OfSeveralJointsSetsTheOneThatAnAxisNames) {
+    const Study study = study_of_two_joints();
+    check(study);
+    const Case c = case_at(study, {0, 2, 3});
+    EXPECT_EQ(c.further_joints[0].contact.preload, 400.0);
+    EXPECT_EQ(c.contact.preload, 200.0);
+    EXPECT_EQ(c.joint.incidence_angle, 80.0);
+    EXPECT_EQ(c.further_joints[0].joint.incidence_angle, 60.0);
+    EXPECT_NE(reproduce_command(study, {0, 2, 3}, "two.toml").find("--set joint.lower.contact.preload=400"),
+              std::string::npos);
+    EXPECT_TRUE(holds_design(study));
+}
+
+TEST(Study, OfSeveralJointsSetsAllOfThemByAKeyWithoutAName) {
+    Study study = study_of_two_joints();
+    study.x.parameter = "contact.preload";
+    check(study);
+    const Case c = case_at(study, {0, 0, 0});
+    EXPECT_EQ(c.contact.preload, 2.0);
+    EXPECT_EQ(c.further_joints[0].contact.preload, 2.0);
+    // what the axis sets is no part of what the results belong to
+    Study other = study;
+    other.base.further_joints[0].contact.preload = 77.0;
+    EXPECT_EQ(canonical_text(other), canonical_text(study));
+    EXPECT_FALSE(holds_design(other));
+}
+
+TEST(Study, OfSeveralJointsIsOfOtherCasesWithAnotherJointsAxis) {
+    const Study study = study_of_two_joints();
+    const std::string text = canonical_text(study);
+    EXPECT_EQ(text.find("joint.lower.contact.preload = "), std::string::npos);
+    EXPECT_NE(text.find("joint.upper.contact.preload = 200 N"), std::string::npos);
+    EXPECT_NE(text.find("chart.x = joint.lower.contact.preload, 4 points"), std::string::npos);
+}
+
+TEST(Study, OfSeveralJointsOverOneAxisRestsAtTheFirstOnesOwnValue) {
+    Study study = study_of_two_joints();
+    for (const char* key : {"plate.mass", "contact.preload", "joint.upper.contact.preload"}) {
+        study.x = {key, 0.1, 1.0, 3, Scale::linear};
+        study.y = resting_axis(study.base, study.x);
+        check(study);
+        const Case c = case_at(study, {0, 0, 1});
+        Case by_hand = study.base;
+        parameters::set_quantity(by_hand, key, value_at(study.x, 1));
+        by_hand.drive.velocity = 0.1;
+        EXPECT_EQ(parameters::canonical_text(c), parameters::canonical_text(by_hand)) << key;
+    }
+}
+
+TEST(Study, RefusesJointsThatAreNotThereAndAxesThatOverlap) {
+    Study missing = study_of_two_joints();
+    missing.x.parameter = "joint.lowr.contact.preload";
+    EXPECT_TRUE(thrown_by([&] { check(missing); }).says("Did you mean joint.lower?"));
+    Study both = study_of_two_joints();
+    both.y = {"contact.preload", 1.0, 2.0, 3, Scale::linear};
+    EXPECT_TRUE(thrown_by([&] { check(both); }).says("overlap"));
 }
 
 }  // namespace

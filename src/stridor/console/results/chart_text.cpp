@@ -2,7 +2,7 @@
 
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/case_key.hpp"
 
 #include <fmt/format.h>
 
@@ -28,8 +28,8 @@ std::string outside_text(const sweep::Study& study) {
     std::string values;
     for (const sweep::Axis* axis : {&study.x, &study.y}) {
         if (axis == &study.y && sweep::has_one_axis(study)) continue;
-        const parameters::Field& field = *parameters::find_field(axis->parameter);
-        values += (values.empty() ? "" : ", ") + axis->parameter + " = " + parameters::value_text(study.base, field);
+        values += (values.empty() ? "" : ", ") + axis->parameter + " = " +
+                  parameters::value_text(study.base, axis->parameter);
     }
     return "the design lies outside of the chart: " + values;
 }

@@ -18,7 +18,7 @@ Error unreadable_text(const std::string& option, const std::string& text, const 
 }
 
 std::string_view unit_named(const parameters::Case& c, const std::string& name) {
-    return parameters::unit_of(advice::quantity_named(c, name));
+    return parameters::unit_of(advice::quantity_key_called(c, name));
 }
 
 advice::AskedRange range_from(const parameters::Case& c, const std::string& text) {

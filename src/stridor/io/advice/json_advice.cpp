@@ -1,6 +1,7 @@
 #include "stridor/io/advice/json_advice.hpp"
 
 #include "stridor/io/json_parts.hpp"
+#include "stridor/parameters/case_key.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,8 +100,7 @@ Json nearest_object(const DesignSpace& space, const std::optional<advice::Neares
     Json set = Json::array();
     for (std::size_t k = 0; k < space.parameters.size(); ++k)
         if (nearest->shares[k] != space.origin[k]) {
-            const parameters::Field& field = *parameters::find_field(space.parameters[k].key);
-            set.push_back(setting(space, k, parameters::get_quantity(space.base, field),
+            set.push_back(setting(space, k, parameters::get_quantity(space.base, space.parameters[k].key),
                                   advice::value_at(space.parameters[k], nearest->shares[k])));
         }
     Json object = {{"set", std::move(set)}, {"distance", nearest->distance}};

@@ -151,24 +151,29 @@ void read_samples(Case& c, const TomlDocument& document, const SamplesReader& sa
     }
 }
 
-parameters::Case read_one(const TomlDocument& document, const SamplesReader& samples, const Case& beginning = {}) {
+// do the values have to fit together, or do axes replace some of them first?
+enum class Wanted { complete_case, base_of_chart };
+
+parameters::Case read_one(const TomlDocument& document, const SamplesReader& samples, Wanted wanted,
+                          const Case& beginning = {}) {
     CaseReading reading(document, beginning);
     reading.read_kinds();
     reading.read_values();
+    if (wanted == Wanted::base_of_chart) reading.complaints().throw_any();
     // what a sampled drive moves is known only when its file is read
     if (reading.complaints().empty()) read_samples(reading.result(), document, samples);
-    reading.check_findings();
+    if (wanted == Wanted::complete_case) reading.check_findings();
     reading.complaints().throw_any();
     return reading.result();
 }
 
 // several joints: the file is read once for each, and the first says what they share
-parameters::Case read_several(const TomlDocument& document, const SamplesReader& samples) {
+parameters::Case read_several(const TomlDocument& document, const SamplesReader& samples, Wanted wanted) {
     Complaints complaints;
     std::optional<Case> whole;
     for (const JointDocument& joint : joint_documents(document, complaints))
         complaints.keep([&] {
-            const Case only = read_one(joint.document, samples);
+            const Case only = read_one(joint.document, samples, wanted);
             for (const parameters::Finding& finding : parameters::findings_among_several(only)) {
                 const TomlEntry* entry = joint.document.find(finding.key);
                 complaints.add({ErrorKind::input, finding.problem,
@@ -183,31 +188,29 @@ parameters::Case read_several(const TomlDocument& document, const SamplesReader&
 }
 
 // a structure of its own stands where the joints would
-parameters::Case read_with_structure(const TomlDocument& document, const SamplesReader& samples) {
+parameters::Case read_with_structure(const TomlDocument& document, const SamplesReader& samples, Wanted wanted) {
     Complaints complaints;
     const TomlDocument rest = without_structure(document, complaints);
     Case beginning;
     if (complaints.keep([&] { beginning.own_structure = read_own_structure(document); }))
-        complaints.keep([&] { beginning = read_one(rest, samples, beginning); });
+        complaints.keep([&] { beginning = read_one(rest, samples, wanted, beginning); });
     complaints.throw_any();
     return beginning;
 }
 
-void require_joints(const TomlDocument& document, JointsTaken joints) {
-    if (joints == JointsTaken::or_structure || !has_own_structure(document)) return;
+void require_joints(const TomlDocument& document, SystemsTaken taken) {
+    if (taken == SystemsTaken::or_structure || !has_own_structure(document)) return;
     throw Error(ErrorKind::input,
                 {"this command takes a case with joints", "the file has a structure of its own, as [structure]",
                  "`stridor simulate` and `stridor check` take it."},
                 document.find("structure")->key_place);
 }
 
-void require_one_joint(const TomlDocument& document) {
-    require_joints(document, JointsTaken::one);
-    if (!lists_joints(document)) return;
-    throw Error(ErrorKind::input,
-                {"this command takes a case with one joint", "the file lists joints, as [[joint]]",
-                 "`stridor simulate` and `stridor check` take several."},
-                document.find("joint")->key_place);
+parameters::Case read_system(const TomlDocument& document, const SamplesReader& samples, Wanted wanted,
+                             SystemsTaken taken) {
+    require_joints(document, taken);
+    if (has_own_structure(document)) return read_with_structure(document, samples, wanted);
+    return lists_joints(document) ? read_several(document, samples, wanted) : read_one(document, samples, wanted);
 }
 
 }  // namespace
@@ -259,28 +262,19 @@ std::vector<base::Complaint> case_warnings(const TomlDocument& document) {
 }
 
 parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples) {
-    require_one_joint(document);
-    CaseReading reading(document);
-    reading.read_kinds();
-    reading.read_values();
-    reading.complaints().throw_any();
-    read_samples(reading.result(), document, samples);
-    return reading.result();
+    return read_system(document, samples, Wanted::base_of_chart, SystemsTaken::joints);
 }
 
-parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples, JointsTaken joints) {
-    if (joints == JointsTaken::one) require_one_joint(document);
-    require_joints(document, joints);
-    if (has_own_structure(document)) return read_with_structure(document, samples);
-    return lists_joints(document) ? read_several(document, samples) : read_one(document, samples);
+parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples, SystemsTaken taken) {
+    return read_system(document, samples, Wanted::complete_case, taken);
 }
 
-parameters::Case read_case(const TomlSource& source, JointsTaken joints) {
-    return read_case(parse_toml(source), recordings::read_sampled_file, joints);
+parameters::Case read_case(const TomlSource& source, SystemsTaken taken) {
+    return read_case(parse_toml(source), recordings::read_sampled_file, taken);
 }
 
-parameters::Case read_case(const std::string& path, std::vector<std::string> overrides, JointsTaken joints) {
-    return read_case(load_toml(path, std::move(overrides)), joints);
+parameters::Case read_case(const std::string& path, std::vector<std::string> overrides, SystemsTaken taken) {
+    return read_case(load_toml(path, std::move(overrides)), taken);
 }
 
 }  // namespace stridor::io

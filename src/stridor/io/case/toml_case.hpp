@@ -15,9 +15,8 @@ namespace stridor::io {
 /// file. Whoever reads for somebody who may name no files hands over one that opens none.
 using SamplesReader = std::function<recordings::SampledMotion(const std::string& path)>;
 
-/// What the reader can do with: who knows one joint only refuses a case of several by name, and who knows joints only
-/// refuses one with a structure of its own.
-enum class JointsTaken { one, several, or_structure };
+/// What the reader can do with: who knows joints only refuses a case with a structure of its own by name.
+enum class SystemsTaken { joints, or_structure };
 
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
 ///
@@ -32,15 +31,15 @@ enum class JointsTaken { one, several, or_structure };
 /// A file with `[[joint]]` tables has several joints on its plate, each with a name and the keys of [joint], and with
 /// those of [contact] in [joint.contact]. One with [structure] has a structure of its own (`read_own_structure`), and
 /// neither [joint] nor [plate]; the files that this names are opened.
-parameters::Case read_case(const TomlSource& source, JointsTaken joints = JointsTaken::one);
+parameters::Case read_case(const TomlSource& source, SystemsTaken taken = SystemsTaken::joints);
 
 /// The same of a document that is parsed already.
 parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples,
-                           JointsTaken joints = JointsTaken::one);
+                           SystemsTaken taken = SystemsTaken::joints);
 
 /// The same from a file; "-" is standard input.
 parameters::Case read_case(const std::string& path, std::vector<std::string> overrides = {},
-                           JointsTaken joints = JointsTaken::one);
+                           SystemsTaken taken = SystemsTaken::joints);
 
 /// The case a chart starts from, out of a document that is parsed already. Whether its values fit together is left to
 /// the chart, whose axes replace two of them.

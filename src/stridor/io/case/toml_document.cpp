@@ -3,7 +3,9 @@
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/complaints.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <toml++/toml.h>
@@ -298,9 +300,10 @@ namespace {
 
 // "mu_d" is contact.kinetic_friction; what no field is called, as a key of a chart, stays what it is
 std::string full_key(const std::string& name, const base::Place& place) {
-    if (parameters::fields_called(name).empty()) return name;
+    const bool is_of_joint = parameters::joint_key(name).has_value() && parameters::find_field(name) == nullptr;
+    if (!is_of_joint && parameters::fields_called(name).empty()) return name;
     try {
-        return parameters::key_of(parameters::field_named(name));
+        return parameters::key_called(name);
     } catch (const Error& error) {
         throw Error(error.kind(), error.problem(), place);
     }

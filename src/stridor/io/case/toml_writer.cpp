@@ -103,9 +103,7 @@ std::string heading(const TomlOptions& options) {
 }
 
 std::string axis_text(const sweep::Axis& axis) {
-    const Field* field = parameters::find_field(axis.parameter);
-    const auto* quantity = field == nullptr ? nullptr : std::get_if<Quantity>(&field->kind);
-    const std::string_view unit = quantity == nullptr ? "1" : quantity->unit;
+    const std::string_view unit = parameters::unit_of(axis.parameter);
     return "{ parameter = " + basic_string(axis.parameter) + ", from = " + quantity_text(axis.from, unit) +
            ", to = " + quantity_text(axis.to, unit) + ", points = " + std::to_string(axis.points) +
            ", scale = " + basic_string(sweep::scale_names[static_cast<std::size_t>(axis.scale)]) + " }";

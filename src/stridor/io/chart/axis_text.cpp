@@ -3,7 +3,7 @@
 #include "stridor/advice/design_space.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/io/chart/range_text.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/case_key.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -21,10 +21,10 @@ sweep::Axis read_axis_text(const parameters::Case& c, const std::string& text, i
     if (!range || range->parts.size() < 2 || range->parts.size() > 4)
         throw refusal("expected KEY=FROM:TO[:POINTS[:SCALE]]");
     const std::vector<std::string_view>& parts = range->parts;
-    const auto& field = advice::quantity_named(c, range->key);
-    const auto& quantity = std::get<parameters::Quantity>(field.kind);
+    const std::string key = advice::quantity_key_called(c, range->key);
+    const auto& quantity = std::get<parameters::Quantity>(parameters::field_of(key)->kind);
 
-    sweep::Axis axis{parameters::key_of(field), 0.0, 1.0, points, sweep::Scale::linear};
+    sweep::Axis axis{key, 0.0, 1.0, points, sweep::Scale::linear};
     try {
         const RangeEnds ends = read_range_ends(parts[0], parts[1], quantity.unit);
         axis.from = ends.from;

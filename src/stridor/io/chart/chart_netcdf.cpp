@@ -5,7 +5,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/io/netcdf_library.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/starts.hpp"
 
@@ -28,15 +28,17 @@ using parameters::Field;
 // a coordinate's name must be its own among the variables: drive.frequency beside the figure "frequency"
 std::string coordinate_name(const sweep::Axis& axis, const sweep::Axis& other) {
     const std::string& key = axis.parameter;
-    const auto short_name = [](const std::string& full) { return full.substr(full.find('.') + 1); };
+    const auto underscored = [](std::string name) {
+        std::replace(name.begin(), name.end(), '.', '_');
+        return name;
+    };
+    const auto short_name = [&](const std::string& full) { return underscored(full.substr(full.find('.') + 1)); };
     const std::string name = short_name(key);
     constexpr std::array<std::string_view, 8> fixed{"direction", "category",  "quiet_because", "status",
                                                     "source",    "agreement", "start",         "start_verdict"};
     const bool is_taken = name == short_name(other.parameter) || sweep::find_cell_figure(name) != nullptr ||
                           std::find(fixed.begin(), fixed.end(), name) != fixed.end();
-    std::string full = key;
-    std::replace(full.begin(), full.end(), '.', '_');
-    return is_taken ? full : name;
+    return is_taken ? underscored(key) : name;
 }
 
 // the conventions spell the degree out
@@ -50,7 +52,7 @@ int put_axis(NetcdfDataset& file, const std::string& name, const sweep::Axis& ax
     std::vector<double> values;
     for (int index = 0; index < axis.points; ++index)
         values.push_back(sweep::value_at(axis, index));
-    const Field& field = *parameters::find_field(axis.parameter);
+    const Field& field = *parameters::field_of(axis.parameter);
     const int variable =
         file.doubles(name, std::array{dimension}, values, {units_of(field), field.sentence, MissingNumbers::no});
     file.attribute(variable, "axis", letter);

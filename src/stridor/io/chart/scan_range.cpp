@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/io/chart/range_text.hpp"
-#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/case_key.hpp"
 
 #include <optional>
 
@@ -27,10 +27,9 @@ Error bad_points(const std::string& text) {
 analysis::ScanRange read_scan_range(const std::string& over) {
     const std::optional<RangeText> text = split_range(over);
     if (!text || text->parts.size() < 2 || text->parts.size() > 3) throw bad_range(over);
-    const parameters::Field& field = parameters::quantity_named(text->key);
-    const RangeEnds ends = read_range_ends(text->parts[0], text->parts[1], parameters::unit_of(field));
     analysis::ScanRange range;
-    range.key = parameters::key_of(field);
+    range.key = parameters::quantity_key_called(text->key);
+    const RangeEnds ends = read_range_ends(text->parts[0], text->parts[1], parameters::unit_of(range.key));
     range.from = ends.from;
     range.to = ends.to;
     if (text->parts.size() == 2) return range;

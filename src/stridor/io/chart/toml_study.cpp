@@ -6,7 +6,7 @@
 #include "stridor/io/case/complaints.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/chart/axis_text.hpp"
-#include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
@@ -111,12 +111,24 @@ std::size_t name_of(const std::string& text, const TomlEntry& entry, std::span<c
     return base::place_of_choice(entry.key, text, names, entry.value_place);
 }
 
-const parameters::Field& axis_field(const TomlEntry& entry) {
+std::string axis_key(const TomlEntry& entry) {
     const std::string name = text_of(entry, "the key of a quantity such as \"contact.preload\"");
     try {
-        return parameters::quantity_named(name);
+        return parameters::quantity_key_called(name);
     } catch (const Error& error) {
         throw located(error, entry.key, entry.value_place);
+    }
+}
+
+// refuses an axis along a joint that is not there
+void expect_joint_of(const parameters::Case& c, const TomlDocument& document, const std::string& key) {
+    const TomlEntry* entry = document.find(key);
+    const auto* name = entry == nullptr ? nullptr : std::get_if<std::string>(&entry->value);
+    if (name == nullptr) return;
+    try {
+        parameters::expect_joint_of(c, *name);
+    } catch (const Error& error) {
+        throw located(error, key, entry->value_place);
     }
 }
 
@@ -138,8 +150,7 @@ sweep::Axis read_axis(const TomlDocument& document, const std::string& prefix, C
         const TomlEntry* entry = document.find(prefix + "." + std::string(name));
         return entry != nullptr && complaints.keep([&] { part(*entry); });
     };
-    const bool has_unit =
-        read("parameter", [&](const TomlEntry& entry) { axis.parameter = parameters::key_of(axis_field(entry)); });
+    const bool has_unit = read("parameter", [&](const TomlEntry& entry) { axis.parameter = axis_key(entry); });
     const std::string unit(parameters::unit_of(axis.parameter));
     if (has_unit) read("from", [&](const TomlEntry& entry) { axis.from = number_of(entry, unit); });
     if (has_unit) read("to", [&](const TomlEntry& entry) { axis.to = number_of(entry, unit); });
@@ -198,9 +209,11 @@ sweep::Study read_study(const TomlDocument& document, const AxisTexts& axes) {
         complaints.keep([&] { study.base = read_base_case(document, recordings::read_sampled_file); });
     const bool is_over_x = is_over_x_alone(document, axes);
     const auto axis = [&](const std::string& text, const std::string& name, sweep::Axis& into) {
-        if (text.empty())
+        if (text.empty()) {
             into = read_axis(document, "chart." + name, complaints);
-        else if (has_case)
+            if (has_case)
+                complaints.keep([&] { expect_joint_of(study.base, document, "chart." + name + ".parameter"); });
+        } else if (has_case)
             complaints.keep([&] {
                 into = read_axis_text(study.base, text, is_over_x ? usual_points_alone : usual_points, "--" + name);
             });

@@ -25,7 +25,7 @@ struct AxisTexts {
 ///     refine = 3
 ///     starts = ["rest", "sliding"]
 ///
-/// `parameter`, in any spelling of `parameters::field_named`, `from`, `to` and `points` of both axes must be there;
+/// `parameter`, in any spelling of `parameters::key_called`, `from`, `to` and `points` of both axes must be there;
 /// without any of y it is a diagram over x alone (`sweep::resting_axis`). Ends are in the unit of the axis's
 /// parameter, or text with a unit. The case's own sections must be complete, the axes' keys included: they are its base
 /// values. Any of it may be overridden ("chart.x.points=5", "chart.directions=going"). Axes given beside it take the

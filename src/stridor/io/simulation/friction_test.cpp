@@ -3,7 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/io/case/toml_writer.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/recordings/rig_channels.hpp"
 
@@ -83,8 +83,8 @@ std::string case_with_friction(parameters::Case c, const MeasuredFriction& measu
     if (mu_s < mu_d)
         base::refuse(fmt::format("the static coefficient, {:g}, comes out below the kinetic one, {:g}", mu_s, mu_d),
                      "the model needs it the other way round", "Is --preload right, and the sensor's zero?");
-    parameters::set_quantity(c, *parameters::find_field("contact.static_friction"), mu_s);
-    parameters::set_quantity(c, *parameters::find_field("contact.kinetic_friction"), mu_d);
+    parameters::set_quantity(c, "contact.static_friction", mu_s);
+    parameters::set_quantity(c, "contact.kinetic_friction", mu_d);
     return case_toml(c, {Comments::full, heading});
 }
 
