@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/integration/initial_state.hpp"
+#include "stridor/integration/moreau/moreau.hpp"
 #include "stridor/integration/taylor/taylor.hpp"
 #include "stridor/model/joints_on_plate.hpp"
 #include "stridor/record/schedule.hpp"
@@ -53,6 +54,24 @@ inline integration::Motion run_taylor(const model::Structure& structure, double 
     return run_taylor(structure, velocity, integration::initial_state(structure, {initial, 0.0}, velocity), watched);
 }
 
+/// A run by Moreau's time stepping that keeps its histories.
+inline integration::Motion run_moreau(const model::Structure& structure, double velocity,
+                                      const integration::InitialState& start, double step,
+                                      const Watched& watched = {}) {
+    const parameters::Case c = watched_case(velocity, watched);
+    record::Request request;
+    request.history = record::KeepHistory::yes;
+    record::Recorder recorder(record::schedule(c), request, model::dofs_of(structure),
+                              static_cast<int>(structure.contacts.size()));
+    return integration::integrate_moreau(structure, c.drive, start, {step}, std::move(recorder));
+}
+
+inline integration::Motion run_moreau(const model::Structure& structure, double velocity, parameters::Initial initial,
+                                      double step, const Watched& watched = {}) {
+    return run_moreau(structure, velocity, integration::initial_state(structure, {initial, 0.0}, velocity), step,
+                      watched);
+}
+
 /// Table 1's joint with other numbers.
 inline model::PlateJoint plate_joint(double preload, double kinetic_friction, double angle = 70.0) {
     model::PlateJoint joint;
@@ -60,6 +79,26 @@ inline model::PlateJoint plate_joint(double preload, double kinetic_friction, do
     joint.contact.preload = preload;
     joint.contact.kinetic_friction = kinetic_friction;
     return joint;
+}
+
+/// Joints on Table 1's plate.
+inline model::Structure plate_of(const std::vector<model::PlateJoint>& joints) {
+    return model::joints_on_plate(joints, parameters::Plate{});
+}
+
+/// Painleve's configuration by inertia: n = (0, 1), t = (1, 0), W_nn + mu_d W_nt < 0 for mu_d > 1.25 where it slips
+/// backward, that is over a surface with V > 0.
+inline model::Structure painleve_example(double kinetic_friction) {
+    model::Structure structure = model::structure_of_size(2);
+    structure.mass << 1.0, 0.8, 0.8, 1.0;
+    structure.stiffness = 100.0 * Eigen::Matrix2d::Identity();
+    structure.damping = 0.1 * Eigen::Matrix2d::Identity();
+    structure.load << 0.0, -1.0;
+    model::ContactPoint& contact = structure.contacts.front();
+    contact.normal << 0.0, 1.0;
+    contact.tangent << 1.0, 0.0;
+    contact.friction = model::Coulomb{1.5, kinetic_friction};
+    return structure;
 }
 
 }  // namespace stridor::support

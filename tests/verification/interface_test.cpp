@@ -4,7 +4,7 @@
 #include "stridor/classification/interface_rules.hpp"
 #include "stridor/model/chain_on_belt.hpp"
 #include "support/many_contacts.hpp"
-#include "support/strip.hpp"
+#include "support/rubber_strip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST(Interface, TurnsIntoHeatWhatTheEnergyBalanceSays) {
 }
 
 TEST(Interface, OfTheStripSticksAsTheSumOfItsNodesSays) {
-    support::Strip strip = support::read_strip(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/strip_s1.txt");
+    support::RubberStrip strip = support::read_strip(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/strip_s1.txt");
     for (model::ContactPoint& contact : strip.structure.contacts)
         contact.interface = 0;
     const Motion motion = run_taylor(strip.structure, strip.velocity, strip.start, {1.1, 1.0});

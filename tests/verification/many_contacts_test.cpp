@@ -6,7 +6,7 @@
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/model/bowed_string.hpp"
 #include "stridor/model/chain_on_belt.hpp"
-#include "support/strip.hpp"
+#include "support/rubber_strip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,17 +26,13 @@ using model::ContactState;
 using model::PlateJoint;
 using parameters::Initial;
 using support::plate_joint;
+using support::plate_of;
 using support::run_taylor;
 using support::shares;
-using support::Strip;
 
 constexpr std::size_t slip = 0;
 constexpr std::size_t stick = 1;
 constexpr std::size_t separation = 2;
-
-model::Structure plate_of(const std::vector<PlateJoint>& joints) {
-    return model::joints_on_plate(joints, parameters::Plate{});
-}
 
 void expect_sound(const Motion& motion) {
     EXPECT_EQ(motion.outcome.reason, Reason::completed);
@@ -243,15 +239,7 @@ TEST(ManyContacts, HaveTheSameBitsWithForceAndVelocityDoubled) {
 // --- Painleve's configuration: n = (0, 1), t = (1, 0), W_nn + mu_d W_nt < 0 for mu_d > 1.25 and V > 0
 
 Motion painleve_run(double kinetic_friction, double velocity) {
-    model::Structure structure = model::structure_of_size(2);
-    structure.mass << 1.0, 0.8, 0.8, 1.0;
-    structure.stiffness = 100.0 * Eigen::Matrix2d::Identity();
-    structure.damping = 0.1 * Eigen::Matrix2d::Identity();
-    structure.load << 0.0, -1.0;
-    model::ContactPoint& contact = structure.contacts.front();
-    contact.normal << 0.0, 1.0;
-    contact.tangent << 1.0, 0.0;
-    contact.friction = model::Coulomb{1.5, kinetic_friction};
+    const model::Structure structure = support::painleve_example(kinetic_friction);
     return run_taylor(structure, velocity, Initial::rest, {20.0, 10.0});
 }
 
@@ -396,7 +384,8 @@ TEST(TwoMasses, SlipAndStickAsCodeAsterSays) {
 // --- a strip of rubber on a moving surface: 40 degrees of freedom, five contacts, lumped mass
 
 TEST(Strip, HasTheMeanSharesOfThePrototype) {
-    const Strip strip = support::read_strip(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/strip_s1.txt");
+    const support::RubberStrip strip =
+        support::read_strip(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/strip_s1.txt");
     const Motion motion = run_taylor(strip.structure, strip.velocity, strip.start, {1.1, 1.0});
     expect_sound(motion);
     double mean[3]{};

@@ -1,6 +1,7 @@
 #include "stridor/integration/contact_impulses.hpp"
 
 #include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/contact_violation.hpp"
 
 #include <Eigen/LU>
 
@@ -24,7 +25,7 @@ public:
     Trial(const ModalStructure& structure, const Meeting& meeting)
         : structure_(structure),
           meeting_(meeting),
-          broken_(meeting.mode.size(), false) {
+          limit_(meeting.mode.size(), StickLimit::whole) {
         result_.mode = meeting.mode;
     }
 
@@ -33,23 +34,12 @@ public:
     ContactImpulses result() const { return result_; }
 
 private:
-    struct Violation {
-        double size = 0.0;  // [1]
-        std::size_t contact = 0;
-        ContactMode mode = ContactMode::open;
-    };
-
     double ratio(std::size_t k) const { return structure_.contacts[k].ratio[index_of(way_of(result_.mode[k]))]; }
-    void look(std::size_t contact, double excess, double scale, ContactMode mode) {
-        const double size = excess / scale;
-        if (size > impulse_rounding && size > worst_.size) worst_ = {size, contact, mode};
-    }
 
     const ModalStructure& structure_;
     const Meeting& meeting_;
-    std::vector<bool> broken_;  // limits that fell
+    std::vector<StickLimit> limit_;
     ContactImpulses result_;
-    Violation worst_;
 };
 
 bool Trial::solve() {
@@ -104,35 +94,28 @@ bool Trial::solve() {
 
 // changes the worst violated contact; returns false if none is
 bool Trial::mend() {
-    double speed = 0.0, push = 0.0;
+    TrialScale scale{.rounding = impulse_rounding};
     for (std::size_t k = 0; k < result_.mode.size(); ++k) {
         if (!meeting_.touches[k]) continue;
-        speed = std::max({speed, std::abs(meeting_.gap_velocity[k]), std::abs(meeting_.slip_velocity[k]),
-                          std::abs(result_.gap_velocity[k]), std::abs(result_.slip_velocity[k])});
-        push = std::max({push, std::abs(result_.normal[k]), std::abs(result_.tangential[k])});
+        scale.speed = std::max({scale.speed, std::abs(meeting_.gap_velocity[k]), std::abs(meeting_.slip_velocity[k]),
+                                std::abs(result_.gap_velocity[k]), std::abs(result_.slip_velocity[k])});
+        scale.push = std::max({scale.push, std::abs(result_.normal[k]), std::abs(result_.tangential[k])});
     }
-    worst_ = {};
+    ContactViolation worst;
+    std::size_t contact = 0;
     for (std::size_t k = 0; k < result_.mode.size(); ++k) {
         if (!meeting_.touches[k]) continue;
-        const ContactMode mode = result_.mode[k];
-        if (mode == ContactMode::open) {
-            look(k, -result_.gap_velocity[k], speed, ContactMode::stick);
-            continue;
-        }
-        look(k, -result_.normal[k], push, ContactMode::open);
-        if (mode == ContactMode::stick) {
-            const model::Slip way = model::slip_against(result_.tangential[k]);
-            const ModalContact& law = structure_.contacts[k];
-            const double limit = broken_[k] ? std::abs(law.ratio[index_of(way)]) : law.limit[index_of(way)];
-            look(k, std::abs(result_.tangential[k]) - limit * result_.normal[k], push, slip_mode(way));
-        } else {
-            const double sign = mode == ContactMode::slip_forward ? 1.0 : -1.0;
-            look(k, -sign * result_.slip_velocity[k], speed, ContactMode::stick);
-        }
+        const TriedContact tried{result_.mode[k],         limit_[k],
+                                 result_.normal[k],       result_.tangential[k],
+                                 result_.gap_velocity[k], result_.slip_velocity[k]};
+        const ContactViolation here = violation(structure_.contacts[k], tried, scale);
+        if (!(here.size > worst.size)) continue;
+        worst = here;
+        contact = k;
     }
-    if (worst_.size == 0.0) return false;
-    if (result_.mode[worst_.contact] == ContactMode::stick && is_slip(worst_.mode)) broken_[worst_.contact] = true;
-    result_.mode[worst_.contact] = worst_.mode;
+    if (worst.size == 0.0) return false;
+    if (result_.mode[contact] == ContactMode::stick && is_slip(worst.mode)) limit_[contact] = StickLimit::fallen;
+    result_.mode[contact] = worst.mode;
     return true;
 }
 

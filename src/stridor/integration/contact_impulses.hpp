@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/integration/contact_mode.hpp"
-#include "stridor/integration/taylor/modal_structure.hpp"
+#include "stridor/integration/modal_structure.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/integration/exact/exact.hpp"
-#include "stridor/integration/taylor/modal_structure.hpp"
+#include "stridor/integration/modal_structure.hpp"
 #include "support/many_contacts.hpp"
 
 #include <gtest/gtest.h>

@@ -35,11 +35,11 @@ using model::ContactState;
 using model::SizedStructure;
 
 // so often a run looks for a stop request and for numbers that left double precision: a tenth of a millisecond
-constexpr long steps_between_checks = 4096;
+constexpr long steps_between_stops = 4096;
 // [1] of the turnover: 5e-10 in thousands of steps; a rounding error of the energy held in each of 1e9 steps makes 1e-7
-constexpr double most_unexplained = 1e-6;
+constexpr double most_rounding_share = 1e-6;
 // above 1/2 beta_2 damps by intent, of first order in the step: its residual is a figure to read, not a check
-constexpr double everything = 1.0;
+constexpr double any_share = 1.0;
 
 // the law of friction for a contact that slips, or would, one way
 struct SlipLaw {
@@ -318,7 +318,7 @@ Outcome Stepping<dofs>::run(const std::stop_token& stop) {
         const long span_end = step_at(spans[k].to);
         std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
         while (n_ < span_end) {
-            long end = std::min(span_end, n_ + steps_between_checks);
+            long end = std::min(span_end, n_ + steps_between_stops);
             if (next_sample >= n_ && next_sample <= last_sample) {
                 if (next_sample == n_) {
                     sample();
@@ -385,7 +385,7 @@ Motion integrate_beta_2(const model::Structure& structure, const parameters::Dri
         Stepping<size()> runner(structure, contact, drive, start, settings, recorder);
         const Outcome outcome = runner.run(stop);
         const EnergyBalance balance = runner.energy();
-        const double most = settings.beta_2 > 0.5 ? everything : most_unexplained;
+        const double most = settings.beta_2 > 0.5 ? any_share : most_rounding_share;
         return {weighed(outcome, balance, most), balance, recorder.finish(outcome.time, {runner.outlook(outcome)})};
     });
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "stridor/integration/contact_mode.hpp"
+#include "stridor/integration/modal_structure.hpp"
 #include "stridor/integration/motion.hpp"
-#include "stridor/integration/taylor/modal_structure.hpp"
 #include "stridor/record/tally.hpp"
 
 #include <Eigen/Core>

@@ -1,6 +1,7 @@
 // What a block adds to the sums of its span and to the energy balance, by quadrature over its series, and the samples
 // that lie in it.
 
+#include "stridor/integration/body_vibration.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/taylor/taylor_run.hpp"
 #include "stridor/model/sized_structure.hpp"
@@ -73,34 +74,17 @@ void TaylorRun::account(double theta) {
         if (!is_judged && !is_measuring_) continue;
         const Eigen::VectorXd speed =
             structure_.channels * Eigen::Map<const Eigen::VectorXd>(v, static_cast<Eigen::Index>(scratch_.size()));
-        if (is_judged) add_vibration(speed, duration, sums_);
-        if (is_measuring_) add_vibration(speed, duration, period_);
+        if (is_judged) add_vibration(whole_, speed, duration, sums_.vibration);
+        if (is_measuring_) add_vibration(whole_, speed, duration, period_.vibration);
     }
     if (is_judged) add_normal_impulse(theta, sums_);
     if (is_measuring_) add_normal_impulse(theta, period_);
 }
 
 void TaylorRun::add_normal_impulse(double theta, Sums& sums) const {
-    for (std::size_t k = 0; k < state_.set.size(); ++k)
-        if (state_.set[k] != ContactMode::open)
-            sums.load[structure_.number[k]].normal_impulse += step_ * integral(block_.normal_force(k), theta);
-}
-
-// peaks are of whole bodies: their channels stand one after the other
-void TaylorRun::add_vibration(const Eigen::VectorXd& speed, double duration, Sums& sums) const {
-    std::vector<record::Vibration>& vibration = sums.vibration;
-    const auto body = [this](std::size_t channel) {
-        return whole_.body.empty() ? static_cast<int>(channel) : whole_.body[channel];
-    };
-    for (std::size_t first = 0, end = 0; first < vibration.size(); first = end) {
-        double whole = 0.0;
-        for (end = first; end < vibration.size() && body(end) == body(first); ++end) {
-            const double square = speed(static_cast<Eigen::Index>(end)) * speed(static_cast<Eigen::Index>(end));
-            vibration[end].square_time += duration * square;
-            whole += square;
-        }
-        for (std::size_t channel = first; channel < end; ++channel)
-            vibration[channel].peak_square = std::max(vibration[channel].peak_square, whole);
+    for (std::size_t k = 0; k < state_.set.size(); ++k) {
+        if (state_.set[k] == ContactMode::open) continue;
+        sums.load[structure_.number[k]].normal_impulse += step_ * integral(block_.normal_force(k), theta);
     }
 }
 

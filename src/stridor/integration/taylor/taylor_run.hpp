@@ -52,7 +52,6 @@ private:
     double next_boundary() const;
     Firing first_firing(double reach);
     void account(double theta);
-    void add_vibration(const Eigen::VectorXd& speed, double duration, Sums& sums) const;
     void add_normal_impulse(double theta, Sums& sums) const;
     void pass_samples(double theta);
     void move(double theta);

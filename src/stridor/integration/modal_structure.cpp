@@ -1,4 +1,4 @@
-#include "stridor/integration/taylor/modal_structure.hpp"
+#include "stridor/integration/modal_structure.hpp"
 
 #include "stridor/base/error.hpp"
 

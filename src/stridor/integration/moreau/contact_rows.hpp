@@ -1,0 +1,34 @@
+#pragma once
+
+#include "stridor/integration/modal_structure.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace stridor::integration {
+
+/// The normals and tangents of all contacts over the modes, row 2k the normal and 2k+1 the tangent of contact k, as a
+/// step multiplies by them: in blocks of eight modes that hold all rows, so that many rows share one pass.
+class ContactRows {
+public:
+    explicit ContactRows(const ModalStructure& structure);
+
+    /// Products of the rows `which` with x, shape [mode]; the others of `products`, shape [row], stay as they are.
+    void multiply(const std::vector<std::size_t>& which, const std::vector<double>& x, std::vector<double>& products);
+
+    /// Sum of the rows `which` times their share, shape [row], into `sum`, shape [mode].
+    void combine(const std::vector<std::size_t>& which, const std::vector<double>& share, std::vector<double>& sum);
+
+    /// As many numbers as x and sums must hold: the modes, filled up to whole blocks.
+    std::size_t padded_modes() const { return blocks_ * block_modes; }
+
+private:
+    static constexpr std::size_t block_modes = 8;
+
+    std::size_t rows_;
+    std::size_t blocks_;
+    std::vector<double> numbers_;  // [1/√kg] shape [block][row][lane]
+    std::vector<double> partial_;  // shape [row][lane]
+};
+
+}  // namespace stridor::integration

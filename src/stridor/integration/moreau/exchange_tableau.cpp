@@ -1,0 +1,73 @@
+#include "stridor/integration/moreau/exchange_tableau.hpp"
+
+#include "stridor/base/check.hpp"
+
+namespace stridor::integration {
+
+namespace {
+
+constexpr std::size_t whole_vector = 8;  // columns begin and end with whole vectors
+
+}  // namespace
+
+ExchangeTableau::ExchangeTableau(const Eigen::MatrixXd& relation)
+    : size_(static_cast<std::size_t>(relation.rows())),
+      stride_((size_ + whole_vector - 1) / whole_vector * whole_vector),
+      matrix_(size_ * stride_, 0.0),
+      follows_(stride_, 0.0),
+      is_exchanged_(size_, 0) {
+    for (std::size_t j = 0; j < size_; ++j)
+        for (std::size_t i = 0; i < size_; ++i)
+            matrix_[j * stride_ + i] = relation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+}
+
+void ExchangeTableau::set(const std::vector<double>& b) {
+    for (std::size_t i = 0; i < size_; ++i)
+        follows_[i] = is_exchanged_[i] != 0 ? 0.0 : b[i];
+    double* follows = follows_.data();
+    for (std::size_t j = 0; j < size_; ++j) {
+        if (is_exchanged_[j] == 0) continue;
+        const double* column = &matrix_[j * stride_];
+        const double share = b[j];
+        for (std::size_t i = 0; i < stride_; ++i)
+            follows[i] -= share * column[i];
+    }
+}
+
+void ExchangeTableau::exchange(std::size_t k) {
+    double* pivotal = &matrix_[k * stride_];
+    const double inverse = 1.0 / pivotal[k];
+    for (std::size_t j = 0; j < size_; ++j) {
+        if (j == k) continue;
+        double* column = &matrix_[j * stride_];
+        const double share = column[k] * inverse;
+        if (share == 0.0) continue;
+        for (std::size_t i = 0; i < stride_; ++i)
+            column[i] -= share * pivotal[i];
+        column[k] = -share;
+    }
+    const double share = follows_[k] * inverse;
+    for (std::size_t i = 0; i < stride_; ++i)
+        follows_[i] -= share * pivotal[i];
+    follows_[k] = -share;
+    for (std::size_t i = 0; i < stride_; ++i)
+        pivotal[i] *= inverse;
+    pivotal[k] = inverse;
+    is_exchanged_[k] = is_exchanged_[k] == 0 ? 1 : 0;
+    ++exchanges_;
+}
+
+void ExchangeTableau::shear(std::size_t from, std::size_t to, double share) {
+    STRIDOR_EXPECT(is_exchanged_[from] == is_exchanged_[to]);
+    if (share == 0.0) return;
+    if (is_exchanged_[from] != 0) {
+        for (std::size_t j = 0; j < size_; ++j)
+            matrix_[j * stride_ + to] -= share * matrix_[j * stride_ + from];
+        follows_[to] -= share * follows_[from];
+        return;
+    }
+    for (std::size_t i = 0; i < stride_; ++i)
+        matrix_[from * stride_ + i] += share * matrix_[to * stride_ + i];
+}
+
+}  // namespace stridor::integration

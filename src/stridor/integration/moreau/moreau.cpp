@@ -1,0 +1,247 @@
+// Moreau's time stepping with an exact free structure. A step from n to n+1:
+//
+//     q*, v*   the free structure's exact motion under the load (`FreePropagation`)
+//     touching those closed before, and those open with g* = n.q* + g0 <= 0
+//     N, T     constant in the step, so that (g', w) at its end = (n.v*, t.v* - V) + W_h (N, T) obey the laws
+//     q, v     = q*, v* + what constant N, T do in a step
+//
+// A contact that closes has a gap of the size of the step's travel; it is set to zero, and so is every 64 steps what
+// has gathered in closed gaps: q -= n W_nn⁻¹ g over all closed contacts, at right angles under the mass.
+
+#include "stridor/integration/moreau/moreau.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/moreau/moreau_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace stridor::integration {
+
+namespace {
+
+constexpr long steps_between_looks = 256;
+constexpr long steps_between_projections = 64;
+constexpr double closed_rounding = 1e-9;  // [1] of a gap's terms: closed at the start
+constexpr double still_rounding = 1e-12;
+constexpr std::size_t modes_per_watched_step = 16;  // velocities of all degrees of freedom cost modes² operations
+
+std::vector<double> padded(const Eigen::VectorXd& x, std::size_t size) {
+    std::vector<double> numbers(size, 0.0);
+    std::copy_n(x.data(), x.size(), numbers.begin());
+    return numbers;
+}
+
+// what contacts do at the start, from their gaps and velocities
+std::vector<ContactMode> first_set(const ModalStructure& structure, const std::vector<double>& q,
+                                   const std::vector<double>& v, double surface_velocity) {
+    std::vector<ContactMode> set;
+    const std::size_t n = structure.modes();
+    for (const ModalContact& c : structure.contacts) {
+        const double size = dot_of_sizes(c.normal, {q.data(), n}) + std::abs(c.initial_gap);
+        const double w = slip_velocity(c, {v.data(), n}, surface_velocity);
+        const double speed = dot_of_sizes(c.tangent, {v.data(), n}) + std::abs(c.drive_share * surface_velocity);
+        if (gap(c, {q.data(), n}) > closed_rounding * size)
+            set.push_back(ContactMode::open);
+        else
+            set.push_back(std::abs(w) > still_rounding * speed ? slip_mode(model::slip_of(w)) : ContactMode::stick);
+    }
+    return set;
+}
+
+Eigen::MatrixXd normal_part(const Eigen::MatrixXd& compliance) {
+    const Eigen::Index p = compliance.rows() / 2;
+    Eigen::MatrixXd part(p, p);
+    for (Eigen::Index a = 0; a < p; ++a)
+        for (Eigen::Index b = 0; b < p; ++b)
+            part(a, b) = compliance(2 * a, 2 * b);
+    return part;
+}
+
+}  // namespace
+
+double longest_step(const ModalStructure& structure) {
+    const double square = structure.square_frequency.back();
+    return square > 0.0 ? std::numbers::pi / std::sqrt(square) : std::numeric_limits<double>::infinity();
+}
+
+MoreauRun::MoreauRun(const model::Structure& structure, ModalStructure modal_one, const parameters::Drive& drive,
+                     const InitialState& start, double step, record::Recorder& recorder)
+    : whole_(structure),
+      structure_(std::move(modal_one)),
+      step_(step),
+      motion_(drive, step),
+      recorder_(recorder),
+      propagation_(structure_, step),
+      rows_(structure_),
+      contacts_(structure_, propagation_.response(),
+                first_set(structure_, padded(modal(structure_, structure, start.displacement), rows_.padded_modes()),
+                          padded(modal(structure_, structure, start.velocity), rows_.padded_modes()),
+                          motion_.at(0.0).velocity)),
+      closing_(normal_part(structure_.compliance)),
+      q_(padded(modal(structure_, structure, start.displacement), rows_.padded_modes())),
+      v_(padded(modal(structure_, structure, start.velocity), rows_.padded_modes())),
+      q_before_(q_),
+      v_before_(v_),
+      push_(q_.size(), 0.0),
+      scratch_(push_),
+      set_(contacts_.set()),
+      touches_(set_.size(), 0),
+      touched_(set_.size(), 0),
+      rates_(2 * set_.size(), 0.0),
+      free_rates_(rates_),
+      products_(rates_),
+      forces_(rates_),
+      watch_every_(static_cast<long>(1 + structure_.modes() / modes_per_watched_step)),
+      vibration_(static_cast<std::size_t>(model::channels_of(structure))),
+      load_(structure.contacts.size()),
+      initial_q_(q_),
+      most_q_(q_.size(), 0.0),
+      most_v_(q_.size(), 0.0) {
+    surface_velocity_ = motion_.at(0.0).velocity;
+    dashpot_power_ = dashpot_power();
+    initial_energy_ = stored();
+}
+
+long MoreauRun::step_at(double time) const {
+    return static_cast<long>(std::ceil(time / step_ - 1e-6));
+}
+
+// who takes part: the closed ones, and the open ones whose gap would close
+void MoreauRun::find_touching() {
+    which_.clear();
+    for (std::size_t k = 0; k < set_.size(); ++k)
+        if (set_[k] == ContactMode::open) which_.push_back(2 * k);
+    if (!which_.empty()) rows_.multiply(which_, q_, products_);
+    for (std::size_t k = 0; k < set_.size(); ++k)
+        touches_[k] =
+            set_[k] != ContactMode::open || products_[2 * k] + structure_.contacts[k].initial_gap <= 0.0 ? 1 : 0;
+}
+
+// rates of those that take part: at the free end, and where they are not known at the begin, too
+void MoreauRun::find_free_rates(double surface_velocity) {
+    which_.clear();
+    for (std::size_t k = 0; k < set_.size(); ++k)
+        if (touches_[k] != 0 && touched_[k] == 0) which_.insert(which_.end(), {2 * k, 2 * k + 1});
+    if (!which_.empty()) {
+        rows_.multiply(which_, v_before_, rates_);
+        for (const std::size_t row : which_)
+            if (row % 2 == 1) rates_[row] -= structure_.contacts[row / 2].drive_share * surface_velocity_;
+    }
+    which_.clear();
+    for (std::size_t k = 0; k < set_.size(); ++k)
+        if (touches_[k] != 0) which_.insert(which_.end(), {2 * k, 2 * k + 1});
+    std::fill(free_rates_.begin(), free_rates_.end(), 0.0);
+    if (!which_.empty()) rows_.multiply(which_, v_, free_rates_);
+    for (std::size_t k = 0; k < set_.size(); ++k)
+        if (touches_[k] != 0) free_rates_[2 * k + 1] -= structure_.contacts[k].drive_share * surface_velocity;
+}
+
+// sets the gaps of closed contacts to zero
+void MoreauRun::project() {
+    const std::vector<ContactMode>& set = contacts_.set();
+    which_.clear();
+    for (std::size_t k = 0; k < set.size(); ++k) {
+        const bool is_closed = set[k] != ContactMode::open;
+        if (is_closed) which_.push_back(2 * k);
+        if (closing_.is_exchanged(k) != is_closed) closing_.exchange(k);
+    }
+    if (which_.empty()) return;
+    rows_.multiply(which_, q_, products_);
+    std::vector<double> gaps(set.size(), 0.0), share(products_.size(), 0.0);
+    for (const std::size_t row : which_)
+        gaps[row / 2] = products_[row] + structure_.contacts[row / 2].initial_gap;
+    closing_.set(gaps);
+    for (const std::size_t row : which_)
+        share[row] = closing_.follows(row / 2);
+    const double before = elastic();
+    rows_.combine(which_, share, scratch_);
+    for (std::size_t j = 0; j < q_.size(); ++j)
+        q_[j] += scratch_[j];
+    work_.impact_loss += before - elastic();
+}
+
+// one step; returns false if no contact forces obey the laws
+bool MoreauRun::advance() {
+    const double end_velocity = motion_.at(static_cast<double>(n_ + 1) * step_).velocity;
+    q_before_ = q_;
+    v_before_ = v_;
+    propagation_.advance(q_, v_);
+    find_touching();
+    find_free_rates(end_velocity);
+    if (!contacts_.solve(free_rates_, touches_)) return false;
+    const std::vector<ContactMode>& set = contacts_.set();
+    which_.clear();
+    bool has_closed = false;
+    for (std::size_t k = 0; k < set.size(); ++k) {
+        forces_[2 * k] = contacts_.normal_force(k);
+        forces_[2 * k + 1] = contacts_.friction_force(k);
+        if (set[k] == ContactMode::open) continue;
+        which_.insert(which_.end(), {2 * k, 2 * k + 1});
+        has_closed = has_closed || set_[k] == ContactMode::open;
+    }
+    rows_.combine(which_, forces_, push_);
+    propagation_.push(push_, q_, v_);
+    note(surface_velocity_, end_velocity);
+    if (has_closed || n_ % steps_between_projections == 0) project();
+    surface_velocity_ = end_velocity;
+    touched_ = touches_;
+    set_ = set;
+    ++n_;
+    return true;
+}
+
+Outcome MoreauRun::run(const std::stop_token& stop) {
+    const std::vector<record::Span>& spans = recorder_.schedule().spans;
+    const record::TraceRequest& trace = recorder_.request().trace;
+    const long every = trace.interval > 0.0 ? std::max(1L, std::lround(std::min(trace.interval / step_, 1e15))) : 0;
+    long next_sample = every > 0 ? step_at(trace.from) : -1;
+    const long last_sample = every > 0 ? step_at(trace.to) : -1;
+    for (std::size_t k = 0; k < spans.size(); ++k) {
+        const long begin = n_;
+        const long end = step_at(spans[k].to);
+        std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
+        std::fill(load_.begin(), load_.end(), record::Load());
+        watched_ = 0;
+        while (n_ < end) {
+            if (n_ % watch_every_ == 0 && record::is_judged(spans[k].use)) watch();
+            if (n_ % steps_between_looks == 0) {
+                widen_reach();
+                if (!is_finite()) return {Reason::diverged, time()};
+                if (stop.stop_requested()) return {Reason::cancelled, time()};
+            }
+            if (!advance()) return {Reason::no_forces, time()};
+            if (n_ - 1 == next_sample && next_sample <= last_sample) {
+                sample();
+                next_sample += every;
+            }
+        }
+        const double length = n_ > begin ? static_cast<double>(n_ - begin) * step_ : spans[k].to - spans[k].from;
+        if (watched_ == 0) watch();  // a span between two steps has the velocities of the next one
+        for (record::Vibration& sum : vibration_)
+            sum.square_time *= length / static_cast<double>(watched_);
+        recorder_.vibrate(k, length, vibration_);
+        recorder_.load(k, load_);
+    }
+    return is_finite() ? Outcome{Reason::completed, time()} : Outcome{Reason::diverged, time()};
+}
+
+Motion integrate_moreau(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
+                        const Moreau& settings, record::Recorder recorder, std::stop_token stop) {
+    for (const model::ContactPoint& contact : structure.contacts)
+        if (!std::holds_alternative<model::Plastic>(contact.impact))
+            throw Error(ErrorKind::input,
+                        {"the moreau engine cannot solve this structure",
+                         "its impacts are what its steps make of them: plastic", "Use impact = \"plastic\"."});
+    ModalStructure modal = modal_structure(structure);
+    if (settings.step > longest_step(modal)) return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
+    MoreauRun runner(structure, std::move(modal), drive, start, settings.step, recorder);
+    const Outcome outcome = runner.run(stop);
+    return {outcome, runner.energy(), recorder.finish(outcome.time)};
+}
+
+}  // namespace stridor::integration

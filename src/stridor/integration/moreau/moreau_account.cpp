@@ -1,0 +1,132 @@
+// What a step adds to the energy balance and to the sums of its span, and samples. Forces are constant in a step, and
+// rates are taken to change evenly in it: the residual of the balance falls with the square of the step where nothing
+// changes its state, and says how well steps resolve the motion.
+
+#include "stridor/integration/body_vibration.hpp"
+#include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/moreau/moreau_run.hpp"
+#include "stridor/model/sized_structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stridor::integration {
+
+void MoreauRun::note(double start_velocity, double end_velocity) {
+    const double mean_surface = 0.5 * (start_velocity + end_velocity);
+    for (std::size_t k = 0; k < set_.size(); ++k) {
+        if (contact_of(contacts_.set()[k]) != contact_of(set_[k]) || n_ == 0) tell(k);
+        if (touches_[k] == 0) continue;
+        const double gap_rate = contacts_.gap_velocity(k);
+        const double slip_rate = contacts_.slip_velocity(k);
+        const double T = forces_[2 * k + 1];
+        work_.impact_loss -= step_ * forces_[2 * k] * 0.5 * (rates_[2 * k] + gap_rate);
+        const double friction_loss = -step_ * T * 0.5 * (rates_[2 * k + 1] + slip_rate);
+        work_.friction_loss += friction_loss;
+        record::Load& load = load_[structure_.number[k]];
+        load.normal_impulse += step_ * forces_[2 * k];
+        load.friction_loss += friction_loss;
+        work_.drive_work += step_ * T * structure_.contacts[k].drive_share * mean_surface;
+        rates_[2 * k] = gap_rate;
+        rates_[2 * k + 1] = slip_rate;
+    }
+    const double power = dashpot_power();
+    work_.dashpot_loss += step_ * 0.5 * (dashpot_power_ + power);
+    dashpot_power_ = power;
+}
+
+// the recorder of a contact's new state, which it has from the step's begin on
+void MoreauRun::tell(std::size_t contact) {
+    recorder_.enter(structure_.number[contact],
+                    {contact_of(contacts_.set()[contact]), time(), 0.0, rates_[2 * contact + 1], rates_[2 * contact]});
+}
+
+double MoreauRun::dashpot_power() const {
+    const std::size_t n = structure_.modes();
+    double power = 0.0;
+    if (structure_.is_damped_by_mode()) {
+        for (std::size_t j = 0; j < n; ++j)
+            power += structure_.damping[j] * v_[j] * v_[j];
+        return power;
+    }
+    for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t b = 0; b < n; ++b)
+            power += structure_.damping[a * n + b] * v_[a] * v_[b];
+    return power;
+}
+
+// velocities at this instant stand for the steps until the next ones
+void MoreauRun::watch() {
+    const auto n = static_cast<Eigen::Index>(structure_.modes());
+    const Eigen::VectorXd speed = structure_.channels * Eigen::Map<const Eigen::VectorXd>(v_.data(), n);
+    add_vibration(whole_, speed, 1.0, vibration_);
+    ++watched_;
+}
+
+void MoreauRun::widen_reach() {
+    for (std::size_t j = 0; j < q_.size(); ++j) {
+        most_q_[j] = std::max(most_q_[j], std::abs(q_[j]));
+        most_v_[j] = std::max(most_v_[j], std::abs(v_[j]));
+    }
+}
+
+// the instant at which the step that is done began, with its forces
+void MoreauRun::sample() {
+    const auto n = static_cast<Eigen::Index>(structure_.modes());
+    const Eigen::Map<const Eigen::VectorXd> q(q_before_.data(), n), v(v_before_.data(), n), r(push_.data(), n),
+        square(structure_.square_frequency.data(), n), load(structure_.load.data(), n);
+    Eigen::VectorXd a = load + r - square.cwiseProduct(q);
+    if (structure_.is_damped_by_mode())
+        a -= Eigen::Map<const Eigen::VectorXd>(structure_.damping.data(), n).cwiseProduct(v);
+    else
+        a -= Eigen::Map<const Eigen::MatrixXd>(structure_.damping.data(), n, n) * v;
+    std::vector<record::ContactSample> contacts(set_.size());
+    for (std::size_t k = 0; k < set_.size(); ++k) {
+        record::ContactSample& sample = contacts[structure_.number[k]];
+        sample.state = contact_of(set_[k]);
+        sample.normal_force = forces_[2 * k];
+        sample.friction_force = forces_[2 * k + 1];
+        if (set_[k] == ContactMode::open)
+            sample.gap = std::max(0.0, gap(structure_.contacts[k], {q_before_.data(), structure_.modes()}));
+    }
+    const double time = static_cast<double>(n_ - 1) * step_;
+    const Eigen::VectorXd u = structure_.shapes * q, speed = structure_.shapes * v,
+                          acceleration = structure_.shapes * a;
+    recorder_.sample({time, model::numbers(u), model::numbers(speed), model::numbers(acceleration),
+                      motion_.at(time).velocity, contacts});
+}
+
+double MoreauRun::elastic() const {
+    double energy = 0.0;
+    for (std::size_t j = 0; j < structure_.modes(); ++j)
+        energy += (0.5 * structure_.square_frequency[j] * q_[j] - structure_.load[j]) * q_[j];
+    return energy;
+}
+
+double MoreauRun::stored() const {
+    double energy = 0.0;
+    for (std::size_t j = 0; j < structure_.modes(); ++j)
+        energy += 0.5 * v_[j] * v_[j] + 0.5 * structure_.square_frequency[j] * q_[j] * q_[j];
+    return energy;
+}
+
+bool MoreauRun::is_finite() const {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < q_.size(); ++j)
+        sum += q_[j] * 0.0 + v_[j] * 0.0;
+    return sum == 0.0;
+}
+
+EnergyBalance MoreauRun::energy() const {
+    EnergyBalance balance = work_;
+    balance.stored = stored() - initial_energy_;
+    for (std::size_t j = 0; j < structure_.modes(); ++j) {
+        balance.preload_work += structure_.load[j] * (q_[j] - initial_q_[j]);
+        balance.held += 0.5 * std::abs(structure_.square_frequency[j]) * most_q_[j] * most_q_[j] +
+                        0.5 * most_v_[j] * most_v_[j] + std::abs(structure_.load[j]) * most_q_[j];
+    }
+    balance.residual = unexplained(balance);
+    return balance;
+}
+
+}  // namespace stridor::integration

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/moreau/contact_rows.hpp"
+#include "stridor/integration/moreau/exchange_tableau.hpp"
+#include "stridor/integration/moreau/free_propagation.hpp"
+#include "stridor/integration/moreau/moreau.hpp"
+#include "stridor/integration/moreau/step_contacts.hpp"
+
+#include <stop_token>
+#include <vector>
+
+namespace stridor::integration {
+
+/// One run of Moreau's time stepping: what takes the motion from step to step (moreau.cpp) and writes it down
+/// (moreau_account.cpp).
+class MoreauRun {
+public:
+    MoreauRun(const model::Structure& structure, ModalStructure modal, const parameters::Drive& drive,
+              const InitialState& start, double step, record::Recorder& recorder);
+
+    Outcome run(const std::stop_token& stop);
+    EnergyBalance energy() const;
+
+private:
+    long step_at(double time) const;
+    double time() const { return static_cast<double>(n_) * step_; }
+    bool advance();
+    void find_touching();
+    void find_free_rates(double surface_velocity);
+    void project();
+    void note(double start_velocity, double end_velocity);
+    void tell(std::size_t contact);
+    void watch();
+    void widen_reach();
+    void sample();
+    double dashpot_power() const;
+    double elastic() const;
+    double stored() const;
+    bool is_finite() const;
+
+    const model::Structure& whole_;
+    ModalStructure structure_;
+    double step_;  // [s]
+    ImposedMotion motion_;
+    record::Recorder& recorder_;
+    FreePropagation propagation_;
+    ContactRows rows_;
+    StepContacts contacts_;
+    ExchangeTableau closing_;    // displacements along the normals that close gaps
+    std::vector<double> q_, v_;  // shape [mode], filled up
+    std::vector<double> q_before_, v_before_;
+    std::vector<double> push_;                  // [N/√kg] of the contacts, shape [mode], filled up
+    std::vector<double> scratch_;               // likewise
+    std::vector<ContactMode> set_;              // of the step before
+    std::vector<char> touches_, touched_;       // in this step and the one before, shape [contact]
+    std::vector<double> rates_, free_rates_;    // [m/s] g' and w at the step's begin, and its free end, shape [row]
+    std::vector<double> products_, forces_;     // shape [row]
+    std::vector<std::size_t> which_;            // rows
+    double surface_velocity_ = 0.0;             // [m/s] at the step's begin
+    double dashpot_power_ = 0.0;                // [W] likewise
+    long n_ = 0;                                // number of the step
+    long watch_every_;                          // steps
+    long watched_ = 0;                          // velocities that were added to this span's
+    std::vector<record::Vibration> vibration_;  // of the span so far, shape [channel]
+    std::vector<record::Load> load_;            // likewise, shape [contact]
+    EnergyBalance work_;
+    double initial_energy_ = 0.0;  // [J]
+    std::vector<double> initial_q_, most_q_, most_v_;
+};
+
+}  // namespace stridor::integration

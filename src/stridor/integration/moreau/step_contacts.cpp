@@ -1,0 +1,149 @@
+// Row and column 2k of the tableau are the gap velocity and N of contact k, 2k+1 its slip velocity and what T has beside
+// ratio N. So a contact is open with none of both exchanged, slips with N exchanged (T = ratio N), sticks with both; a
+// change of the ratio is a shear.
+
+#include "stridor/integration/moreau/step_contacts.hpp"
+
+#include "stridor/integration/contact_mode_of.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stridor::integration {
+
+namespace {
+
+constexpr double trial_rounding = 1e-10;     // [1] of the largest force or velocity: what a few hundred exchanges leave
+constexpr double least_force_pivot = 1e-13;  // [1] of the diagonal: contacts with less depend on each other
+constexpr long exchanges_per_row = 20;       // before the tableau begins anew: rounding adds up
+
+}  // namespace
+
+StepContacts::StepContacts(const ModalStructure& structure, Eigen::MatrixXd response,
+                           const std::vector<ContactMode>& set)
+    : structure_(structure),
+      response_(std::move(response)),
+      tableau_(response_),
+      set_(set.size(), ContactMode::open),
+      friction_(set.size(), 0.0),
+      tried_(set.size()) {
+    for (std::size_t k = 0; k < set.size(); ++k)
+        change(k, set[k]);
+}
+
+void StepContacts::set_friction(std::size_t contact, double ratio) {
+    tableau_.shear(2 * contact, 2 * contact + 1, ratio - friction_[contact]);
+    friction_[contact] = ratio;
+}
+
+// lets a force follow; a row that others make up has no force of its own
+void StepContacts::take_up(std::size_t row) {
+    const auto at = static_cast<Eigen::Index>(row);
+    if (!(std::abs(tableau_.pivot(row)) > least_force_pivot * response_(at, at))) is_singular_ = true;
+    tableau_.exchange(row);
+}
+
+void StepContacts::change(std::size_t contact, ContactMode mode) {
+    const std::size_t normal = 2 * contact;
+    const std::size_t tangent = normal + 1;
+    if (set_[contact] == mode) return;
+    // by way of stick, whose forces know no ratio
+    if (set_[contact] == ContactMode::open) {
+        set_friction(contact, 0.0);
+        take_up(normal);
+    }
+    if (set_[contact] != ContactMode::stick) take_up(tangent);
+    set_[contact] = mode;
+    if (mode == ContactMode::stick) return;
+    if (is_slip(mode)) set_friction(contact, structure_.contacts[contact].ratio[index_of(way_of(mode))]);
+    tableau_.exchange(tangent);
+    if (mode == ContactMode::open) tableau_.exchange(normal);
+}
+
+// Painleve: friction of this slip presses the contact together more than N parts it
+bool StepContacts::is_pressed_by(std::size_t contact, ContactMode mode) const {
+    if (!is_slip(mode)) return false;
+    const auto at = static_cast<Eigen::Index>(2 * contact);
+    const double ratio = structure_.contacts[contact].ratio[index_of(way_of(mode))];
+    return !(response_(at, at) + ratio * response_(at, at + 1) > 0.0);
+}
+
+void StepContacts::rebuild() {
+    const std::vector<ContactMode> set = set_;
+    tableau_ = ExchangeTableau(response_);
+    std::fill(friction_.begin(), friction_.end(), 0.0);
+    std::fill(set_.begin(), set_.end(), ContactMode::open);
+    for (std::size_t k = 0; k < set.size(); ++k)
+        change(k, set[k]);
+}
+
+void StepContacts::look(std::size_t contact) {
+    TriedContact& tried = tried_[contact];
+    const double at_normal = tableau_.follows(2 * contact);
+    const double at_tangent = tableau_.follows(2 * contact + 1);
+    tried.mode = set_[contact];
+    const bool is_open = tried.mode == ContactMode::open;
+    const bool is_stuck = tried.mode == ContactMode::stick;
+    tried.normal = is_open ? 0.0 : at_normal;
+    tried.tangential = friction_[contact] * tried.normal + (is_stuck ? at_tangent : 0.0);
+    tried.gap_velocity = is_open ? at_normal : 0.0;
+    tried.slip_velocity = is_stuck ? 0.0 : at_tangent;
+}
+
+StepContacts::Search StepContacts::search(const std::vector<double>& free_rates, const std::vector<char>& touches) {
+    const std::size_t p = set_.size();
+    for (TriedContact& each : tried_)
+        each.limit = StickLimit::whole;
+    for (std::size_t k = 0; k < p; ++k)
+        if (is_pressed_by(k, set_[k])) return Search::singular;
+    tableau_.set(free_rates);
+    const std::size_t most_changes = 40 + 20 * p;
+    for (std::size_t round = 0; round < most_changes; ++round) {
+        TrialScale scale{.rounding = trial_rounding};
+        for (std::size_t k = 0; k < p; ++k) {
+            if (touches[k] == 0) continue;
+            look(k);
+            const TriedContact& tried = tried_[k];
+            scale.push = std::max({scale.push, std::abs(tried.normal), std::abs(tried.tangential)});
+            scale.speed = std::max({scale.speed, std::abs(free_rates[2 * k]), std::abs(free_rates[2 * k + 1]),
+                                    std::abs(tried.gap_velocity), std::abs(tried.slip_velocity)});
+        }
+        ContactViolation worst;
+        std::size_t contact = 0;
+        for (std::size_t k = 0; k < p; ++k) {
+            if (touches[k] == 0) continue;
+            const ContactViolation here = violation(structure_.contacts[k], tried_[k], scale);
+            if (!(here.size > worst.size)) continue;
+            worst = here;
+            contact = k;
+        }
+        if (worst.size == 0.0) return Search::found;
+        if (is_pressed_by(contact, worst.mode)) return Search::singular;
+        if (set_[contact] == ContactMode::stick && is_slip(worst.mode)) tried_[contact].limit = StickLimit::fallen;
+        change(contact, worst.mode);
+        ++changes_;
+        if (is_singular_) return Search::singular;
+    }
+    return Search::endless;
+}
+
+bool StepContacts::solve(const std::vector<double>& free_rates, const std::vector<char>& touches) {
+    for (std::size_t k = 0; k < set_.size(); ++k) {
+        if (touches[k] != 0) continue;
+        change(k, ContactMode::open);
+        tried_[k] = {};
+    }
+    if (tableau_.exchanges() > exchanges_per_row * static_cast<long>(tableau_.size())) rebuild();
+    Search result = is_singular_ ? Search::singular : search(free_rates, touches);
+    if (result == Search::endless) {
+        ++restarts_;
+        for (std::size_t k = 0; k < set_.size(); ++k)
+            if (touches[k] != 0) set_[k] = ContactMode::stick;
+        rebuild();
+        result = search(free_rates, touches);
+    }
+    return result == Search::found;
+}
+
+}  // namespace stridor::integration

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "stridor/integration/contact_violation.hpp"
+#include "stridor/integration/modal_structure.hpp"
+#include "stridor/integration/moreau/exchange_tableau.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace stridor::integration {
+
+/// The forces of all touching contacts over one time step, constant in it:
+///
+///     (g', w) at its end = (g', w) without them + W_h (N, T);   N >= 0, g' >= 0, one of them 0;
+///     w = 0 with |T| <= limit N, or T = ratio N against w
+///
+/// Begins with the states of the step before, and changes the contact that is farthest from its law until none is. A
+/// limit that broke is that of the slip until the step has ended. The solved system of a set of states is kept and
+/// exchanged contact by contact (`ExchangeTableau`): no sweeps, whatever couples the contacts.
+class StepContacts {
+public:
+    /// `response` is W_h [m/s/N] as `FreePropagation::response`, `set` the states to begin with.
+    StepContacts(const ModalStructure& structure, Eigen::MatrixXd response, const std::vector<ContactMode>& set);
+
+    /// Finds forces and states. `free_rates` [m/s]: g' and w of each contact at the end of the step without contact
+    /// forces, shape [2 contact]; `touches`: who takes part, shape [contact]; a contact that does not is open. Returns
+    /// false where no set of states obeys all laws, or friction presses a contact without end (Painleve).
+    bool solve(const std::vector<double>& free_rates, const std::vector<char>& touches);
+
+    const std::vector<ContactMode>& set() const { return set_; }
+    double normal_force(std::size_t contact) const { return tried_[contact].normal; }          // [N]
+    double friction_force(std::size_t contact) const { return tried_[contact].tangential; }    // [N]
+    double gap_velocity(std::size_t contact) const { return tried_[contact].gap_velocity; }    // [m/s] at its end
+    double slip_velocity(std::size_t contact) const { return tried_[contact].slip_velocity; }  // [m/s] likewise
+    long changes() const { return changes_; }    // [1] of states so far, all trials
+    long restarts() const { return restarts_; }  // [1] searches that began again with all contacts stuck
+
+private:
+    enum class Search { found, endless, singular };
+
+    void change(std::size_t contact, ContactMode mode);
+    void take_up(std::size_t row);
+    void set_friction(std::size_t contact, double ratio);
+    bool is_pressed_by(std::size_t contact, ContactMode mode) const;
+    void rebuild();
+    void look(std::size_t contact);
+    Search search(const std::vector<double>& free_rates, const std::vector<char>& touches);
+
+    const ModalStructure& structure_;
+    Eigen::MatrixXd response_;
+    ExchangeTableau tableau_;
+    std::vector<ContactMode> set_;
+    std::vector<double> friction_;     // [1] share of N that T has beside what follows, shape [contact]
+    std::vector<TriedContact> tried_;  // shape [contact]
+    bool is_singular_ = false;
+    long changes_ = 0;
+    long restarts_ = 0;
+};
+
+}  // namespace stridor::integration
