@@ -74,7 +74,7 @@ MoreauRun::MoreauRun(const model::Structure& structure, ModalStructure modal_one
     : whole_(structure),
       structure_(std::move(modal_one)),
       step_(step),
-      motion_(drive, step),
+      motion_(drive, step, record::end_of(recorder.schedule())),
       recorder_(recorder),
       propagation_(structure_, step),
       rows_(structure_),
