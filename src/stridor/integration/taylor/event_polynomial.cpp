@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <vector>
 
 namespace stridor::integration {
 
@@ -14,6 +13,7 @@ namespace {
 
 constexpr int most_coefficients = 32;
 constexpr double narrowest_part = 0x1p-44;  // [1] below it an interval holds dips no deeper than rounding
+constexpr std::size_t most_parts = 48;      // waiting: one of each width, and the narrowest's neighbour
 constexpr int most_halvings = 8192;         // before a function that is all rounding is given up
 
 using BernsteinForm = std::array<double, most_coefficients>;
@@ -92,20 +92,20 @@ double value_of(std::span<const double> c, double x) {
 
 double first_zero(std::span<const double> whole, int dropped, double reach) {
     const std::span<const double> c = whole.subspan(static_cast<std::size_t>(dropped));
-    double least = c[0], sum = 0.0;
-    for (const double each : c) {
-        sum += each;
-        if (each < 0.0) least += &each == c.data() ? 0.0 : each;
+    double least = c[0], sum = c[0];
+    for (std::size_t k = 1; k < c.size(); ++k) {
+        sum += c[k];
+        least += c[k] < 0.0 ? c[k] : 0.0;  // without a branch: signs follow no rule
     }
     if (!std::isfinite(sum)) return no_polynomial;
     if (c[0] < 0.0) return 0.0;
     if (least > 0.0) return no_zero;
     const int n = static_cast<int>(c.size()) - 1;
-    std::vector<IntervalPart> stack;
-    stack.push_back({0.0, 1.0, bernstein_form(c)});
-    for (int looked_at = 0; !stack.empty() && looked_at < most_halvings; ++looked_at) {
-        const IntervalPart here = stack.back();
-        stack.pop_back();
+    std::array<IntervalPart, most_parts> stack;
+    std::size_t parts = 1;
+    stack[0] = {0.0, 1.0, bernstein_form(c)};
+    for (int looked_at = 0; parts > 0 && looked_at < most_halvings; ++looked_at) {
+        const IntervalPart here = stack[--parts];
         if (here.from >= reach) break;
         const int changes = sign_changes(here.b, n);
         if (changes == 0 && here.b[0] > 0.0) continue;
@@ -130,10 +130,9 @@ double first_zero(std::span<const double> whole, int dropped, double reach) {
             if (last <= 0.0) return here.to <= reach ? here.to : no_zero;
             continue;
         }
-        IntervalPart left, right;
-        halve_part(here, n, left, right);
-        stack.push_back(right);
-        stack.push_back(left);
+        // the left one is looked at first
+        halve_part(here, n, stack[parts + 1], stack[parts]);
+        parts += 2;
     }
     return no_zero;
 }

@@ -49,7 +49,10 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
       sums_{std::vector<record::Vibration>(static_cast<std::size_t>(model::channels_of(structure))),
             std::vector<record::Load>(structure.contacts.size())},
       watch_(longest_period),
-      scratch_(structure_.modes()) {
+      scratch_(structure_.modes()),
+      velocities_(block_places * structure_.modes()),
+      tangential_(structure_.contacts.size()),
+      speed_(model::channels_of(structure)) {
     const Eigen::VectorXd q = modal(structure_, structure, start.displacement);
     const Eigen::VectorXd v = modal(structure_, structure, start.velocity);
     state_.q.assign(q.data(), q.data() + q.size());

@@ -16,14 +16,13 @@ namespace stridor::integration {
 namespace {
 
 // Gauss' quadrature on [0, 1], exact to degree 15. Abramowitz and Stegun (1964), 25.4.30
-constexpr std::size_t nodes = 8;
-constexpr std::array<double, nodes> node{0.5 - 0.5 * 0.9602898564975363, 0.5 - 0.5 * 0.7966664774136267,
-                                         0.5 - 0.5 * 0.5255324099163290, 0.5 - 0.5 * 0.1834346424956498,
-                                         0.5 + 0.5 * 0.1834346424956498, 0.5 + 0.5 * 0.5255324099163290,
-                                         0.5 + 0.5 * 0.7966664774136267, 0.5 + 0.5 * 0.9602898564975363};
-constexpr std::array<double, nodes> node_weight{
-    0.5 * 0.1012285362903763, 0.5 * 0.2223810344533745, 0.5 * 0.3137066458778873, 0.5 * 0.3626837833783620,
-    0.5 * 0.3626837833783620, 0.5 * 0.3137066458778873, 0.5 * 0.2223810344533745, 0.5 * 0.1012285362903763};
+constexpr BlockPlaces node{0.5 - 0.5 * 0.9602898564975363, 0.5 - 0.5 * 0.7966664774136267,
+                           0.5 - 0.5 * 0.5255324099163290, 0.5 - 0.5 * 0.1834346424956498,
+                           0.5 + 0.5 * 0.1834346424956498, 0.5 + 0.5 * 0.5255324099163290,
+                           0.5 + 0.5 * 0.7966664774136267, 0.5 + 0.5 * 0.9602898564975363};
+constexpr BlockPlaces node_weight{0.5 * 0.1012285362903763, 0.5 * 0.2223810344533745, 0.5 * 0.3137066458778873,
+                                  0.5 * 0.3626837833783620, 0.5 * 0.3626837833783620, 0.5 * 0.3137066458778873,
+                                  0.5 * 0.2223810344533745, 0.5 * 0.1012285362903763};
 
 // of a series from 0 to x, in units of x
 double integral(const BlockSeries& c, double x) {
@@ -38,33 +37,42 @@ double integral(const BlockSeries& c, double x) {
 // what the block adds up to its end
 void TaylorRun::account(double theta) {
     const bool is_judged = record::is_judged(spans()[span_].use);
-    for (std::size_t i = 0; i < nodes; ++i) {
-        const double x = theta * node[i];
+    const std::size_t modes = structure_.modes();
+    BlockPlaces x{};
+    for (std::size_t i = 0; i < block_places; ++i)
+        x[i] = theta * node[i];
+    block_.velocities_at(x, velocities_);
+    const BlockPlaces V = values_of(surface_, x);
+    for (std::size_t k = 0; k < state_.set.size(); ++k) {
+        const ContactMode mode = state_.set[k];
+        if (mode == ContactMode::open) continue;
+        tangential_[k] = values_of(mode == ContactMode::stick ? block_.friction_force(k) : block_.normal_force(k), x);
+        if (mode == ContactMode::stick) continue;
+        for (double& each : tangential_[k])
+            each = structure_.contacts[k].ratio[index_of(way_of(mode))] * each;
+    }
+    for (std::size_t i = 0; i < block_places; ++i) {
         const double duration = node_weight[i] * theta * step_;
-        block_.velocity_at(x, scratch_);
-        const double* v = scratch_.data();
+        const double* v = velocities_.data() + i * modes;
         double dashpots = 0.0;
         if (structure_.is_damped_by_mode()) {
-            for (std::size_t j = 0; j < scratch_.size(); ++j)
+            for (std::size_t j = 0; j < modes; ++j)
                 dashpots += structure_.damping[j] * v[j] * v[j];
         } else {
-            for (std::size_t a = 0; a < scratch_.size(); ++a)
-                for (std::size_t b = 0; b < scratch_.size(); ++b)
-                    dashpots += structure_.damping[a * scratch_.size() + b] * v[a] * v[b];
+            for (std::size_t a = 0; a < modes; ++a)
+                for (std::size_t b = 0; b < modes; ++b)
+                    dashpots += structure_.damping[a * modes + b] * v[a] * v[b];
         }
         work_.dashpot_loss += duration * dashpots;
-        const double V = value_of(std::span(surface_), x);
         for (std::size_t k = 0; k < state_.set.size(); ++k) {
             const ContactMode mode = state_.set[k];
             if (mode == ContactMode::open) continue;
             const ModalContact& c = structure_.contacts[k];
-            const double T = mode == ContactMode::stick
-                                 ? value_of(block_.friction_force(k), x)
-                                 : c.ratio[index_of(way_of(mode))] * value_of(block_.normal_force(k), x);
-            work_.drive_work += duration * T * c.drive_share * V;
+            const double T = tangential_[k][i];
+            work_.drive_work += duration * T * c.drive_share * V[i];
             if (!is_slip(mode)) continue;
-            double w = -c.drive_share * V;
-            for (std::size_t j = 0; j < scratch_.size(); ++j)
+            double w = -c.drive_share * V[i];
+            for (std::size_t j = 0; j < modes; ++j)
                 w += c.tangent[j] * v[j];
             const double loss = -duration * T * w;
             work_.friction_loss += loss;
@@ -72,10 +80,9 @@ void TaylorRun::account(double theta) {
             if (is_measuring_) period_.load[structure_.number[k]].friction_loss += loss;
         }
         if (!is_judged && !is_measuring_) continue;
-        const Eigen::VectorXd speed =
-            structure_.channels * Eigen::Map<const Eigen::VectorXd>(v, static_cast<Eigen::Index>(scratch_.size()));
-        if (is_judged) add_vibration(whole_, speed, duration, sums_.vibration);
-        if (is_measuring_) add_vibration(whole_, speed, duration, period_.vibration);
+        speed_.noalias() = structure_.channels * Eigen::Map<const Eigen::VectorXd>(v, static_cast<Eigen::Index>(modes));
+        if (is_judged) add_vibration(whole_, speed_, duration, sums_.vibration);
+        if (is_measuring_) add_vibration(whole_, speed_, duration, period_.vibration);
     }
     if (is_judged) add_normal_impulse(theta, sums_);
     if (is_measuring_) add_normal_impulse(theta, period_);

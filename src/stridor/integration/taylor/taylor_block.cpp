@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace stridor::integration {
 
@@ -79,25 +80,69 @@ bool TaylorBlock::choose(const ContactSet& set) {
 }
 
 // without contact forces, coefficient m
-void TaylorBlock::free_acceleration(int m) {
+template <typename Count>
+void TaylorBlock::free_acceleration(int m, Count modes) {
     const double* q = coefficient(q_, m).data();
     const double* v = coefficient(v_, m).data();
     const double* square = structure_.square_frequency.data();
     const double* damping = structure_.damping.data();
     double* a = acceleration_.data();
-    for (std::size_t j = 0; j < modes_; ++j)
+    for (std::size_t j = 0; j < modes; ++j)
         a[j] = -square[j] * q[j];
     if (structure_.is_damped_by_mode()) {
-        for (std::size_t j = 0; j < modes_; ++j)
+        for (std::size_t j = 0; j < modes; ++j)
             a[j] -= damping[j] * v[j];
     } else {
-        for (std::size_t k = 0; k < modes_; ++k)
-            for (std::size_t j = 0; j < modes_; ++j)
-                a[j] -= damping[k * modes_ + j] * v[k];
+        for (std::size_t k = 0; k < modes; ++k)
+            for (std::size_t j = 0; j < modes; ++j)
+                a[j] -= damping[k * modes + j] * v[k];
     }
     if (m == 0)
-        for (std::size_t j = 0; j < modes_; ++j)
+        for (std::size_t j = 0; j < modes; ++j)
             a[j] += structure_.load[j];
+}
+
+// `modes` is their number, known when this is compiled or not: loops over a few modes are unrolled then. The operations
+// and their order are the same.
+template <typename Count>
+void TaylorBlock::expand_modes(const SurfaceSeries& surface, Count modes) {
+    const std::size_t closed = rows_->normal.size();
+    const std::size_t rows = closed + rows_->tangent.size();
+    for (int m = 0; m <= order_; ++m) {
+        free_acceleration(m, modes);
+        const double per_step = static_cast<double>(m + 1) / step_;
+        double* a = acceleration_.data();
+        for (std::size_t r = 0; r < rows; ++r) {
+            const double* constraint = rows_->constraint.data() + r * modes;
+            double sum = 0.0;
+            for (std::size_t j = 0; j < modes; ++j)
+                sum += constraint[j] * a[j];
+            right_[r] = -sum;
+        }
+        for (std::size_t r = closed; r < rows; ++r)
+            right_[r] += structure_.contacts[rows_->tangent[r - closed]].drive_share * per_step *
+                         surface[static_cast<std::size_t>(m) + 1];
+        for (std::size_t r = 0; r < rows; ++r)
+            force_[r] = dot({rows_->inverse.data() + r * rows, rows}, right_);
+        for (std::size_t r = 0; r < rows; ++r) {
+            const double* push = rows_->push.data() + r * modes;
+            const double force = force_[r];
+            for (std::size_t j = 0; j < modes; ++j)
+                a[j] += push[j] * force;
+        }
+        for (std::size_t r = 0; r < closed; ++r)
+            normal_[rows_->normal[r]][static_cast<std::size_t>(m)] = force_[r];
+        for (std::size_t r = closed; r < rows; ++r)
+            friction_[rows_->tangent[r - closed]][static_cast<std::size_t>(m)] = force_[r];
+        const double* rate = v_.data() + static_cast<std::size_t>(m) * modes;
+        double* next_q = q_.data() + static_cast<std::size_t>(m + 1) * modes;
+        double* next_v = v_.data() + static_cast<std::size_t>(m + 1) * modes;
+        const double scale = 1.0 / per_step;
+        for (std::size_t j = 0; j < modes; ++j) {
+            next_q[j] = scale * rate[j];
+            next_v[j] = scale * a[j];
+        }
+    }
 }
 
 void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, const SurfaceSeries& surface,
@@ -110,37 +155,16 @@ void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, c
         normal_[k].fill(0.0);
         friction_[k].fill(0.0);
     }
-    const std::size_t closed = rows_->normal.size();
-    const std::size_t rows = closed + rows_->tangent.size();
-    for (int m = 0; m <= order; ++m) {
-        free_acceleration(m);
-        const double per_step = static_cast<double>(m + 1) / step_;
-        double* a = acceleration_.data();
-        for (std::size_t r = 0; r < rows; ++r)
-            right_[r] = -dot({rows_->constraint.data() + r * modes_, modes_}, acceleration_);
-        for (std::size_t r = closed; r < rows; ++r)
-            right_[r] += structure_.contacts[rows_->tangent[r - closed]].drive_share * per_step *
-                         surface[static_cast<std::size_t>(m) + 1];
-        for (std::size_t r = 0; r < rows; ++r)
-            force_[r] = dot({rows_->inverse.data() + r * rows, rows}, right_);
-        for (std::size_t r = 0; r < rows; ++r) {
-            const double* push = rows_->push.data() + r * modes_;
-            const double force = force_[r];
-            for (std::size_t j = 0; j < modes_; ++j)
-                a[j] += push[j] * force;
-        }
-        for (std::size_t r = 0; r < closed; ++r)
-            normal_[rows_->normal[r]][static_cast<std::size_t>(m)] = force_[r];
-        for (std::size_t r = closed; r < rows; ++r)
-            friction_[rows_->tangent[r - closed]][static_cast<std::size_t>(m)] = force_[r];
-        const double* rate = coefficient(v_, m).data();
-        double* next_q = q_.data() + static_cast<std::size_t>(m + 1) * modes_;
-        double* next_v = v_.data() + static_cast<std::size_t>(m + 1) * modes_;
-        const double scale = 1.0 / per_step;
-        for (std::size_t j = 0; j < modes_; ++j) {
-            next_q[j] = scale * rate[j];
-            next_v[j] = scale * a[j];
-        }
+    // one joint on a plate has 3, each further one 2 more
+    switch (modes_) {
+        case 3:
+            return expand_modes(surface, std::integral_constant<std::size_t, 3>());
+        case 5:
+            return expand_modes(surface, std::integral_constant<std::size_t, 5>());
+        case 7:
+            return expand_modes(surface, std::integral_constant<std::size_t, 7>());
+        default:
+            return expand_modes(surface, modes_);
     }
 }
 
@@ -202,6 +226,25 @@ void TaylorBlock::at(const std::vector<double>& series, double theta, std::span<
         const std::span<const double> c = coefficient(series, m);
         for (std::size_t j = 0; j < modes_; ++j)
             result[j] = result[j] * theta + c[j];
+    }
+}
+
+BlockPlaces values_of(std::span<const double> c, const BlockPlaces& x) {
+    BlockPlaces value{};
+    for (std::size_t k = c.size(); k-- > 0;)
+        for (std::size_t i = 0; i < block_places; ++i)
+            value[i] = value[i] * x[i] + c[k];
+    return value;
+}
+
+void TaylorBlock::velocities_at(const BlockPlaces& theta, std::span<double> v) const {
+    for (std::size_t j = 0; j < modes_; ++j) {
+        BlockPlaces value{};
+        for (std::size_t m = static_cast<std::size_t>(order_) + 2; m-- > 0;)
+            for (std::size_t i = 0; i < block_places; ++i)
+                value[i] = value[i] * theta[i] + v_[m * modes_ + j];
+        for (std::size_t i = 0; i < block_places; ++i)
+            v[i * modes_ + j] = value[i];
     }
 }
 

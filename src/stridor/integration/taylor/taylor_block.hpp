@@ -16,6 +16,13 @@ namespace stridor::integration {
 inline constexpr int block_order = 24;
 using BlockSeries = std::array<double, block_order + 1>;
 
+/// Places in a block that are looked at together, as lanes: each is computed as if it were alone.
+inline constexpr std::size_t block_places = 8;
+using BlockPlaces = std::array<double, block_places>;
+
+/// Values of a polynomial at several places at once.
+BlockPlaces values_of(std::span<const double> c, const BlockPlaces& x);
+
 /// What each contact does, in the order of a `ModalStructure`.
 using ContactSet = std::vector<ContactMode>;
 
@@ -59,6 +66,9 @@ public:
     void velocity_at(double theta, std::span<double> v) const;
     void acceleration_at(double theta, std::span<double> a) const;
 
+    /// Velocities at several places at once; shape [place][mode].
+    void velocities_at(const BlockPlaces& theta, std::span<double> v) const;
+
     /// Last place up to which the series is exact to rounding: 1 but for sets near a Painleve configuration.
     double reach() const;
 
@@ -77,7 +87,10 @@ private:
     std::span<const double> coefficient(const std::vector<double>& series, int m) const {
         return {series.data() + static_cast<std::size_t>(m) * modes_, modes_};
     }
-    void free_acceleration(int m);
+    template <typename Count>
+    void free_acceleration(int m, Count modes);
+    template <typename Count>
+    void expand_modes(const SurfaceSeries& surface, Count modes);
     void at(const std::vector<double>& series, double theta, std::span<double> result) const;
 
     const ModalStructure& structure_;

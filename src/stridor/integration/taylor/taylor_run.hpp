@@ -103,6 +103,9 @@ private:
     double window_begin_ = 0.0;            // [s] of the search for pile-ups
     int window_events_ = 0;
     std::vector<double> scratch_;
+    std::vector<double> velocities_;       // [1/s] shape [place][mode]
+    std::vector<BlockPlaces> tangential_;  // [N] shape [contact]
+    Eigen::VectorXd speed_;                // [m/s] shape [channel]
 };
 
 }  // namespace stridor::integration
