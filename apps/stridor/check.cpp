@@ -25,7 +25,7 @@ struct CheckOptions {
 void check(const CheckOptions& options) {
     const parameters::Case c = load_case(options.input, io::SystemsTaken::or_structure);
     const integration::Cost cost = integration::cost(c);
-    if (c.run.engine == parameters::Engine::beta_2 && c.run.step > cost.step_limit)
+    if (c.run.engine != parameters::Engine::exact && c.run.step > cost.step_limit)
         throw integration::beyond_step_limit(c);
     if (options.json) {
         console::print(io::case_json(c) + "\n");

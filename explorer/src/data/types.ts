@@ -138,13 +138,14 @@ export interface PhaseResult {
   verdict: Verdict;
 }
 
-/** Step, beta_2 and the limit of the step belong to the engine of this name. */
+/** Step, beta_2, the step it is compared with and the limit of the step belong to the engine of this name. */
 export interface Engine {
   name: string;
   impact: string;
   steps: number;
   step?: number;
   beta_2?: number;
+  compared_step?: number;
   step_limit?: number;
 }
 

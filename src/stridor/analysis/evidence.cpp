@@ -2,7 +2,17 @@
 
 #include "stridor/base/check.hpp"
 
+#include <cmath>
+
 namespace stridor::analysis {
+
+namespace {
+
+Rates change(const Rates& from, const Rates& to) {
+    return {std::abs(to.slip - from.slip), std::abs(to.stick - from.stick), std::abs(to.separation - from.separation)};
+}
+
+}  // namespace
 
 Evidence evidence(const record::Tally& tally, std::size_t contact) {
     STRIDOR_EXPECT(contact < tally.contacts.size());
@@ -20,6 +30,10 @@ Evidence evidence(const record::Tally& tally, std::size_t contact) {
             one.changes[record::change_kind(model::ContactState::stick, static_cast<model::ContactState>(to))].count;
     figures.all_releases = one.releases;
     figures.ending = one.ending;
+    if (one.coarser) {
+        figures.step_change = change(rates(one.coarser->time), figures.rates);
+        figures.judged_step_change = change(rates(one.coarser->judged_time), figures.judged_rates);
+    }
     const bool is_over = slides_for_good(figures) || sticks_for_good(figures);
     const Along along = sticks_for_good(figures) ? Along::carried : Along::counted;
     figures.levels = levels(tally, contact, is_over && tally.closing_time > 0.0 ? Part::closing : Part::judged, along);

@@ -6,6 +6,7 @@
 #include "stridor/record/tally.hpp"
 
 #include <cstddef>
+#include <optional>
 
 namespace stridor::analysis {
 
@@ -21,6 +22,9 @@ struct Evidence {
     long releases = 0;         // [1] sticks that ended, judged part
     long all_releases = 0;     // [1] the same, whole window
     record::Ending ending;     // of the run, and what is known beyond it
+    // by how much the shares changed from twice the time step, if the engine compared two: about their error
+    std::optional<Rates> step_change{};         // whole window
+    std::optional<Rates> judged_step_change{};  // judged part
     Levels levels;  // of the bodies, judged part; of a contact that slides or sticks for ever its closing part
 };
 

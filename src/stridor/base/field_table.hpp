@@ -30,7 +30,8 @@ std::string did_you_mean(std::string_view name, std::span<const std::string> nam
 
 /// The place of a choice among its names.
 ///
-/// Throws `Error` (input) for any other: run.engine = "exakt" is not one of its choices (choices: "exact", "beta_2").
+/// Throws `Error` (input) for any other: run.engine = "exakt" is not one of its choices (choices: "exact", "beta_2",
+/// "moreau").
 /// Did you mean "exact"?
 std::size_t place_of_choice(std::string_view key, std::string_view choice, std::span<const std::string_view> names,
                             std::optional<Place> place = std::nullopt);

@@ -87,6 +87,17 @@ Decision sticking(const analysis::Evidence& evidence, const parameters::Threshol
             fmt::format("{}, but ends only {} times: no repetition yet", predominates, evidence.releases)};
 }
 
+// a share that lies nearer to its threshold than it changes with the time step
+std::optional<Decision> within_step_error(std::string_view what, double share, double threshold,
+                                          std::string_view threshold_name, double change) {
+    if (!(std::abs(share - threshold) < change)) return std::nullopt;
+    return Decision{
+        Category::undecided, Quiet::no,
+        fmt::format("its {} share of {} changes by {} from twice the time step, and lies nearer than that "
+                    "to {} = {}: use a smaller run.step",
+                    what, percent_text(share), percent_text(change), threshold_name, percent_text(threshold))};
+}
+
 Decision alternating(const analysis::Alternation& alternation, double regularity,
                      const parameters::Thresholds& thresholds) {
     const bool is_thin =
@@ -124,13 +135,19 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
     if (!(evidence.judged_time > 0.0))
         return decide({Category::undecided, Quiet::no, "no complete phase lies in the window"});
     if (const std::optional<Decision> over = settled(evidence)) return decide(*over);
+    const analysis::Rates change = evidence.judged_step_change.value_or(analysis::Rates{});
+    if (const auto doubt = within_step_error("slip", rates.slip, thresholds.quiet_slip, "quiet_slip", change.slip))
+        return decide(*doubt);
     if (rates.slip >= thresholds.quiet_slip)
         return decide(none(Quiet::slides,
                            fmt::format("{} of the judged time, and nothing alternates", percent_text(rates.slip))));
     if (rates.stick >= 1.0) return decide(stuck(evidence, thresholds));
     verdict.reasons.push_back(fmt::format("slips only {} of the judged time", percent_text(rates.slip)));
-    if (creak == Creak::possible && rates.stick >= thresholds.creak_stick)
-        return decide(sticking(evidence, thresholds));
+    const bool may_creak = creak == Creak::possible;
+    if (const auto doubt = within_step_error("stick", rates.stick, thresholds.creak_stick, "creak_stick", change.stick);
+        doubt && may_creak)
+        return decide(*doubt);
+    if (may_creak && rates.stick >= thresholds.creak_stick) return decide(sticking(evidence, thresholds));
     const Decision decision = alternating(alternation, regularity, thresholds);
     const bool repeats_later = alternation.repetition >= thresholds.squeal_regularity;
     if (decision.category == Category::squeak && repeats_later)

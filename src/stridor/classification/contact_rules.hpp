@@ -26,6 +26,9 @@ enum class Creak { possible, impossible };
 ///                                                        unlike beats
 ///     otherwise                                  squeak
 ///
+/// Where an engine compared two time steps, a share that lies nearer to its threshold than it changed makes the verdict
+/// undecided.
+///
 /// Shares are those of the judged part. Stick dominance comes before regularity because a creak may be regular too.
 /// A vibration pattern is named, not a sound: docs/methods/verdict.md says what that leaves out.
 Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds,

@@ -126,7 +126,7 @@ std::vector<Stretch> heard_stretches(const Case& c, Direction direction) {
 }
 
 void check_audible(const Case& c, const AuralisationSettings& settings) {
-    if (c.run.engine != parameters::Engine::beta_2) return;
+    if (c.run.engine == parameters::Engine::exact) return;
     // engines sample at their own steps
     const double wanted = 1.0 / (settings.rate * settings.density * c.run.step);
     const double interval = std::max(1.0, std::round(wanted)) * c.run.step;

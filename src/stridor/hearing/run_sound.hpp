@@ -24,7 +24,7 @@ inline constexpr double least_motion = 1e-9;
 std::vector<sound::Stretch> heard_stretches(const parameters::Case& c, parameters::Direction direction);
 
 /// Throws `Error` (input) for a case whose motion cannot be sampled densely enough for such a sound
-/// (beta_2 with long steps).
+/// (engines with long steps).
 void check_audible(const parameters::Case& c, const sound::AuralisationSettings& settings);
 
 /// A run, and what of it is heard.

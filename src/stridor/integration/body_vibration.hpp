@@ -9,8 +9,8 @@
 
 namespace stridor::integration {
 
-/// Adds velocities [m/s], shape [channel], that stand for a stretch of time [s]. Peaks are of whole bodies: their channels
-/// stand one after the other.
+/// Adds velocities [m/s], shape [channel], that stand for a stretch of time [s]. Peaks are of whole bodies, whose
+/// channels stand one after the other.
 void add_vibration(const model::Structure& structure, const Eigen::VectorXd& speed, double duration,
                    std::vector<record::Vibration>& vibration);
 

@@ -4,6 +4,7 @@
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/imposed_motion.hpp"
 #include "stridor/integration/initial_state.hpp"
+#include "stridor/integration/moreau/moreau_twice.hpp"
 #include "stridor/integration/taylor/taylor.hpp"
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/frequencies.hpp"
@@ -13,14 +14,34 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace stridor::integration {
+
+namespace {
+
+// by the engines that take structures of any size with any number of contacts
+Motion simulate_any_size(const parameters::Case& c, const record::Request& request, std::stop_token stop) {
+    const model::Structure structure = model::structure_of(c);
+    record::Recorder recorder(record::schedule(c), request, model::dofs_of(structure),
+                              static_cast<int>(structure.contacts.size()), model::channels_of(structure),
+                              model::interfaces_of(structure));
+    const double velocity = ImposedMotion(c.drive, 1.0).at(0.0).velocity;
+    const InitialState start = initial_state(c, structure, velocity);
+    if (c.run.engine == parameters::Engine::moreau)
+        return integrate_moreau_twice(structure, c.drive, start, {c.run.step}, std::move(recorder), stop);
+    return integrate_taylor(structure, c.drive, start, {c.run.early_ending}, std::move(recorder), std::move(stop));
+}
+
+}  // namespace
 
 Cost cost(const parameters::Case& c) {
     const double fastest = model::natural_frequencies(model::structure_of(c), model::ContactState::separation).back();
     if (c.run.engine == parameters::Engine::exact)
         return {std::ceil(c.run.duration * fastest), std::numeric_limits<double>::infinity()};
+    if (c.run.engine == parameters::Engine::moreau)  // at the step and at twice the step
+        return {std::ceil(1.5 * c.run.duration / c.run.step), 0.5 * std::numbers::pi / fastest};
     return {std::ceil(c.run.duration / c.run.step), stable_step(c.run.beta_2, fastest)};
 }
 
@@ -30,25 +51,9 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
 }
 
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace) {
-    if (c.own_structure) {
-        const model::Structure structure = model::structure_of(c);
-        record::Recorder recorder(record::schedule(c), request, model::dofs_of(structure),
-                                  static_cast<int>(structure.contacts.size()), model::channels_of(structure),
-                                  model::interfaces_of(structure));
-        const double velocity = ImposedMotion(c.drive, 1.0).at(0.0).velocity;
-        return integrate_taylor(structure, c.drive, initial_state(c, structure, velocity), {c.run.early_ending},
-                                std::move(recorder), std::move(stop));
-    }
-    const bool has_several = !c.further_joints.empty();
-    record::Recorder recorder(record::schedule(c), request, model::dofs_of_system(c),
-                              static_cast<int>(parameters::joint_count(c)));
-    if (has_several) {
-        const model::Structure structure = model::rubbing_system(c);
-        const Start start{c.run.initial, c.run.perturbation};
-        const double velocity = ImposedMotion(c.drive, 1.0).at(0.0).velocity;
-        return integrate_taylor(structure, c.drive, initial_state(structure, start, velocity), {c.run.early_ending},
-                                std::move(recorder), std::move(stop));
-    }
+    if (c.own_structure || !c.further_joints.empty() || c.run.engine == parameters::Engine::moreau)
+        return simulate_any_size(c, request, std::move(stop));
+    record::Recorder recorder(record::schedule(c), request, model::dofs_of_system(c), 1);
     switch (c.run.engine) {
         case parameters::Engine::exact:
             return integrate_exact(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
@@ -57,6 +62,8 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
         case parameters::Engine::beta_2:
             return integrate_beta_2(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
                                     {c.run.step, c.run.beta_2}, std::move(recorder), std::move(stop));
+        case parameters::Engine::moreau:
+            break;  // above
     }
     return {};
 }

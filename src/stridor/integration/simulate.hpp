@@ -12,7 +12,7 @@ namespace stridor::integration {
 
 /// What a run costs and the limits it must keep, known before it starts.
 struct Cost {
-    double steps = 0.0;       // [1] number of time steps; exact: of whole steps if nothing happened
+    double steps = 0.0;       // [1] number of time steps, of all runs; exact: of whole steps if nothing happened
     double step_limit = 0.0;  // [s] largest stable time step; exact: infinite
 };
 
@@ -26,8 +26,8 @@ struct Workspace {
     InstructionSet instruction_set = widest_instruction_set();  // of the exact engine's loops
 };
 
-/// Runs a case with the engine it names; the one door to all engines. Several joints, and a structure of the
-/// user's own, are solved by the Taylor engine, which is exact as well.
+/// Runs a case with the engine it names; the one door to all engines. Of several joints, and of a structure of the
+/// user's own, `exact` is the Taylor engine. `moreau` is run at twice the step, too.
 ///
 /// The case must have no `parameters::findings`. Returns and throws what the engine does.
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace);

@@ -95,6 +95,7 @@ enum class Initial {
 enum class Engine {
     exact,   // from event to event, without time-discretisation error
     beta_2,  // the paper's time stepping
+    moreau,  // time stepping for many contacts, compared with itself at twice the step
 };
 
 /// May a run end before its time, with its record filled to the end?
@@ -111,7 +112,7 @@ struct Run {
     double perturbation = 1e-3;  // [m/s] initial = sliding: tangential velocity added to mass 1
     Engine engine = Engine::exact;
     EarlyEnding early_ending = EarlyEnding::proven;
-    double step = 1e-6;   // [s] h, beta_2: time step
+    double step = 1e-6;   // [s] h, beta_2 and moreau: time step
     double beta_2 = 0.5;  // [1] beta_2: 0.5 central difference, second order; above it damps, first order
 };
 

@@ -18,7 +18,7 @@ using base::shortest;
 
 // of a phase: less than this rest is not told from nothing
 constexpr double most_cut = 1.0 - 1e-9;
-// of beta_2 in a stretch that is judged
+// of an engine with steps in a stretch that is judged
 constexpr double least_steps = 10.0;
 
 // friction of one way to slip, as a case calls it
@@ -203,11 +203,11 @@ void check_run(const Case& c, std::vector<Finding>& found) {
                               " s is longer than run.duration = " + shortest(c.run.duration) + " s",
                           "the window is the last part of the simulated time", "Make it at most the duration."},
                          {"run.duration"}});
-    if (c.run.engine != Engine::beta_2) return;
+    if (c.run.engine == Engine::exact) return;
     if (c.contact.impact != ImpactKind::plastic)
         found.push_back({"contact.impact",
-                         {"the beta_2 engine knows plastic impacts only", "its impacts are what its steps make of them",
-                          "Set run.engine = \"exact\"?"},
+                         {"the " + value_text(c, *find_field("run.engine")) + " engine knows plastic impacts only",
+                          "its impacts are what its steps make of them", "Set run.engine = \"exact\"?"},
                          {"run.engine"}});
     if (c.run.step > c.run.duration)
         found.push_back(
@@ -262,9 +262,9 @@ std::vector<Finding> findings(const Case& c) {
 
 std::vector<Finding> findings_among_several(const Case& only) {
     std::vector<Finding> found;
-    if (only.run.engine != Engine::exact)
+    if (only.run.engine == Engine::beta_2)
         found.push_back({"run.engine",
-                         {"several joints are solved from event to event only", "the beta_2 engine knows one contact",
+                         {"the beta_2 engine knows one contact", "several joints are solved by exact or moreau",
                           "Set run.engine = \"exact\"."}});
     if (only.contact.impact != ImpactKind::plastic)
         found.push_back(

@@ -51,7 +51,7 @@ constexpr UsualRange usual_frequency = octaves(2.0, 50.0);
 constexpr std::array<std::string_view, 2> friction_names{"coulomb", "directional"};
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
-constexpr std::array<std::string_view, 2> engine_names{"exact", "beta_2"};
+constexpr std::array<std::string_view, 3> engine_names{"exact", "beta_2", "moreau"};
 constexpr std::array<std::string_view, 2> early_ending_names{"proven", "never"};
 
 bool always(const Case&) {
@@ -106,6 +106,9 @@ bool rebounds(const Case& c) {
     return c.contact.impact == ImpactKind::restitution;
 }
 bool has_steps(const Case& c) {
+    return c.run.engine != Engine::exact;
+}
+bool has_beta_2(const Case& c) {
     return c.run.engine == Engine::beta_2;
 }
 bool starts_sliding(const Case& c) {
@@ -207,10 +210,10 @@ const std::array table{
           always},
     Field{"run", "early_ending", "", "exact engine, constant drive: stop once silence is proven or a limit cycle found",
           choice<&Case::run, &Run::early_ending, EarlyEnding>(early_ending_names), always},
-    Field{"run", "step", "h", "time step of the beta_2 engine", quantity<&Case::run, &Run::step>("s", positive),
-          has_steps},
+    Field{"run", "step", "h", "time step of the beta_2 and moreau engines",
+          quantity<&Case::run, &Run::step>("s", positive), has_steps},
     Field{"run", "beta_2", "beta_2", "0.5: central difference, second order; above it numerical damping, first order",
-          quantity<&Case::run, &Run::beta_2>("1", Range{0.5, 1.0}), has_steps},
+          quantity<&Case::run, &Run::beta_2>("1", Range{0.5, 1.0}), has_beta_2},
 
     Field{"verdict", "start", "", "share of the run that is not judged, at its start, while the start dies out",
           quantity<&Case::verdict, &Thresholds::start>("1", before_the_end), is_constant},

@@ -79,7 +79,7 @@ Named fastest_rate(const Case& c, double friction) {
 }
 
 void find_fast(const Case& c, std::vector<Finding>& found) {
-    if (c.run.engine != Engine::exact) return;  // beta_2 has its step
+    if (c.run.engine != Engine::exact) return;  // the others have their step
     const bool has_coming = c.contact.friction == FrictionKind::directional;
     const Named friction =
         largest_of({{"contact.kinetic_friction", c.contact.kinetic_friction},

@@ -243,7 +243,7 @@ drawing::Scene time_history(const parameters::Case& c, const record::Record& rec
                             const TimeHistoryOptions& options) {
     STRIDOR_EXPECT(!record.trace.time.empty());
     std::vector<Curve> curves;
-    const bool has_peaks = c.run.engine == parameters::Engine::beta_2 &&
+    const bool has_peaks = c.run.engine != parameters::Engine::exact &&
                            std::any_of(record.histories.begin(), record.histories.end(), has_impacts);
     for (const ShownSignal signal : shown_of(c, options.signals))
         add_curves(curves, record.trace, signal, has_peaks ? peak_share : 0.0);

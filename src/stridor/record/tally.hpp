@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -77,6 +78,12 @@ struct InterfaceTally {
     std::vector<double> free_together{};                            // [s] two of them not stuck, shape [its][its]
 };
 
+/// Times of a contact in each state over a phase [s], as `ContactTally`, of the same run at twice the time step.
+struct CoarserTimes {
+    std::array<double, model::contact_states> time{};
+    std::array<double, model::contact_states> judged_time{};
+};
+
 /// What one phase of a run leaves behind of one contact: of bounded size (1.2 MB at most), whatever the simulated time.
 struct ContactTally {
     std::array<double, model::contact_states> time{};         // [s] in each state, whole phase
@@ -85,6 +92,7 @@ struct ContactTally {
     long releases = 0;                                        // [1] sticks that ended, whole phase
     Load load;                                                // judged part, of structures with several contacts
     Ending ending;                                            // of the run: the same for all its phases
+    std::optional<CoarserTimes> coarser{};                    // of an engine that compares two steps
 };
 
 /// What one phase of a run leaves behind.

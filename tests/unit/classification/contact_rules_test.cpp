@@ -263,5 +263,25 @@ TEST(PhaseRules, CallQuietOnlyWhatIsQuietEverywhere) {
     EXPECT_EQ(classify_phase(phase({contact(1.0, 0.0), contact(1.0, 0.0)}), {}).category, Category::none);
 }
 
+// shares of an engine with steps are as good as they stay where the step is halved
+TEST(ContactRules, ShareNearerToItsThresholdThanItChangesWithTheStepIsUndecided) {
+    Evidence near_quiet = evidence(0.985, 0.01, 1.0);
+    near_quiet.judged_step_change = analysis::Rates{0.004, 0.1, 0.0};
+    EXPECT_EQ(category(near_quiet), Category::none);
+    near_quiet.judged_step_change->slip = 0.006;
+    const Verdict doubted = classify(near_quiet, {});
+    EXPECT_EQ(doubted.category, Category::undecided);
+    EXPECT_EQ(doubted.reasons.back(),
+              "its slip share of 98.5 % changes by 0.6 % from twice the time step, and lies nearer than that to "
+              "quiet_slip = 98.0 %: use a smaller run.step");
+
+    Evidence near_creak = evidence(0.32, 0.68, 1.0);
+    near_creak.judged_step_change = analysis::Rates{0.03, 0.019, 0.0};
+    EXPECT_EQ(category(near_creak), Category::squeal);
+    near_creak.judged_step_change->stick = 0.021;
+    EXPECT_EQ(category(near_creak), Category::undecided);
+    EXPECT_NE(classify(near_creak, {}).reasons.back().find("stick share of 68.0 %"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace stridor::classification

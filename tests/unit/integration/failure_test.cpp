@@ -56,5 +56,16 @@ TEST(Failure, NamesAStepThatIsStable) {
     EXPECT_EQ(std::string(beyond_step_limit(c).what()), error->what());
 }
 
+TEST(Failure, NamesAStepThatMoreauTakes) {
+    Case c;
+    c.run.engine = parameters::Engine::moreau;
+    c.run.step = 1.6e-4;
+    const std::optional<Error> error = failure(c, simulate(c));
+    ASSERT_TRUE(error.has_value());
+    EXPECT_NE(std::string(error->what()).find("run.step = 0.00016 s is beyond the limit 0.0001571 s"),
+              std::string::npos)
+        << error->what();
+}
+
 }  // namespace
 }  // namespace stridor::integration

@@ -29,6 +29,33 @@ TEST(Cost, IsKnownBeforeTheRun) {
     EXPECT_NEAR(cost(c).step_limit, 1.4142135623730951e-4, 1e-12);
 }
 
+// two runs; half a period of the joint's axial mode, 1e4 rad/s, is twice the longest step
+TEST(Cost, OfMoreauIsThatOfTwoRuns) {
+    Case c;
+    c.run.engine = parameters::Engine::moreau;
+    c.run.step = 1e-6;
+    EXPECT_EQ(cost(c).steps, 1.5e6);
+    EXPECT_NEAR(cost(c).step_limit, 1.5707963267948966e-4, 1e-12);
+}
+
+TEST(Simulate, ComparesTwoStepsOfMoreau) {
+    Case c = short_case();
+    c.drive.kind = parameters::DriveKind::constant;
+    c.run.duration = c.run.window = 0.2;
+    c.run.engine = parameters::Engine::moreau;
+    const Motion fine = simulate(c);
+    ASSERT_EQ(fine.outcome.reason, Reason::completed);
+    c.run.step *= 2.0;
+    const Motion coarse = simulate(c);
+    const record::ContactTally& tally = fine.record.phases[0].contacts[0];
+    ASSERT_TRUE(tally.coarser);
+    EXPECT_EQ(tally.coarser->time, coarse.record.phases[0].contacts[0].time);
+    EXPECT_EQ(tally.coarser->judged_time, coarse.record.phases[0].contacts[0].judged_time);
+    EXPECT_NE(tally.coarser->time, tally.time);
+    c.run.engine = parameters::Engine::exact;
+    EXPECT_FALSE(simulate(c).record.phases[0].contacts[0].coarser);
+}
+
 TEST(Simulate, RecordsGoingAndComingOfAnAlternatingDrive) {
     const Motion motion = simulate(short_case());
     EXPECT_EQ(motion.outcome.reason, Reason::completed);

@@ -94,6 +94,23 @@ TEST(SimulationJson, HasTheKeysOfTheContract) {
         EXPECT_TRUE(verdict.contains(key)) << key;
 }
 
+TEST(SimulationJson, TellsByHowMuchSharesChangedWithTheStep) {
+    EXPECT_FALSE(simulation_document()["phases"][0]["verdict"].contains("step_change"));
+    parameters::Case c;
+    c.run.engine = parameters::Engine::moreau;
+    classification::Verdict verdict;
+    verdict.evidence.step_change = analysis::Rates{0.01, 0.02, 0.03};
+    verdict.evidence.judged_step_change = analysis::Rates{0.04, 0.05, 0.06};
+    const std::vector verdicts{verdict};
+    const Json document = Json::parse(simulation_json(c, {}, {}, verdicts));
+    const Json& told = document["phases"][0]["verdict"];
+    EXPECT_EQ(told["step_change"]["stick"], 0.02);
+    EXPECT_EQ(told["judged_step_change"]["slip"], 0.04);
+    EXPECT_EQ(document["engine"]["compared_step"], 2e-6);
+    EXPECT_EQ(document["units"]["engine.compared_step"], "s");
+    EXPECT_EQ(document["units"]["phases.verdict.judged_step_change"], "1");
+}
+
 TEST(SimulationJson, GivesEveryThresholdWithItsDistance) {
     const Json margins = simulation_document()["phases"][0]["verdict"]["margins"];
     ASSERT_FALSE(margins.empty());

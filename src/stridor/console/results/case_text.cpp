@@ -23,6 +23,9 @@ namespace {
 
 // what the beta_2 loop needs for one step on a present-day core [s]; only for the estimate that is printed
 constexpr double seconds_per_step = 25e-9;
+// what the moreau loop needs for one step, and more per mode and contact [s]; likewise
+constexpr double seconds_per_moreau_step = 1e-7;
+constexpr double seconds_per_mode_and_contact = 2e-9;
 // with two thousand events a second of motion
 constexpr double seconds_per_exact_step = 1e-7;
 
@@ -108,6 +111,14 @@ std::string cost_text(const parameters::Case& c, const integration::Cost& cost) 
     if (c.run.engine == parameters::Engine::exact)
         return fmt::format("\ncost: {:.3g} steps and the events, about {:.2g} s of one core\n", cost.steps,
                            cost.steps * seconds_per_exact_step);
+    if (c.run.engine == parameters::Engine::moreau) {
+        const auto size =
+            static_cast<double>(model::dofs_of_system(c)) * static_cast<double>(parameters::joint_count(c));
+        const double seconds = seconds_per_moreau_step + seconds_per_mode_and_contact * size;
+        return fmt::format(
+            "\ncost: {:.3g} steps at {:g} s and {:g} s, about {:.2g} s of one core; largest step {:.4g} s\n",
+            cost.steps, c.run.step, 2.0 * c.run.step, cost.steps * seconds, cost.step_limit);
+    }
     return fmt::format("\ncost: {:.3g} steps, about {:.2g} s of one core; largest stable step {:.4g} s\n", cost.steps,
                        cost.steps * seconds_per_step, cost.step_limit);
 }

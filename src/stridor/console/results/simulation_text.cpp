@@ -62,6 +62,8 @@ std::string verdict_row(const Verdict& verdict) {
 std::string engine_text(const parameters::Case& c) {
     if (c.run.engine == parameters::Engine::beta_2)
         return fmt::format("beta_2 = {:g}, step {:g} s", c.run.beta_2, c.run.step);
+    if (c.run.engine == parameters::Engine::moreau)
+        return fmt::format("moreau, step {:g} s, compared with {:g} s", c.run.step, 2.0 * c.run.step);
     return "exact, impact " + parameters::value_text(c, *parameters::find_field("contact.impact"));
 }
 
@@ -117,6 +119,26 @@ std::string contact_text(const parameters::Case& c, std::size_t contact) {
     return base::visible(parameters::contact_name(c, contact));
 }
 
+// by how much the shares of a phase's contacts changed from twice the step
+std::string step_change_text(const integration::Motion& motion) {
+    analysis::Rates most;
+    bool was_compared = false;
+    for (const record::Tally& phase : motion.record.phases)
+        for (std::size_t k = 0; k < phase.contacts.size(); ++k) {
+            const std::optional<analysis::Rates> change = analysis::evidence(phase, k).step_change;
+            if (!change) continue;
+            was_compared = true;
+            most.slip = std::max(most.slip, change->slip);
+            most.stick = std::max(most.stick, change->stick);
+            most.separation = std::max(most.separation, change->separation);
+        }
+    if (!was_compared) return "";
+    return fmt::format(
+        "shares changed from twice the step by at most: slip {:.2f} %, stick {:.2f} %, separation "
+        "{:.2f} %\n",
+        100.0 * most.slip, 100.0 * most.stick, 100.0 * most.separation);
+}
+
 // a row for each contact of several, the phase's verdict being that of the loudest
 std::string contacts_text(const parameters::Case& c, const integration::Motion& motion) {
     const std::size_t contacts = parameters::contact_count(c);
@@ -147,7 +169,7 @@ std::string simulation_text(const parameters::Case& c, const integration::Motion
                         "separ.", "regularity", "frequency", c.own_structure ? "level" : "joint level");
     for (const Verdict& verdict : verdicts)
         text += verdict_row(verdict);
-    text += contacts_text(c, motion) + "\n";
+    text += contacts_text(c, motion) + step_change_text(motion) + "\n";
     for (const Verdict& verdict : verdicts) {
         text += fmt::format("{}: ", record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)]);
         for (std::size_t k = 0; k < verdict.reasons.size(); ++k)

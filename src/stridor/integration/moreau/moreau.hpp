@@ -19,8 +19,8 @@ struct Moreau {
 /// other way. Accuracy asks for far less.
 double longest_step(const ModalStructure& structure);
 
-/// Solves the motion of a structure with many contacts by time steps: between them the free structure moves exactly, and
-/// contact forces are constant within a step.
+/// Solves the motion of a structure with many contacts by time steps: the free structure moves exactly, and contact
+/// forces are constant within a step.
 ///
 /// A contact takes part in a step if it was closed before, or if its gap would be closed at the step's end. The forces
 /// of a step make the laws of contact hold for the velocities at its end (Moreau 1988), all contacts at once

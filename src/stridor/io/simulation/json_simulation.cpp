@@ -31,6 +31,10 @@ Json figure_value(const analysis::EvidenceFigure& figure, const analysis::Eviden
                                                                   : Json(value);
 }
 
+Json rates_object(const analysis::Rates& rates) {
+    return {{"slip", rates.slip}, {"stick", rates.stick}, {"separation", rates.separation}};
+}
+
 // the figures of the table; beside two of them stands what is no single number
 void put_figures(Json& object, const analysis::Evidence& evidence) {
     const analysis::Alternation& alternation = evidence.alternation;
@@ -42,6 +46,8 @@ void put_figures(Json& object, const analysis::Evidence& evidence) {
                               {"to", name_of(model::contact_state_names, alternation.to)}};
     }
     object["levels"]["reference"] = "1e-9 m/s";
+    if (evidence.step_change) object["step_change"] = rates_object(*evidence.step_change);
+    if (evidence.judged_step_change) object["judged_step_change"] = rates_object(*evidence.judged_step_change);
 }
 
 Json verdict_object(const classification::Verdict& verdict) {
@@ -50,10 +56,6 @@ Json verdict_object(const classification::Verdict& verdict) {
     object["margins"] = margins_array(verdict.margins);
     object["reasons"] = verdict.reasons;
     return object;
-}
-
-Json rates_object(const analysis::Rates& rates) {
-    return {{"slip", rates.slip}, {"stick", rates.stick}, {"separation", rates.separation}};
 }
 
 // of a case with several joints or a structure of its own: each contact by itself, called as it is there
@@ -113,6 +115,10 @@ Json simulation_units(const Case& c) {
             units["phases.verdict." + key] = figure.unit;
     }
     units["phases.verdict.margins"] = "1";
+    if (c.run.engine == parameters::Engine::moreau)
+        units.update(Json{{"engine.compared_step", "s"},
+                          {"phases.verdict.step_change", "1"},
+                          {"phases.verdict.judged_step_change", "1"}});
     return units;
 }
 
@@ -179,6 +185,8 @@ Json engine_object(const parameters::Case& c, const integration::Cost& cost) {
     Json object{{"name", text("run.engine")}, {"impact", text("contact.impact")}, {"steps", cost.steps}};
     if (c.run.engine == parameters::Engine::beta_2)
         object.update(Json{{"step", c.run.step}, {"beta_2", c.run.beta_2}, {"step_limit", cost.step_limit}});
+    if (c.run.engine == parameters::Engine::moreau)
+        object.update(Json{{"step", c.run.step}, {"compared_step", 2.0 * c.run.step}, {"step_limit", cost.step_limit}});
     return object;
 }
 
