@@ -62,7 +62,8 @@ InitialState initial_state(const model::Structure& given, const Start& start, do
 }
 
 InitialState initial_state(const parameters::Case& c, const model::Structure& structure, double surface_velocity) {
-    STRIDOR_EXPECT(c.own_structure && c.run.initial != parameters::Initial::sliding);
+    if (!c.own_structure) return initial_state(structure, {c.run.initial, c.run.perturbation}, surface_velocity);
+    STRIDOR_EXPECT(c.run.initial != parameters::Initial::sliding);
     const parameters::OwnStructure& own = *c.own_structure;
     const Eigen::Index rows = model::dofs_of(structure);
     InitialState start{Eigen::VectorXd::Zero(rows), Eigen::VectorXd::Zero(rows)};

@@ -152,28 +152,28 @@ void read_samples(Case& c, const TomlDocument& document, const SamplesReader& sa
 }
 
 // do the values have to fit together, or do axes replace some of them first?
-enum class Wanted { complete_case, base_of_chart };
+enum class ReadAs { complete_case, base_of_chart };
 
-parameters::Case read_one(const TomlDocument& document, const SamplesReader& samples, Wanted wanted,
+parameters::Case read_one(const TomlDocument& document, const SamplesReader& samples, ReadAs what,
                           const Case& beginning = {}) {
     CaseReading reading(document, beginning);
     reading.read_kinds();
     reading.read_values();
-    if (wanted == Wanted::base_of_chart) reading.complaints().throw_any();
+    if (what == ReadAs::base_of_chart) reading.complaints().throw_any();
     // what a sampled drive moves is known only when its file is read
     if (reading.complaints().empty()) read_samples(reading.result(), document, samples);
-    if (wanted == Wanted::complete_case) reading.check_findings();
+    if (what == ReadAs::complete_case) reading.check_findings();
     reading.complaints().throw_any();
     return reading.result();
 }
 
 // several joints: the file is read once for each, and the first says what they share
-parameters::Case read_several(const TomlDocument& document, const SamplesReader& samples, Wanted wanted) {
+parameters::Case read_several(const TomlDocument& document, const SamplesReader& samples, ReadAs what) {
     Complaints complaints;
     std::optional<Case> whole;
     for (const JointDocument& joint : joint_documents(document, complaints))
         complaints.keep([&] {
-            const Case only = read_one(joint.document, samples, wanted);
+            const Case only = read_one(joint.document, samples, what);
             for (const parameters::Finding& finding : parameters::findings_among_several(only)) {
                 const TomlEntry* entry = joint.document.find(finding.key);
                 complaints.add({ErrorKind::input, finding.problem,
@@ -188,12 +188,12 @@ parameters::Case read_several(const TomlDocument& document, const SamplesReader&
 }
 
 // a structure of its own stands where the joints would
-parameters::Case read_with_structure(const TomlDocument& document, const SamplesReader& samples, Wanted wanted) {
+parameters::Case read_with_structure(const TomlDocument& document, const SamplesReader& samples, ReadAs what) {
     Complaints complaints;
     const TomlDocument rest = without_structure(document, complaints);
     Case beginning;
     if (complaints.keep([&] { beginning.own_structure = read_own_structure(document); }))
-        complaints.keep([&] { beginning = read_one(rest, samples, wanted, beginning); });
+        complaints.keep([&] { beginning = read_one(rest, samples, what, beginning); });
     complaints.throw_any();
     return beginning;
 }
@@ -206,11 +206,11 @@ void require_joints(const TomlDocument& document, SystemsTaken taken) {
                 document.find("structure")->key_place);
 }
 
-parameters::Case read_system(const TomlDocument& document, const SamplesReader& samples, Wanted wanted,
+parameters::Case read_system(const TomlDocument& document, const SamplesReader& samples, ReadAs what,
                              SystemsTaken taken) {
     require_joints(document, taken);
-    if (has_own_structure(document)) return read_with_structure(document, samples, wanted);
-    return lists_joints(document) ? read_several(document, samples, wanted) : read_one(document, samples, wanted);
+    if (has_own_structure(document)) return read_with_structure(document, samples, what);
+    return lists_joints(document) ? read_several(document, samples, what) : read_one(document, samples, what);
 }
 
 }  // namespace
@@ -262,11 +262,11 @@ std::vector<base::Complaint> case_warnings(const TomlDocument& document) {
 }
 
 parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples) {
-    return read_system(document, samples, Wanted::base_of_chart, SystemsTaken::joints);
+    return read_system(document, samples, ReadAs::base_of_chart, SystemsTaken::joints);
 }
 
 parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples, SystemsTaken taken) {
-    return read_system(document, samples, Wanted::complete_case, taken);
+    return read_system(document, samples, ReadAs::complete_case, taken);
 }
 
 parameters::Case read_case(const TomlSource& source, SystemsTaken taken) {
