@@ -2,6 +2,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./page.css";
 import * as api from "./data/api.ts";
+import { withJoints } from "./data/cases.ts";
 import { Latest } from "./data/latest.ts";
 import { Motions } from "./data/motions.ts";
 import type { Case, Simulation, Start } from "./data/types.ts";
@@ -238,7 +239,7 @@ function same(one: Design | null, other: Design): boolean {
 }
 
 api.start().then(
-  (start) => new Page(start),
+  (start) => new Page({ ...start, fields: withJoints(start.fields, start.presets) }),
   (error: unknown) => {
     document.body.replaceChildren(h("p", { class: "complaint", role: "alert" }, api.sentence(error)));
   },

@@ -2,6 +2,7 @@
 import type { Direction } from "../program/words.ts";
 import type { Design } from "../state/state.ts";
 import * as api from "./api.ts";
+import { valueIn } from "./cases.ts";
 import { lastAtMost, type Motion, type Stays } from "./frames.ts";
 import { Latest } from "./latest.ts";
 import type { Simulation } from "./types.ts";
@@ -30,8 +31,8 @@ export class Motions {
 
   /** A new design has been run. */
   renew(design: Design, simulation: Simulation): void {
-    const run = simulation.case.run;
-    const to = typeof run === "object" ? Math.min(Number(run.duration), simulation.outcome.time || Infinity) : 1;
+    const duration = Number(valueIn(simulation.case, "run.duration") ?? 1);
+    const to = Math.min(duration, simulation.outcome.time || Infinity);
     this.current_ = { design, to, fine: false };
     clearTimeout(this.timer_);
     this.requests_.askNow(this.current_);

@@ -26,9 +26,13 @@ interface Document {
 /** Units by the place in a document: "phases.verdict.period". */
 export type Units = Record<string, string>;
 
-/** A resolved case: section -> name -> value; a column over the temperature is a list. The title stands on its own. */
-export type Case = { title: string } & Record<string, Section | string>;
+/**
+ * A resolved case: section -> name -> value; a column over the temperature is a list. The title stands on its own.
+ * Several joints are a list, each with its name and its contact.
+ */
+export type Case = { title: string } & Record<string, Section | JointPart[] | string>;
 export type Section = Record<string, number | string | (number | string)[]>;
+export type JointPart = { name: string; contact: Section } & Record<string, number | string | Section>;
 
 /** "drive.kind": ["constant"]: the choices without which a field means nothing; empty if it always does. */
 export type Homes = Record<string, string[]>;

@@ -1,4 +1,5 @@
 /** Numbers with their units, and the field's symbols, as people write them. Pure. */
+import { jointKey } from "../data/cases.ts";
 
 const prefixes: readonly [number, string][] = [
   [1e9, "G"],
@@ -102,12 +103,14 @@ export function inRow(parts: readonly string[]): string {
 
 /** "contact.kinetic_friction" as words: "kinetic friction"; a section's only value is called as the section. */
 export function words(key: string): string {
-  const [section = "", name = section] = key.split(".");
+  const [section = "", name = section] = key.split(".").slice(-2);
   return (name === "value" ? section : name).replaceAll("_", " ");
 }
 
-/** "joint mass" and "plate mass": the section where the name alone would not do. */
+/** "joint mass", "plate mass": the section where the name alone would not do. "lip2: mass" of one of several joints. */
 export function title(key: string): string {
+  const own = jointKey(key);
+  if (own) return `${own.joint}: ${words(key)}`;
   const [section = "", name = key] = key.split(".", 2);
   const alone = !["mass", "stiffness", "damping"].includes(name);
   return (alone ? "" : `${section} `) + words(key);

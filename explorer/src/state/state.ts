@@ -90,7 +90,7 @@ function readAxis(text: string | null, otherwise: Axis): Axis {
 }
 
 function isKey(text: string): boolean {
-  return /^[a-z0-9_]+\.[a-z0-9_]+$/.test(text);
+  return /^([a-z0-9_]+|joint\.[\w-]{1,64}(\.contact)?)\.[a-z0-9_]+$/.test(text);
 }
 
 function designText(design: Design, separator: string): string {

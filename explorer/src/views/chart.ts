@@ -1,5 +1,6 @@
 /** The chart: two directions side by side, streamed as it is refined, followed while a slider is dragged. */
 import * as api from "../data/api.ts";
+import { valueIn } from "../data/cases.ts";
 import { merged, type ChartData } from "../data/chart_data.ts";
 import { Latest } from "../data/latest.ts";
 import type { Case, ChartFrame, Simulation, Start } from "../data/types.ts";
@@ -352,8 +353,7 @@ export class Chart {
 
   /** Of a constant drive, the velocity that moves the plate in this direction. */
   private turned_(direction: Direction): Record<string, string> {
-    const drive = this.resolved_.drive;
-    if (typeof drive !== "object" || drive.kind !== "constant") return {};
+    if (valueIn(this.resolved_, "drive.kind") !== "constant") return {};
     const speed = Math.abs(quantityOf(this.store_.state, this.resolved_, "drive.velocity"));
     return { "drive.velocity": exact(direction === "going" ? speed : -speed) };
   }

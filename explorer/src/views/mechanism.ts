@@ -1,4 +1,5 @@
 /** The rubbing system of the paper's Figure 2, moving in slow motion with its contact state and forces. */
+import { jointsOf, valueIn } from "../data/cases.ts";
 import { shownContact, stateAt, valueAt, type Motion } from "../data/frames.ts";
 import { plateTravel, tellingTime } from "../data/motions.ts";
 import type { Case, Simulation } from "../data/types.ts";
@@ -9,7 +10,6 @@ import { font, surface, type Surface } from "../draw/surface.ts";
 import { onTheme, palette } from "../draw/theme.ts";
 import type { Direction } from "../program/words.ts";
 import { Clock, slowness } from "../state/clock.ts";
-import { valueIn } from "./parameters.ts";
 import { phaseOf } from "./verdict.ts";
 
 const wantedRate = 0.8; // [1/s] cycles of the noise per second of watching
@@ -116,7 +116,7 @@ export class Mechanism {
   private rescale_(): void {
     if (!this.motion_) return;
     const largest = (name: string, share = 1): number => {
-      const values = this.motion_?.columns.get(name)?.values ?? new Float32Array(1);
+      const values = this.motion_?.columns.get(this.column_(name))?.values ?? new Float32Array(1);
       const stride = Math.max(1, Math.floor(values.length / 20_000));
       const sizes: number[] = [];
       for (let k = 0; k < values.length; k += stride) sizes.push(Math.abs(values[k] as number));
@@ -143,14 +143,21 @@ export class Mechanism {
   }
 
   private at_(name: string): number {
-    return this.motion_ ? valueAt(this.motion_, name, this.clock.time) : 0;
+    return this.motion_ ? valueAt(this.motion_, this.column_(name), this.clock.time) : 0;
+  }
+
+  /** A column by its name; of several contacts the first one's. */
+  private column_(name: string): string {
+    return this.motion_?.columns.has(name) === false ? `${name}_1` : name;
   }
 
   private paint_(s: Surface): void {
     if (!this.motion_ || !this.resolved_) return;
     const { pen, width, height } = s;
     const colours = palette();
-    const alpha = (Number(valueIn(this.resolved_, "joint.incidence_angle")) * Math.PI) / 180;
+    const first = jointsOf(this.resolved_)[0]; // of several joints the first is drawn
+    const angle = first ? first.incidence_angle : valueIn(this.resolved_, "joint.incidence_angle");
+    const alpha = (Number(angle) * Math.PI) / 180;
     const unit = this.scales_.length * Math.min(1, height / 300);
     const rest = { x: width * 0.5, y: height * 0.64 };
     const contact = { x: rest.x + unit * this.at_("x1"), y: rest.y - unit * this.at_("y1") };

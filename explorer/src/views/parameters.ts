@@ -1,5 +1,6 @@
 /** The design's parameters: a slider and a field each, made from the program's field table; presets; resets. */
 import * as api from "../data/api.ts";
+import { jointKey, keyOfJoint, valueIn } from "../data/cases.ts";
 import type { Case, Field, Preset, QuantityField, Section, ServerError, Start } from "../data/types.ts";
 import { button, h, select, symbol } from "../draw/dom.ts";
 import {
@@ -28,14 +29,6 @@ const sectionTitles: Record<string, string> = {
   run: "Run",
   verdict: "Thresholds of the verdict",
 };
-
-/** The value of a key in a resolved case. */
-export function valueIn(resolved: Case, key: string): number | string | undefined {
-  const [section = "", name = ""] = key.split(".", 2);
-  const part = resolved[section];
-  const value = typeof part === "object" ? part[name] : undefined;
-  return Array.isArray(value) ? undefined : value;
-}
 
 /** Does a quantity follow the temperature by a table of the file? It cannot be set then. */
 export function followsTemperature(resolved: Case, key: string): boolean {
@@ -89,6 +82,20 @@ function follow({ field, element }: Row, isFollowing: boolean): void {
 export function quantityOf(state: State, resolved: Case, key: string): number {
   const said = state.design.set[key];
   return Number(said ?? valueIn(resolved, key));
+}
+
+/** The heading above the fields of a section; of one of several joints with its name. */
+function sectionTitle(section: string): string {
+  const [, joint, contact] = /^joint\.([^.]+)(\.contact)?$/.exec(section) ?? [];
+  if (joint === undefined) return sectionTitles[section] ?? section;
+  return contact ? `Contact of ${joint}` : `Joint ${joint}`;
+}
+
+/** Keys that mean nothing any more once a choice is made anew; of one of several joints below its name. */
+function dependantsOf(fields: readonly Field[], key: string): string[] {
+  const own = jointKey(key);
+  const keys = dependants(fields, own?.inner ?? key).filter((each) => !jointKey(each));
+  return own ? keys.map((each) => keyOfJoint(own.joint, each)) : keys;
 }
 
 interface Row {
@@ -178,7 +185,7 @@ export class Parameters {
   private group_(list: HTMLElement, section: string): HTMLElement {
     const known = this.groups_.get(section);
     if (known) return known;
-    const title = sectionTitles[section] ?? section;
+    const title = sectionTitle(section);
     const group = folded.has(section)
       ? h("details", { "data-section": section }, h("summary", {}, h("h3", {}, title)))
       : h("div", { "data-section": section }, h("h3", {}, title));
@@ -189,7 +196,7 @@ export class Parameters {
 
   private set_(field: Field, value: string, step: "push" | "drag"): void {
     const { design } = this.store_.state;
-    const kept = field.kind === "choice" ? withoutKeys(design, dependants(this.start_.fields, field.key)) : design;
+    const kept = field.kind === "choice" ? withoutKeys(design, dependantsOf(this.start_.fields, field.key)) : design;
     const needed = field.kind === "choice" ? this.companions_(field.key, value) : {};
     this.store_.update({ design: withValues(kept, { ...needed, [field.key]: value }) }, step);
   }
@@ -197,11 +204,15 @@ export class Parameters {
   private companions_(key: string, choice: string): Record<string, string> {
     const { state } = this.store_;
     const now = (name: string): number => quantityOf(state, this.resolved_, name);
-    return companions(this.start_.fields, key, choice, now, state.direction);
+    const own = jointKey(key);
+    const ofJoint = (name: string): string => (own ? keyOfJoint(own.joint, name) : name);
+    const fields = this.start_.fields.filter((field) => !jointKey(field.key));
+    const inner = companions(fields, own?.inner ?? key, choice, (name) => now(ofJoint(name)), state.direction);
+    return Object.fromEntries(Object.entries(inner).map(([name, value]) => [ofJoint(name), value]));
   }
 
   private resetButton_(field: Field): HTMLButtonElement {
-    const keys = [field.key, ...dependants(this.start_.fields, field.key)];
+    const keys = [field.key, ...dependantsOf(this.start_.fields, field.key)];
     const reset = (): void => this.store_.update({ design: withoutKeys(this.store_.state.design, keys) });
     return button("↺", reset, {
       "class": "reset",

@@ -3,6 +3,7 @@
  * the simulations alone. Pure, but for what it asks the server.
  */
 import * as api from "../data/api.ts";
+import { valueIn } from "../data/cases.ts";
 import type { Simulation } from "../data/types.ts";
 import { plain, quantity } from "../draw/format.ts";
 import type { Direction } from "../program/words.ts";
@@ -32,8 +33,7 @@ const frequency = (simulation: Simulation, direction: Direction): number =>
   simulation.phases.find(({ phase }) => phase === direction)?.verdict.frequency ?? NaN;
 
 function number(simulation: Simulation, section: string, name: string): number {
-  const part = simulation.case[section];
-  return typeof part === "object" ? Number(part[name]) : NaN;
+  return Number(valueIn(simulation.case, `${section}.${name}`) ?? NaN);
 }
 
 const verbs: Record<string, string> = {

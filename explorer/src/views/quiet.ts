@@ -3,6 +3,7 @@
  * and the smallest change that helps.
  */
 import * as api from "../data/api.ts";
+import { valueIn } from "../data/cases.ts";
 import type { Advice, AdviceMargin, QuantityField, Start } from "../data/types.ts";
 import { button, h, select, setOptions, setText, symbol } from "../draw/dom.ts";
 import { exact, number, percent, plain, quantity, symbolParts, title } from "../draw/format.ts";
@@ -11,7 +12,7 @@ import { paintSwatch } from "../draw/theme.ts";
 import { withValues, type Design } from "../state/state.ts";
 import type { Store } from "../state/store.ts";
 import { Asked } from "./asked.ts";
-import { followsTemperature, valueIn } from "./parameters.ts";
+import { followsTemperature } from "./parameters.ts";
 import type { Context, ViewPart } from "./views.ts";
 
 interface Wish {

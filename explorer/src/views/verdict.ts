@@ -1,4 +1,5 @@
 /** The verdict on the present design: a chip per phase, announced to screen readers. */
+import { valueIn } from "../data/cases.ts";
 import type { PhaseResult, Simulation } from "../data/types.ts";
 import { h, setText } from "../draw/dom.ts";
 import { level, percent, quantity } from "../draw/format.ts";
@@ -8,8 +9,7 @@ import type { Direction } from "../program/words.ts";
 /** Which direction a phase is: of a constant drive, that of its velocity. */
 export function directionOf(result: PhaseResult, simulation: Simulation): Direction {
   if (result.phase !== "all") return result.phase;
-  const drive = simulation.case.drive;
-  const velocity = typeof drive === "object" ? Number(drive.velocity) : 0;
+  const velocity = Number(valueIn(simulation.case, "drive.velocity") ?? 0);
   return velocity < 0 ? "coming" : "going";
 }
 

@@ -10,7 +10,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/simulation/dof_names.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
-#include "stridor/model/rubbing_system.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/record/columns.hpp"
@@ -90,16 +90,40 @@ struct SentColumn {
     std::function<const std::vector<double>&(const record::Trace&)> values;
 };
 
+/// A degree of freedom as the page knows it.
+struct SentDof {
+    std::string name;  // x1 and y1 of the first joint, y2 of the plate; x_lip2 and y_lip2 of a further joint
+    std::string whose;
+};
+
+std::vector<SentDof> dofs_of(const parameters::Case& c) {
+    std::vector<std::string> names = io::dof_names(parameters::Case{});
+    std::vector<SentDof> dofs;
+    for (std::size_t dof = 0; dof < names.size(); ++dof)
+        dofs.push_back({names[dof], std::string(io::dof_sentences[dof])});
+    if (c.further_joints.empty()) return dofs;
+    names = io::dof_names(c);
+    const SentDof plate = dofs.back();
+    dofs.pop_back();
+    for (std::size_t dof = dofs.size(); dof + 1 < names.size(); ++dof)
+        dofs.push_back({names[dof], dofs[dof % 2].whose});
+    for (std::size_t dof = 0; dof < dofs.size(); ++dof)
+        dofs[dof].whose.replace(0, std::string_view("of the joint").size(), "of " + parameters::joint_name(c, dof / 2));
+    dofs.push_back(plate);
+    return dofs;
+}
+
 // displacements and velocities of the rubbing system ("x1", "x1_velocity"), the surface's velocity, each contact's
-std::vector<SentColumn> columns_of(std::size_t contacts) {
+std::vector<SentColumn> columns_of(const parameters::Case& c) {
     std::vector<SentColumn> columns;
-    const std::vector<std::string> dofs = io::dof_names(parameters::Case{});
+    const std::size_t contacts = parameters::joint_count(c);
+    const std::vector<SentDof> dofs = dofs_of(c);
     for (const record::DofColumn& column : std::span(record::dof_columns).first(2))
         for (std::size_t dof = 0; dof < dofs.size(); ++dof) {
             const bool is_place = column.samples == &record::Trace::displacement;
             columns.push_back(
-                {dofs[dof] + (is_place ? "" : "_" + std::string(column.name)), column.unit,
-                 std::string(is_place ? "displacement" : column.name) + " " + std::string(io::dof_sentences[dof]),
+                {dofs[dof].name + (is_place ? "" : "_" + std::string(column.name)), column.unit,
+                 std::string(is_place ? "displacement" : column.name) + " " + dofs[dof].whose,
                  [member = column.samples, dof](const record::Trace& trace) -> const std::vector<double>& {
                      return (trace.*member)[dof];
                  }});
@@ -173,6 +197,15 @@ std::string history_bytes(const record::ContactHistory& history) {
 
 // the key of the field that a message is about; empty if it names none
 std::string key_in(const std::string& message) {
+    // of one of several joints it is longer: "joint.lip2.contact.preload"
+    constexpr std::string_view of_keys = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
+    if (const std::size_t begin = message.find("joint."); begin != std::string::npos) {
+        const std::size_t end = std::min(message.find_first_not_of(of_keys, begin), message.size());
+        std::string key = message.substr(begin, end - begin);
+        while (key.ends_with('.'))
+            key.pop_back();
+        if (parameters::field_of(key) != nullptr) return key;
+    }
     for (const parameters::Field& field : parameters::fields())
         if (!field.section.empty() && message.find(parameters::key_of(field)) != std::string::npos)
             return parameters::key_of(field);
@@ -238,7 +271,7 @@ Response simulate(const World& world, const Json& body, const std::stop_token& s
 Response motion(const World& world, const Json& body, const std::stop_token& stop) {
     const parameters::Case c = case_in(world, body);
     record::Request request{record::KeepHistory::yes, trace_in(body, c)};
-    const std::vector<SentColumn> columns = columns_of(model::rubbing_system(c).contacts.size());
+    const std::vector<SentColumn> columns = columns_of(c);
     std::vector<std::vector<float>> values(columns.size());
     // block by block into the half as large numbers that are sent: a trace of doubles would be 100 MB
     request.trace.taker = [&](const record::Trace& trace) {

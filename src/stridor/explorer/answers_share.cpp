@@ -3,7 +3,7 @@
 #include "stridor/explorer/answers.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
-#include "stridor/parameters/field.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <optional>
@@ -50,7 +50,7 @@ Case read_preset(const Preset& preset, const std::vector<std::string>& set) {
 Response value(const World&, const Json& body, const std::stop_token&) {
     const std::string key = text_in(body, "key");
     const std::string text = text_in(body, "text");
-    const Field* field = parameters::find_field(key);
+    const Field* field = parameters::field_of(key);
     if (field == nullptr || !std::holds_alternative<Quantity>(field->kind))
         throw Error(ErrorKind::input, {"\"key\" must name a quantity", "", "GET /api/start lists them."});
     if (text.size() > longest_value)
@@ -69,6 +69,9 @@ Response share(const World& world, const Json& body, const std::stop_token&) {
     if (parameters::is_of_file(c.drive))
         throw Error(ErrorKind::input, {"a sampled drive does not travel in a link",
                                        "its samples are in a file of this machine", "Send the case with that file."});
+    if (!c.further_joints.empty())
+        throw Error(ErrorKind::input, {"several joints do not travel in a link",
+                                       "a link holds changes to a built-in case", "Send the case as a file."});
     if (parameters::has_temperature_table(c))
         throw Error(ErrorKind::input, {"a table over temperature does not travel in a link",
                                        "a link holds one number for each quantity", "Send the case as a file."});

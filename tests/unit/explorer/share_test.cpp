@@ -5,6 +5,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -153,6 +154,41 @@ TEST(Start, HasTheChartOfItsFileWithAsManyPointsAsMayBeExplored) {
     EXPECT_EQ(chart["y"]["to"], 15.0);
     EXPECT_EQ(chart["figure"], "frequency");
     EXPECT_FALSE(document["presets"][1].contains("chart"));
+}
+
+TEST(SeveralJoints, AreShownSetAndSimulatedByTheirNames) {
+    const World world = world_with(parameters::two_lips());
+    const json body{{"preset", "file"},
+                    {"set", {"joint.lower.contact.preload=55", "run.duration=0.05", "run.window=0.05"}}};
+    const Response simulated = post(world, "/api/simulate", body);
+    ASSERT_EQ(simulated.status, 200) << simulated.body;
+    const json joints = json::parse(simulated.body)["case"]["joint"];
+    ASSERT_EQ(joints.size(), 2U);
+    EXPECT_EQ(joints[0]["contact"]["preload"], 200.0);
+    EXPECT_EQ(joints[1]["name"], "lower");
+    EXPECT_EQ(joints[1]["contact"]["preload"], 55.0);
+    EXPECT_EQ(json::parse(value_of("joint.lower.contact.preload", "2 kN").body)["value"], 2000.0);
+    EXPECT_EQ(what_of(post(world, "/api/share", {{"preset", "file"}})), "several joints do not travel in a link");
+    const Response refused = post(world, "/api/simulate", {{"preset", "file"}, {"set", {"joint.lower.mass=-1"}}});
+    EXPECT_NE(what_of(refused).find("mass = -1 is out of range"), std::string::npos);
+    const json chart{
+        {"x", {{"parameter", "joint.lower.mass"}, {"from", -1.0}, {"to", 1.0}, {"points", 4}, {"scale", "linear"}}},
+        {"y", {{"parameter", "plate.mass"}, {"from", 0.1}, {"to", 1.0}, {"points", 4}, {"scale", "linear"}}}};
+    const Response axis = post(world, "/api/chart", {{"preset", "file"}, {"chart", chart}});
+    EXPECT_EQ(json::parse(axis.body)["error"]["key"], "joint.lower.mass") << axis.body;
+}
+
+TEST(SeveralJoints, MoveInColumnsOfTheirOwn) {
+    const World world = world_with(parameters::two_lips());
+    const Response response =
+        post(world, "/api/motion", {{"preset", "file"}, {"set", {"run.duration=0.05", "run.window=0.05"}}});
+    ASSERT_EQ(response.status, 200) << response.body;
+    const std::string text = response.body.substr(0, 8192);
+    for (const char* name : {"\"x1\"", "\"y1\"", "\"x_lower\"", "\"y_lower\"", "\"y2\"", "\"gap_1\"", "\"gap_2\""})
+        EXPECT_NE(text.find(name), std::string::npos) << name;
+    EXPECT_NE(text.find("displacement of upper along the plate"), std::string::npos);
+    EXPECT_NE(text.find("velocity of lower across the plate"), std::string::npos);
+    EXPECT_NE(text.find("displacement of the plate across the contact"), std::string::npos);
 }
 
 }  // namespace

@@ -79,6 +79,8 @@ test("names alone would be ambiguous where two parts have them", () => {
   assert.equal(title("plate.stiffness"), "plate stiffness");
   assert.equal(title("contact.preload"), "preload");
   assert.equal(title("temperature.value"), "temperature");
+  assert.equal(title("joint.lip2.contact.preload"), "lip2: preload");
+  assert.equal(title("joint.lip2.mass"), "lip2: mass");
 });
 
 test("numbers keep few digits and never lie about nothing", () => {

@@ -31,7 +31,7 @@ test("a state comes back from its fragment, whatever it holds", () => {
   const number = () => pick([0.1 + 0.2, 1e-7, 123456.789, 1e7, -0.1, next() * 1000, next() * 1e-9]);
   for (let round = 0; round < 2000; ++round) {
     const set = Object.fromEntries(
-      ["contact.preload", "joint.incidence_angle", "drive.kind"]
+      ["contact.preload", "joint.incidence_angle", "joint.lip-2.contact.preload", "joint.Upper.mass", "drive.kind"]
         .filter(() => next() < 0.5)
         .map((key) => [key, key === "drive.kind" ? "constant" : String(number())]),
     );
