@@ -7,10 +7,13 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_case.hpp"
+#include "stridor/io/structure/part_files.hpp"
+#include "stridor/io/structure/reduced_netcdf.hpp"
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/chain_on_belt.hpp"
-#include "support/many_contacts.hpp"
+#include "stridor/reduction/craig_bampton.hpp"
 #include "stridor/storage/atomic_file.hpp"
+#include "support/many_contacts.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -168,6 +171,40 @@ TEST(OwnStructure, StripOfRubberHasTheMeanSharesOfThePrototype) {
     EXPECT_NEAR(mean[1], 0.8335, 0.003);
     EXPECT_NEAR(mean[0], 0.1665, 0.003);
     EXPECT_NEAR(mean[2], 0.0, 1e-4);
+}
+
+// --- a lip of rubber, reduced to its edge: nodes that mirror each other, slips that begin and end at one instant
+
+std::string lip_case(const support::ScratchFolder& folder) {
+    const reduction::ElasticPart part =
+        io::read_part({.files = {STRIDOR_SOURCE_DIR "/tests/fixtures/structures/lip/lip.sti"}});
+    const reduction::Reduction reduced =
+        craig_bampton(part, {.boundary = reduction::named_rows(part, "EDGE"), .modes = 10});
+    io::write_reduced_part((folder / "lip.nc").string(), reduced, "lip.sti");
+    return "[structure]\nfile = \"" + (folder / "lip.nc").string() +
+           "\"\ndamping_ratio = 0.02\n[[structure.contact]]\nset = \"EDGE\"\nnormal = \"z\"\ntangent = \"x\"\n"
+           "[contact]\npreload = 4\nstatic_friction = 0.3\nkinetic_friction = 0.3\n"
+           "[drive]\nkind = \"constant\"\nvelocity = 0.1\n[run]\nduration = 0.1\n";
+}
+
+TEST(OwnStructure, LipHasForcesWhereItsMirroredNodesSlipTogether) {
+    const support::ScratchFolder folder;
+    const std::string text = lip_case(folder);
+    struct Friction {
+        double stick, slip, preload, velocity;
+    };
+    for (const Friction& each :
+         {Friction{0.3, 0.3, 4.0, 0.1}, Friction{0.3, 0.24, 16.0, 0.1}, Friction{0.5, 0.4, 16.0, 0.03},
+          Friction{1.1, 0.55, 16.0, 0.1}, Friction{1.1, 1.1, 0.5, 0.1}, Friction{1.1, 1.1, 4.0, 0.1}}) {
+        parameters::Case c = io::read_case(io::TomlSource{text, "lip.toml", {}}, io::JointsTaken::or_structure);
+        c.contact.static_friction = each.stick;
+        c.contact.kinetic_friction = each.slip;
+        c.contact.preload = each.preload;
+        c.drive.velocity = each.velocity;
+        const Motion motion = integration::simulate(c);
+        EXPECT_EQ(motion.outcome.reason, integration::Reason::completed) << each.stick << " " << each.preload;
+        EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-10);
+    }
 }
 
 }  // namespace

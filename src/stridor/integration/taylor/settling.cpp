@@ -17,8 +17,11 @@ constexpr int most_dropped = 4;              // a function that is zero up to th
 constexpr double function_rounding = 1e-11;  // [1] of the largest coefficient: what is zero
 constexpr double term_rounding = 1e-14;      // [1] of the sum of the terms' sizes, likewise
 constexpr double gap_rounding = 1e-12;       // [1] likewise, of gaps
-constexpr double soon = 1e-6;                // [1] of a block: what ends sooner has ended
-constexpr int most_rounds = 64;              // of impacts and forces in one event
+// what counts as zero of a friction beyond its limit must count as zero of the slip that it leaves: c_m theta^m there
+// is h W_tt c_m theta^(m+1)/(m+1) here, with m up to the order of the series
+constexpr double slip_per_friction = settling_order + 1;  // [1] of the roundings above
+constexpr double soon = 1e-6;                             // [1] of a block: what ends sooner has ended
+constexpr int most_rounds = 64;                           // of impacts and forces in one event
 constexpr double forward_sign = 1.0;
 
 double sign_of(ContactMode mode) {
@@ -175,7 +178,8 @@ void Settling::look(const TaylorState& state, std::size_t contact, Violation& wo
         if (mode == ContactMode::open)
             zero = gap_rounding * block_.gap_scale(contact);
         else if (is_slip(mode) && f == 1)
-            zero += term_rounding * block_.velocity_scale(contact);
+            zero = slip_per_friction * zero +
+                   term_rounding * (block_.velocity_scale(contact) + block_.velocity_change_scale(contact));
         else
             zero += term_rounding * block_.force_scale(contact);
         const Leading first = leading(c, zero);
@@ -231,7 +235,11 @@ bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
             if (!(g[2] < 0.0)) continue;
             const double back = (-g[1] - std::sqrt(g[1] * g[1] - 4.0 * g[2] * c0)) / (2.0 * g[2]);
             if (!(back < soon)) continue;
-            state.set[k] = ContactMode::stick;
+            // closed by force it slips, unless it had no slip velocity
+            const ModalContact& c = structure_.contacts[k];
+            const double w = slip_velocity(c, state.v, surface[0]);
+            const double near = soon * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
+            state.set[k] = std::abs(w) > near ? slip_mode(model::slip_of(w)) : ContactMode::stick;
             ++completed_;
             has_ended = true;
         } else if (is_slip(mode) && state.dropped[k][1] == 0) {
@@ -243,14 +251,6 @@ bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
         }
     }
     if (!has_ended) return false;
-    // contacts that were closed by force slip unless they had no slip velocity
-    for (std::size_t k = 0; k < state.set.size(); ++k) {
-        const ModalContact& c = structure_.contacts[k];
-        if (state.set[k] != ContactMode::stick || state.dropped[k].empty()) continue;
-        const double w = slip_velocity(c, state.v, surface[0]);
-        const double near = soon * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
-        if (std::abs(w) > near) state.set[k] = slip_mode(model::slip_of(w));
-    }
     double before = 0.0, after = 0.0;
     for (const double each : state.v)
         before += 0.5 * each * each;

@@ -196,10 +196,8 @@ double TaylorBlock::velocity_scale(std::size_t contact) const {
     return dot_of_sizes(c.tangent, v_) + std::abs(c.drive_share * surface_[0]);
 }
 
-// (R'B)^-1 R' a with all signs left out, at the block's beginning
-double TaylorBlock::force_scale(std::size_t contact) const {
-    const std::size_t closed = rows_->normal.size();
-    const std::size_t rows = closed + rows_->tangent.size();
+// a with all signs left out, at the block's beginning
+std::vector<double> TaylorBlock::acceleration_sizes() const {
     std::vector<double> size(modes_);
     for (std::size_t j = 0; j < modes_; ++j)
         size[j] = std::abs(structure_.square_frequency[j] * q_[j]) + std::abs(structure_.load[j]);
@@ -210,6 +208,20 @@ double TaylorBlock::force_scale(std::size_t contact) const {
         for (std::size_t k = 0; k < modes_; ++k)
             for (std::size_t j = 0; j < modes_; ++j)
                 size[j] += std::abs(structure_.damping[k * modes_ + j] * v_[k]);
+    return size;
+}
+
+double TaylorBlock::velocity_change_scale(std::size_t contact) const {
+    const auto own = static_cast<Eigen::Index>(2 * contact + 1);
+    return step_ * (dot_of_sizes(structure_.contacts[contact].tangent, acceleration_sizes()) +
+                    structure_.compliance(own, own) * force_scale(contact));
+}
+
+// (R'B)^-1 R' a likewise
+double TaylorBlock::force_scale(std::size_t contact) const {
+    const std::size_t closed = rows_->normal.size();
+    const std::size_t rows = closed + rows_->tangent.size();
+    const std::vector<double> size = acceleration_sizes();
     double scale = 0.0;
     for (std::size_t r = 0; r < closed; ++r) {
         if (rows_->normal[r] != contact) continue;

@@ -61,6 +61,9 @@ public:
     double gap_scale(std::size_t contact) const;
     double velocity_scale(std::size_t contact) const;
 
+    /// The same in what accelerations change the slip velocity over a block [m/s].
+    double velocity_change_scale(std::size_t contact) const;
+
     /// State at a place in [0, 1]; shape [mode].
     void displacement_at(double theta, std::span<double> q) const;
     void velocity_at(double theta, std::span<double> v) const;
@@ -91,6 +94,7 @@ private:
     void free_acceleration(int m, Count modes);
     template <typename Count>
     void expand_modes(const SurfaceSeries& surface, Count modes);
+    std::vector<double> acceleration_sizes() const;
     void at(const std::vector<double>& series, double theta, std::span<double> result) const;
 
     const ModalStructure& structure_;
