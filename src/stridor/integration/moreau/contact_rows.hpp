@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/integration/modal_structure.hpp"
+#include "stridor/integration/moreau/row_kernel.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -11,7 +12,7 @@ namespace stridor::integration {
 /// step multiplies by them: in blocks of eight modes that hold all rows, so that many rows share one pass.
 class ContactRows {
 public:
-    explicit ContactRows(const ModalStructure& structure);
+    explicit ContactRows(const ModalStructure& structure, InstructionSet set = widest_instruction_set());
 
     /// Products of the rows `which` with x, shape [mode]; the others of `products`, shape [row], stay as they are.
     void multiply(const std::vector<std::size_t>& which, const std::vector<double>& x, std::vector<double>& products);
@@ -20,11 +21,14 @@ public:
     void combine(const std::vector<std::size_t>& which, const std::vector<double>& share, std::vector<double>& sum);
 
     /// As many numbers as x and sums must hold: the modes, filled up to whole blocks.
-    std::size_t padded_modes() const { return blocks_ * block_modes; }
+    std::size_t padded_modes() const { return blocks_ * row_lanes; }
 
 private:
-    static constexpr std::size_t block_modes = 8;
+    RowBlocks blocks_of(const std::vector<std::size_t>& which) const {
+        return {numbers_.data(), rows_, blocks_, which};
+    }
 
+    const RowKernel* kernel_;
     std::size_t rows_;
     std::size_t blocks_;
     std::vector<double> numbers_;  // [1/√kg] shape [block][row][lane]

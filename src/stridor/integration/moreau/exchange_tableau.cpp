@@ -4,15 +4,10 @@
 
 namespace stridor::integration {
 
-namespace {
-
-constexpr std::size_t whole_vector = 8;  // columns begin and end with whole vectors
-
-}  // namespace
-
-ExchangeTableau::ExchangeTableau(const Eigen::MatrixXd& relation)
-    : size_(static_cast<std::size_t>(relation.rows())),
-      stride_((size_ + whole_vector - 1) / whole_vector * whole_vector),
+ExchangeTableau::ExchangeTableau(const Eigen::MatrixXd& relation, InstructionSet set)
+    : kernel_(&row_kernel(set)),
+      size_(static_cast<std::size_t>(relation.rows())),
+      stride_((size_ + row_lanes - 1) / row_lanes * row_lanes),
       matrix_(size_ * stride_, 0.0),
       follows_(stride_, 0.0),
       is_exchanged_(size_, 0) {
@@ -24,14 +19,8 @@ ExchangeTableau::ExchangeTableau(const Eigen::MatrixXd& relation)
 void ExchangeTableau::set(const std::vector<double>& b) {
     for (std::size_t i = 0; i < size_; ++i)
         follows_[i] = is_exchanged_[i] != 0 ? 0.0 : b[i];
-    double* follows = follows_.data();
-    for (std::size_t j = 0; j < size_; ++j) {
-        if (is_exchanged_[j] == 0) continue;
-        const double* column = &matrix_[j * stride_];
-        const double share = b[j];
-        for (std::size_t i = 0; i < stride_; ++i)
-            follows[i] -= share * column[i];
-    }
+    for (std::size_t j = 0; j < size_; ++j)
+        if (is_exchanged_[j] != 0) kernel_->subtract(&matrix_[j * stride_], b[j], follows_.data(), stride_);
 }
 
 void ExchangeTableau::exchange(std::size_t k) {
@@ -42,13 +31,11 @@ void ExchangeTableau::exchange(std::size_t k) {
         double* column = &matrix_[j * stride_];
         const double share = column[k] * inverse;
         if (share == 0.0) continue;
-        for (std::size_t i = 0; i < stride_; ++i)
-            column[i] -= share * pivotal[i];
+        kernel_->subtract(pivotal, share, column, stride_);
         column[k] = -share;
     }
     const double share = follows_[k] * inverse;
-    for (std::size_t i = 0; i < stride_; ++i)
-        follows_[i] -= share * pivotal[i];
+    kernel_->subtract(pivotal, share, follows_.data(), stride_);
     follows_[k] = -share;
     for (std::size_t i = 0; i < stride_; ++i)
         pivotal[i] *= inverse;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/integration/moreau/row_kernel.hpp"
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -16,7 +18,7 @@ namespace stridor::integration {
 /// Stone, The Linear Complementarity Problem (1992), section 2.3.
 class ExchangeTableau {
 public:
-    explicit ExchangeTableau(const Eigen::MatrixXd& relation);
+    explicit ExchangeTableau(const Eigen::MatrixXd& relation, InstructionSet set = widest_instruction_set());
 
     std::size_t size() const { return size_; }
     bool is_exchanged(std::size_t k) const { return is_exchanged_[k]; }
@@ -40,6 +42,7 @@ public:
     long exchanges() const { return exchanges_; }
 
 private:
+    const RowKernel* kernel_;
     std::size_t size_;
     std::size_t stride_;
     std::vector<double> matrix_;  // shape [column][stride]
