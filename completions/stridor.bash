@@ -91,7 +91,7 @@ _stridor() {
         fi
         case ${COMP_WORDS[2]} in
             info) options="--help --stiffness --mass --damping --labels --units --json" ;;
-            check) options="--help --stiffness --mass --damping --labels --units --modes --json" ;;
+            check) options="--help --stiffness --mass --damping --labels --units --modes --contact --normal --friction --json" ;;
             reduce) options="--help --stiffness --mass --damping --labels --units --boundary --recover --modes --below --normal --inertia --output --json" ;;
         esac
     fi

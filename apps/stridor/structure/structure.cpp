@@ -7,12 +7,15 @@
 #include "stridor/io/structure/json_structure.hpp"
 #include "stridor/io/structure/reduced_netcdf.hpp"
 #include "stridor/recordings/bytes.hpp"
+#include "stridor/reduction/part_contacts.hpp"
 #include "stridor/reduction/part_figures.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace stridor::app {
 
@@ -51,18 +54,49 @@ void info(const PartInfoOptions& options) {
 struct PartCheckOptions {
     PartOptions part;
     int modes = 6;
+    std::vector<std::string> contact;  // rows
+    int normal = 0;
+    double friction = 1.0;
     bool json = false;
 };
+
+// what its contacts meet in an impact; null where none are named
+std::optional<reduction::PartContacts> contacts_of(const reduction::ElasticPart& part,
+                                                   const PartCheckOptions& options) {
+    if (options.contact.empty()) return std::nullopt;
+    std::optional<reduction::PartContacts> contacts =
+        part_contacts(part, rows_named(part, options.contact), options.normal);
+    if (!contacts)
+        throw Error(ErrorKind::numerical, {"the inertia of the contacts is not known", "some motion has no mass",
+                                           "Reduce the part first: stridor structure reduce."});
+    return contacts;
+}
 
 void check(const PartCheckOptions& options) {
     const reduction::ElasticPart part = load_part(options.part);
     const reduction::PartSize size = part_size(part);
     const reduction::PartVibration vibration = part_vibration(part, options.modes);
-    console::print(options.json ? io::part_json(part, size, &vibration) + "\n"
-                                : console::part_text(part, size) + console::vibration_text(vibration));
+    const std::optional<reduction::PartContacts> contacts = contacts_of(part, options);
+    if (options.json) {
+        console::print(io::part_json(part, size, &vibration, contacts ? &*contacts : nullptr) + "\n");
+    } else {
+        console::print(console::part_text(part, size) + console::vibration_text(vibration));
+        if (contacts) console::print(console::part_contacts_text(*contacts));
+    }
+    if (contacts)
+        for (const base::Problem& doubt : doubts(*contacts, options.friction))
+            console::say(fmt::format("stridor: note: {} ({}). {}", doubt.what, doubt.why, doubt.suggestion));
 }
 
 }  // namespace
+
+std::vector<Eigen::Index> rows_named(const reduction::ElasticPart& part, const std::vector<std::string>& names) {
+    std::vector<Eigen::Index> rows;
+    for (const std::string& name : names)
+        for (const Eigen::Index row : named_rows(part, name))
+            if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    return rows;
+}
 
 void add_part_options(CLI::App& command, PartOptions& options) {
     command.add_option("files", options.files.files, "the part: what a finite-element program wrote of it, or a .nc");
@@ -113,8 +147,21 @@ void add_structure_check(CLI::App& structure) {
     command->add_option("--modes", options->modes, "how many frequencies")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
+    CLI::Option* contact =
+        command->add_option("--contact", options->contact, "rows at which it is to rub: can their inertia be believed?")
+            ->type_name("ROWS")
+            ->take_all();
+    command->add_option("--normal", options->normal, "component of the contact's normal (1 to 3)")
+        ->check(CLI::Range(1, 3))
+        ->needs(contact);
+    command->add_option("--friction", options->friction, "largest coefficient of friction that is meant")
+        ->check(CLI::PositiveNumber)
+        ->needs(contact)
+        ->capture_default_str();
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.part/1)");
-    command->footer("Example:\n  stridor structure check block.sti --modes 10");
+    command->footer(
+        "Examples:\n  stridor structure check block.sti --modes 10\n"
+        "  stridor structure check block.nc --contact FOOT --normal 3");
     command->callback([options] { check(*options); });
 }
 

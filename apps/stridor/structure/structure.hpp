@@ -3,6 +3,7 @@
 #include "stridor/io/structure/part_files.hpp"
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -22,6 +23,9 @@ void add_part_options(CLI::App& command, PartOptions& options);
 /// Reads the part in SI and refuses it if it is no structure; its notes, and what its units seem to be if they are
 /// others, go to stderr.
 reduction::ElasticPart load_part(const PartOptions& options);
+
+/// Rows under these names, each once: a node in two sets is one row all the same.
+std::vector<Eigen::Index> rows_named(const reduction::ElasticPart& part, const std::vector<std::string>& names);
 
 void add_structure_info(CLI::App& structure);
 void add_structure_check(CLI::App& structure);

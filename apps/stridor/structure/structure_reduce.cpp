@@ -30,15 +30,6 @@ struct ReduceOptions {
     bool json = false;
 };
 
-// a node in two sets is one boundary row all the same
-std::vector<Eigen::Index> rows_named(const reduction::ElasticPart& part, const std::vector<std::string>& names) {
-    std::vector<Eigen::Index> rows;
-    for (const std::string& name : names)
-        for (const Eigen::Index row : named_rows(part, name))
-            if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
-    return rows;
-}
-
 std::string origin_of(const io::PartFiles& files) {
     std::string origin;
     for (const std::string& file : files.files)

@@ -3,6 +3,7 @@
 #include "stridor/base/escapes.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/model/case_structure.hpp"
+#include "stridor/model/contact_compliance.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
@@ -107,6 +108,25 @@ std::string contacts_text(const parameters::Case& c, const model::Structure& str
     return text + "\n";
 }
 
+// can several contacts be believed?
+std::string belief_text(const parameters::Case& c, const model::Structure& structure) {
+    if (structure.contacts.size() < 2) return "";
+    const Eigen::MatrixXd compliance = model::contact_compliance(structure);
+    const model::SharedInertia shared = model::most_shared_inertia(compliance);
+    const model::NormalGiving giving = model::least_normal_giving(structure, compliance);
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < structure.contacts.size(); ++k)
+        names.push_back(base::visible(parameters::contact_name(c, k)));
+    std::string text = "\ncontacts\n";
+    text += fmt::format("inertia that {} and {} share: {:.2g} of their own\n", names[shared.first],
+                        names[shared.second], shared.share);
+    text += fmt::format("friction takes at most {:.2g} of what a normal force parts (1: Painleve), at {}\n",
+                        1.0 - giving.share, names[giving.contact]);
+    for (const base::Problem& doubt : model::doubts(structure, names))
+        text += fmt::format("doubt: {} ({}). {}\n", doubt.what, doubt.why, doubt.suggestion);
+    return text;
+}
+
 std::string cost_text(const parameters::Case& c, const integration::Cost& cost) {
     if (c.run.engine == parameters::Engine::exact)
         return fmt::format("\ncost: {:.3g} steps and the events, about {:.2g} s of one core\n", cost.steps,
@@ -129,7 +149,7 @@ std::string case_text(const parameters::Case& c, const integration::Cost& cost) 
     const model::Structure structure = model::structure_of(c);
     return styled(c.title.empty() ? "case" : c.title, Style::bold, STDOUT_FILENO) + "\n\n" + fields_text(c) +
            (c.own_structure ? contacts_text(c, structure) : "\n") + "undamped natural frequencies\n" +
-           frequencies_text(c, structure) + cost_text(c, cost);
+           frequencies_text(c, structure) + belief_text(c, structure) + cost_text(c, cost);
 }
 
 }  // namespace stridor::console

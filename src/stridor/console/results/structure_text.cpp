@@ -71,6 +71,19 @@ std::string vibration_text(const reduction::PartVibration& vibration) {
     return text;
 }
 
+std::string part_contacts_text(const reduction::PartContacts& contacts) {
+    constexpr double shown = 1e-9;
+    std::string text = fmt::format("contact      {} rows; ", contacts.rows);
+    text += contacts.shared_inertia < shown
+                ? std::string("no inertia is shared\n")
+                : fmt::format("{} and {} share {:.2g} of their inertia\n", describe(contacts.first),
+                              describe(contacts.second), contacts.shared_inertia);
+    if (!contacts.painleve_friction) return text;
+    if (!(*contacts.painleve_friction < 1.0 / shown)) return text + "friction     never presses a contact together\n";
+    return text + fmt::format("friction     presses {} together from mu = {:.3g} on (Painleve)\n",
+                              describe(contacts.weakest), *contacts.painleve_friction);
+}
+
 std::string reduction_text(const reduction::Reduction& reduction, const reduction::ReductionErrors& errors) {
     const std::vector<double>& modes = reduction.mode_frequencies;
     std::string text = fmt::format("boundary     {} rows\n", reduction.boundary_rows);

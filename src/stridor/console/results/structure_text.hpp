@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/reduction/part_contacts.hpp"
 #include "stridor/reduction/part_figures.hpp"
 #include "stridor/reduction/reduction_errors.hpp"
 
@@ -12,6 +13,9 @@ std::string part_text(const reduction::ElasticPart& part, const reduction::PartS
 
 /// Its rigid-body modes and frequencies.
 std::string vibration_text(const reduction::PartVibration& vibration);
+
+/// What its contacts meet in an impact.
+std::string part_contacts_text(const reduction::PartContacts& contacts);
 
 /// What a reduction kept, and its errors.
 std::string reduction_text(const reduction::Reduction& reduction, const reduction::ReductionErrors& errors);

@@ -1,6 +1,6 @@
 // Row and column 2k of the tableau are the gap velocity and N of contact k, 2k+1 its slip velocity and what T has
-// beside ratio N. So a contact is open with none of both exchanged, slips with N exchanged (T = ratio N), sticks with both; a
-// change of the ratio is a shear.
+// beside ratio N. So a contact is open with none of both exchanged, slips with N exchanged (T = ratio N), sticks with
+// both; a change of the ratio is a shear.
 
 #include "stridor/integration/moreau/step_contacts.hpp"
 

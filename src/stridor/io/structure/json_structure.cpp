@@ -16,7 +16,7 @@ Json head_of(const char* schema) {
 }  // namespace
 
 std::string part_json(const reduction::ElasticPart& part, const reduction::PartSize& size,
-                      const reduction::PartVibration* vibration) {
+                      const reduction::PartVibration* vibration, const reduction::PartContacts* contacts) {
     Json document = head_of("stridor.part/1");
     document["rows"] = size.rows;
     document["entries"] = size.entries;
@@ -32,6 +32,12 @@ std::string part_json(const reduction::ElasticPart& part, const reduction::PartS
         document["rigid_body_modes"] = vibration->rigid_body_modes;
         document["frequencies"] = vibration->frequencies;
         document["highest_frequency"] = vibration->highest_frequency;  // infinite becomes null
+    }
+    if (contacts != nullptr) {
+        Json contact{{"rows", contacts->rows}, {"shared_inertia", contacts->shared_inertia}};
+        contact["between"] = {describe(contacts->first), describe(contacts->second)};
+        if (contacts->painleve_friction) contact["painleve_friction"] = *contacts->painleve_friction;
+        document["contact"] = std::move(contact);
     }
     return base::text_of(document);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/reduction/part_contacts.hpp"
 #include "stridor/reduction/part_figures.hpp"
 #include "stridor/reduction/reduction_errors.hpp"
 
@@ -7,9 +8,9 @@
 
 namespace stridor::io {
 
-/// What a part holds (schema stridor.part/1), in SI; with its frequencies where they are known.
+/// What a part holds (schema stridor.part/1), in SI; with its frequencies and its contacts where they are known.
 std::string part_json(const reduction::ElasticPart& part, const reduction::PartSize& size,
-                      const reduction::PartVibration* vibration);
+                      const reduction::PartVibration* vibration, const reduction::PartContacts* contacts = nullptr);
 
 /// What a reduction kept, and its errors (schema stridor.reduction/1).
 std::string reduction_json(const reduction::Reduction& reduction, const reduction::ReductionErrors& errors);
