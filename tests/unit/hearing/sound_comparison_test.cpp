@@ -78,7 +78,7 @@ TEST(Compared, IsSilenceWhereNothingMovesButByRounding) {
 TEST(MotionWords, SayWhatMovesAndWhereTo) {
     EXPECT_EQ(motion_words({0, signal::MotionQuantity::velocity}), "joint velocity along x");
     EXPECT_EQ(motion_words({1, signal::MotionQuantity::velocity}), "joint velocity along y");
-    EXPECT_EQ(motion_words({2, signal::MotionQuantity::acceleration}), "plate acceleration along y");
+    EXPECT_EQ(motion_words({sound::last_dof, signal::MotionQuantity::acceleration}), "plate acceleration along y");
 }
 
 }  // namespace

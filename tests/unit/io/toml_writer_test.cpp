@@ -45,6 +45,8 @@ Case random_case() {
     c.run.duration = 0.3 + 6.0 / c.drive.frequency;  // a third of it holds one and a half periods
     c.run.window = c.run.duration / 3.0;
     c.run.step = c.run.duration / 7e5;
+    if (c.drive.velocity == 0.0) c.drive.velocity = 0.1;
+    if (c.run.engine == parameters::Engine::moreau) c.contact.impact = parameters::ImpactKind::plastic;
     c.verdict.settling *= 0.4;
     c.verdict.reversal *= 0.4;
     c.verdict.squeal_beats = std::floor(c.verdict.squeal_beats);
