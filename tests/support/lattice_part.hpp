@@ -21,7 +21,7 @@ inline reduction::ElasticPart lattice_part(std::array<int, 3> size, LatticeSuppo
     constexpr double mass = 0.04;      // [kg/m] of a bar
     const auto [nx, ny, nz] = size;
     const int layers = support == LatticeSupport::free ? nz : nz - 1;
-    const auto node = [&](int x, int y, int z) { return x + nx * (y + ny * z); };
+    const auto node = [nx = nx, ny = ny](int x, int y, int z) { return x + nx * (y + ny * z); };
     const int nodes = nx * ny * layers;
     std::vector<Eigen::Triplet<double>> k;
     std::vector<Eigen::Triplet<double>> m;

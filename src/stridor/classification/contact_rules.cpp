@@ -155,25 +155,8 @@ Verdict classify(const analysis::Evidence& evidence, const parameters::Threshold
     return decide(decision);
 }
 
-std::vector<Verdict> classify_contacts(const record::Tally& phase, const parameters::Thresholds& thresholds) {
-    std::vector<Verdict> verdicts;
-    for (std::size_t contact = 0; contact < phase.contacts.size(); ++contact)
-        verdicts.push_back(classify(analysis::evidence(phase, contact), thresholds));
-    return verdicts;
-}
-
 Verdict classify_phase(const record::Tally& phase, const parameters::Thresholds& thresholds) {
-    std::vector<bool> is_alone(phase.contacts.size(), true);
-    std::vector<Verdict> verdicts;
-    for (std::size_t interface = 0; interface < phase.interfaces.size(); ++interface) {
-        verdicts.push_back(classify_interface(phase, interface, thresholds).whole);
-        for (const std::size_t contact : phase.interfaces[interface].contacts)
-            is_alone[contact] = false;
-    }
-    for (std::size_t contact = 0; contact < phase.contacts.size(); ++contact)
-        if (is_alone[contact]) verdicts.push_back(classify(analysis::evidence(phase, contact), thresholds));
-    const auto quieter = [](const Verdict& a, const Verdict& b) { return loudness(a.category) < loudness(b.category); };
-    return std::move(*std::max_element(verdicts.begin(), verdicts.end(), quieter));
+    return classify_all(phase, thresholds).whole;
 }
 
 std::vector<Verdict> classify_phases(std::span<const record::Tally> phases, const parameters::Thresholds& thresholds) {

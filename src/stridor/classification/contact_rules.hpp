@@ -34,9 +34,6 @@ enum class Creak { possible, impossible };
 Verdict classify(const analysis::Evidence& evidence, const parameters::Thresholds& thresholds,
                  Creak creak = Creak::possible);
 
-/// The verdict of each contact in one phase; shape [contact].
-std::vector<Verdict> classify_contacts(const record::Tally& phase, const parameters::Thresholds& thresholds);
-
 /// The verdict of one phase: that of its loudest interface (`loudness`), of equals the first, where a contact that
 /// shares its interface with no other is one by itself. A phase is quiet only if all of its loaded contacts are.
 Verdict classify_phase(const record::Tally& phase, const parameters::Thresholds& thresholds);

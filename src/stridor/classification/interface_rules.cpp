@@ -92,4 +92,28 @@ InterfaceVerdict classify_interface(const record::Tally& phase, std::size_t inte
     return verdict;
 }
 
+PhaseVerdicts classify_all(const record::Tally& phase, const parameters::Thresholds& thresholds) {
+    PhaseVerdicts all;
+    all.contacts.resize(phase.contacts.size());
+    std::vector<bool> is_alone(phase.contacts.size(), true);
+    std::vector<Verdict> wholes;
+    for (std::size_t interface = 0; interface < phase.interfaces.size(); ++interface) {
+        all.interfaces.push_back(classify_interface(phase, interface, thresholds));
+        const InterfaceVerdict& verdict = all.interfaces.back();
+        wholes.push_back(verdict.whole);
+        for (std::size_t k = 0; k < verdict.contacts.size(); ++k) {
+            all.contacts[verdict.figures.contacts[k]] = verdict.contacts[k];
+            is_alone[verdict.figures.contacts[k]] = false;
+        }
+    }
+    for (std::size_t contact = 0; contact < phase.contacts.size(); ++contact) {
+        if (!is_alone[contact]) continue;
+        all.contacts[contact] = classify(analysis::evidence(phase, contact), thresholds);
+        wholes.push_back(*all.contacts[contact]);
+    }
+    const auto quieter = [](const Verdict& a, const Verdict& b) { return loudness(a.category) < loudness(b.category); };
+    all.whole = *std::max_element(wholes.begin(), wholes.end(), quieter);
+    return all;
+}
+
 }  // namespace stridor::classification

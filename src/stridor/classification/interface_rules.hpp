@@ -37,4 +37,14 @@ struct InterfaceVerdict {
 InterfaceVerdict classify_interface(const record::Tally& phase, std::size_t interface,
                                     const parameters::Thresholds& thresholds);
 
+/// What a phase shows of all contacts.
+struct PhaseVerdicts {
+    Verdict whole;                                 // of the loudest interface (`loudness`), of equals the first
+    std::vector<std::optional<Verdict>> contacts;  // shape [contact]; none of an unloaded one
+    std::vector<InterfaceVerdict> interfaces;      // those of several contacts
+};
+
+/// The verdicts of one phase. A contact that shares its interface with no other is one by itself.
+PhaseVerdicts classify_all(const record::Tally& phase, const parameters::Thresholds& thresholds);
+
 }  // namespace stridor::classification

@@ -71,6 +71,7 @@ inline void put_own_structure(Json& object, const parameters::Case& c) {
                      {"kinetic_friction", laws.kinetic_friction},
                      {"drive_share", own.contacts[k].drive_share}};
         if (parameters::is_preloaded(own)) contact["preload"] = laws.preload;
+        if (!own.contacts[k].interface.empty()) contact["interface"] = own.contacts[k].interface;
         contacts.push_back(std::move(contact));
     }
     object["origin"] = own.origin;

@@ -70,6 +70,7 @@ Structure structure_of(const parameters::Case& c) {
     structure.damping = c.structure_scales.damping * damping_of(own, structure);
     structure.load = vector_of(own.load, rows);
     structure.measured = Eigen::MatrixXd(2 * count, rows);
+    const std::vector<int> interfaces = parameters::interface_numbers(own);
     for (Index k = 0; k < count; ++k) {
         const parameters::OwnContact& given = own.contacts[static_cast<std::size_t>(k)];
         const parameters::Contact laws = parameters::contact_of(c, static_cast<std::size_t>(k));
@@ -78,6 +79,7 @@ Structure structure_of(const parameters::Case& c) {
         contact.tangent = vector_of(given.tangent, rows);
         contact.initial_gap = given.initial_gap;
         contact.drive_share = given.drive_share;
+        contact.interface = interfaces[static_cast<std::size_t>(k)];
         contact.friction = friction_law(laws);
         contact.impact = impact_law(laws);
         structure.measured.row(2 * k) = contact.tangent.transpose();

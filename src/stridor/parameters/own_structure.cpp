@@ -40,10 +40,22 @@ std::string content_hash(const OwnStructure& structure) {
         put(text, contact.normal);
         put(text, contact.tangent);
         put(text, {contact.initial_gap, contact.preload_share, contact.drive_share});
+        text += contact.interface + ";";
         put(text, contact.static_friction);
         put(text, contact.kinetic_friction);
     }
     return base::hash_text(text);
+}
+
+std::vector<int> interface_numbers(const OwnStructure& structure) {
+    std::vector<std::string_view> names;
+    std::vector<int> numbers;
+    for (const OwnContact& contact : structure.contacts) {
+        const auto found = std::find(names.begin(), names.end(), contact.interface);
+        numbers.push_back(static_cast<int>(found - names.begin()));
+        if (found == names.end()) names.emplace_back(contact.interface);
+    }
+    return numbers;
 }
 
 std::size_t contact_count(const Case& c) {

@@ -22,6 +22,7 @@ struct OwnContact {
     std::vector<double> normal{};   // [1] n, shape [row]: gap g = g0 + n.u
     std::vector<double> tangent{};  // [1] t, shape [row]: tangential position t.u
     double initial_gap = 0.0;       // [m] g0, of the structure without load; negative: pressed together so far
+    std::string interface {};       // contacts of one name are judged as a whole; empty: with all others of no name
     std::optional<double> static_friction{};   // [1] mu_s in the place of the case's
     std::optional<double> kinetic_friction{};  // [1] mu_d likewise
     double preload_share = 0.0;                // [1] of contact.preload, all shares being one together
@@ -56,6 +57,9 @@ bool is_preloaded(const OwnStructure& structure);
 
 /// What changes a result, as a hash: the same for equal numbers, whatever file they came from.
 std::string content_hash(const OwnStructure& structure);
+
+/// Number of each contact's interface, from 0 in the order of their contacts; shape [contact].
+std::vector<int> interface_numbers(const OwnStructure& structure);
 
 /// Contacts of any case.
 std::size_t contact_count(const Case& c);

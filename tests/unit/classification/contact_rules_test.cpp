@@ -1,5 +1,6 @@
 #include "stridor/classification/contact_rules.hpp"
 
+#include "stridor/classification/interface_rules.hpp"
 #include "support/property.hpp"
 
 #include <gtest/gtest.h>
@@ -247,11 +248,11 @@ TEST(PhaseRules, AreThoseOfTheLoudestContact) {
     record::ContactTally creaking = contact(0.1, 0.9);
     creaking.changes[record::change_kind(model::ContactState::stick, model::ContactState::slip)].count = 50;
     const record::Tally tally = phase({contact(1.0, 0.0), creaking, contact(0.0, 1.0)});
-    const std::vector<Verdict> verdicts = classify_contacts(tally, thresholds);
+    const std::vector<std::optional<Verdict>> verdicts = classify_all(tally, thresholds).contacts;
     ASSERT_EQ(verdicts.size(), 3U);
-    EXPECT_EQ(verdicts[0].category, Category::none);
-    EXPECT_EQ(verdicts[1].category, Category::creak);
-    EXPECT_EQ(verdicts[2].category, Category::none);
+    EXPECT_EQ(verdicts[0]->category, Category::none);
+    EXPECT_EQ(verdicts[1]->category, Category::creak);
+    EXPECT_EQ(verdicts[2]->category, Category::none);
     const Verdict verdict = classify_phase(tally, thresholds);
     EXPECT_EQ(verdict.category, Category::creak);
     EXPECT_EQ(verdict.evidence.contact, 1U);

@@ -108,6 +108,9 @@ std::string contacts_text(const parameters::Case& c, const model::Structure& str
     return text + "\n";
 }
 
+// [1] below it is rounding
+constexpr double least_shared = 1e-12;
+
 // can several contacts be believed?
 std::string belief_text(const parameters::Case& c, const model::Structure& structure) {
     if (structure.contacts.size() < 2) return "";
@@ -118,7 +121,7 @@ std::string belief_text(const parameters::Case& c, const model::Structure& struc
     for (std::size_t k = 0; k < structure.contacts.size(); ++k)
         names.push_back(base::visible(parameters::contact_name(c, k)));
     std::string text = "\ncontacts\n";
-    text += shared.share > 0.0 ? fmt::format("inertia that {} and {} share: {:.2g} of their own\n", names[shared.first],
+    text += shared.share > least_shared ? fmt::format("inertia that {} and {} share: {:.2g} of their own\n", names[shared.first],
                                              names[shared.second], shared.share)
                                : "no two contacts share inertia\n";
     text += fmt::format("friction takes at most {:.2g} of what a normal force parts (1: Painleve), at {}\n",

@@ -3,7 +3,7 @@
 #include "stridor/analysis/levels.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/classification/contact_rules.hpp"
+#include "stridor/classification/interface_rules.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/joints.hpp"
@@ -139,20 +139,47 @@ std::string step_change_text(const integration::Motion& motion) {
         100.0 * most.slip, 100.0 * most.stick, 100.0 * most.separation);
 }
 
-// a row for each contact of several, the phase's verdict being that of the loudest
+// what the contacts of an interface do as a whole
+std::string interface_text(const parameters::Case& c, const classification::InterfaceVerdict& verdict) {
+    const analysis::Interface& figures = verdict.figures;
+    std::string text = fmt::format("{} contacts as a whole:", figures.contacts.size());
+    constexpr std::array<std::string_view, 4> words{"all stick", "some slip", "all slip", "open"};
+    for (std::size_t state = 0; state < words.size(); ++state)
+        text += fmt::format("{} {} {:.1f} %", state == 0 ? "" : ",", words[state], 100.0 * figures.rates[state]);
+    text += "\n";
+    if (std::isfinite(verdict.free_together))
+        text += fmt::format("while one does not stick, {:.0f} % of the load of the noisy ones does not\n",
+                            100.0 * verdict.free_together);
+    const std::size_t leading = verdict.whole.evidence.contact;
+    for (std::size_t k = 0; k < figures.contacts.size(); ++k)
+        if (figures.contacts[k] == leading)
+            text += fmt::format("{} leads: {:.1f} % of the load, {:.3g} W of friction{}\n", contact_text(c, leading),
+                                100.0 * figures.loads[k].share, figures.loads[k].friction_power,
+                                verdict.differs ? "; the contacts differ" : "");
+    return text;
+}
+
+// a row for each contact of several, the phase's verdict being that of the loudest interface
 std::string contacts_text(const parameters::Case& c, const integration::Motion& motion) {
     const std::size_t contacts = parameters::contact_count(c);
     if (contacts < 2) return "";
-    std::string text = "\neach contact by itself; a phase has the verdict of the loudest:\n";
+    std::string text, wholes;
     std::size_t widest = 8;
     for (std::size_t k = 0; k < contacts; ++k)
         widest = std::max(widest, base::character_count(contact_text(c, k)) + 2);
-    for (const record::Tally& phase : motion.record.phases)
-        for (const Verdict& verdict : classification::classify_contacts(phase, c.verdict)) {
-            const std::string name = contact_text(c, verdict.evidence.contact);
-            text += name + std::string(widest - base::character_count(name), ' ') + verdict_row(verdict);
+    for (const record::Tally& phase : motion.record.phases) {
+        const classification::PhaseVerdicts all = classification::classify_all(phase, c.verdict);
+        for (std::size_t k = 0; k < contacts; ++k) {
+            const std::string name = contact_text(c, k);
+            text += name + std::string(widest - base::character_count(name), ' ') +
+                    (all.contacts[k] ? verdict_row(*all.contacts[k]) : "unloaded\n");
         }
-    return text;
+        for (const classification::InterfaceVerdict& verdict : all.interfaces)
+            wholes += "\n" + interface_text(c, verdict);
+    }
+    const std::string_view heading =
+        wholes.empty() ? "a phase has the verdict of the loudest" : "the verdict is that of all as a whole";
+    return fmt::format("\neach contact by itself; {}:\n", heading) + text + wholes;
 }
 
 }  // namespace

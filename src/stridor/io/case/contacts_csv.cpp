@@ -26,6 +26,7 @@ enum class TableKey : std::size_t {
     node,
     set,
     against,
+    interface,
     normal,
     tangent,
     initial_gap,
@@ -34,17 +35,10 @@ enum class TableKey : std::size_t {
     preload_share,
     drive_share
 };
-constexpr std::array<std::string_view, 11> contact_column_names{"name",
-                                                                "node",
-                                                                "set",
-                                                                "against",
-                                                                "normal",
-                                                                "tangent",
-                                                                "initial_gap",
-                                                                "static_friction",
-                                                                "kinetic_friction",
-                                                                "preload_share",
-                                                                "drive_share"};
+constexpr std::array<std::string_view, 12> contact_column_names{
+    "name",          "node",       "set",         "against",         "interface",
+    "normal",        "tangent",    "initial_gap", "static_friction", "kinetic_friction",
+    "preload_share", "drive_share"};
 
 constexpr std::size_t index_of(TableKey column) {
     return static_cast<std::size_t>(column);
@@ -72,6 +66,7 @@ public:
                 .node = text(TableKey::node),
                 .set = text(TableKey::set),
                 .against = text(TableKey::against),
+                .interface = text(TableKey::interface),
                 .normal = text(TableKey::normal),
                 .tangent = text(TableKey::tangent),
                 .initial_gap = length_ * number(TableKey::initial_gap).value_or(0.0),

@@ -1,9 +1,9 @@
 #include "stridor/io/case/structure_contacts.hpp"
 
 #include "stridor/io/structure/row_labels_csv.hpp"
+#include "stridor/recordings/fortran_text.hpp"
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
-#include "stridor/recordings/fortran_text.hpp"
 
 #include <fmt/format.h>
 
@@ -235,6 +235,7 @@ private:
                              .normal = std::move(normal),
                              .tangent = std::move(tangent),
                              .initial_gap = named.initial_gap,
+                             .interface = named.interface,
                              .static_friction = named.static_friction,
                              .kinetic_friction = named.kinetic_friction,
                              .preload_share = named.preload_share.value_or(0.0) / static_cast<double>(among),

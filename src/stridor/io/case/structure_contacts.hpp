@@ -21,6 +21,7 @@ struct NamedContact {
     std::string node{};     // one node, or
     std::string set{};      // all of a set; both empty: directions are of rows
     std::string against{};  // node or set of the other part; empty: a surface that moves
+    std::string interface {};
     NamedDirection normal{};
     NamedDirection tangent{};
     double initial_gap = 0.0;                  // [m]

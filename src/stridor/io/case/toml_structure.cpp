@@ -35,17 +35,10 @@ constexpr std::array<std::string_view, 3> list_keys{"load", "initial_displacemen
 constexpr std::array<std::string_view, 5> text_keys{"file", "units", "labels", "rows", "contacts"};
 // what a builder leaves to others
 constexpr std::array<std::string_view, 2> common_keys{"builder", "initial_displacement"};
-constexpr std::array<std::string_view, 11> contact_keys{"name",
-                                                        "node",
-                                                        "set",
-                                                        "against",
-                                                        "normal",
-                                                        "tangent",
-                                                        "initial_gap",
-                                                        "static_friction",
-                                                        "kinetic_friction",
-                                                        "preload_share",
-                                                        "drive_share"};
+constexpr std::array<std::string_view, 12> contact_keys{
+    "name",          "node",       "set",         "against",         "interface",
+    "normal",        "tangent",    "initial_gap", "static_friction", "kinetic_friction",
+    "preload_share", "drive_share"};
 
 bool stands_below(std::string_view key, std::string_view prefix) {
     return key.size() > prefix.size() && key.starts_with(prefix);
@@ -119,6 +112,7 @@ NamedContact named_contact_in(const TomlSection& table) {
             .node = table.text_or("node", ""),
             .set = table.text_or("set", ""),
             .against = table.text_or("against", ""),
+            .interface = table.text_or("interface", ""),
             .normal = direction_in(table, "normal"),
             .tangent = direction_in(table, "tangent"),
             .initial_gap = table.find_quantity("initial_gap", "m", Bound::any).value_or(0.0),

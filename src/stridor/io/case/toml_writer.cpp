@@ -235,6 +235,7 @@ std::string contact_tables(const parameters::OwnStructure& own) {
         text += "\n[[structure.contact]]\nname = " + basic_string(contact.name) + "\nnormal = " + list(contact.normal) +
                 "\ntangent = " + list(contact.tangent) + "\n";
         if (contact.initial_gap != 0.0) text += "initial_gap = " + quantity_text(contact.initial_gap, "m") + "\n";
+        if (!contact.interface.empty()) text += "interface = " + basic_string(contact.interface) + "\n";
         if (contact.static_friction) text += "static_friction = " + number_text(*contact.static_friction) + "\n";
         if (contact.kinetic_friction) text += "kinetic_friction = " + number_text(*contact.kinetic_friction) + "\n";
         if (contact.preload_share > 0.0) text += "preload_share = " + number_text(contact.preload_share) + "\n";

@@ -1,7 +1,7 @@
 #include "stridor/io/simulation/json_simulation.hpp"
 
 #include "stridor/analysis/evidence_figures.hpp"
-#include "stridor/classification/contact_rules.hpp"
+#include "stridor/classification/interface_rules.hpp"
 #include "stridor/io/json_parts.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
@@ -58,17 +58,39 @@ Json verdict_object(const classification::Verdict& verdict) {
     return object;
 }
 
-// of a case with several joints or a structure of its own: each contact by itself, called as it is there
-Json contacts_array(const Case& c, const record::Tally& phase) {
-    Json contacts = Json::array();
-    for (const classification::Verdict& verdict : classification::classify_contacts(phase, c.verdict)) {
-        const std::size_t contact = verdict.evidence.contact;
-        const std::string name =
-            contact < parameters::contact_count(c) ? parameters::contact_name(c, contact) : std::to_string(contact + 1);
-        contacts.push_back(
-            {{"name", name}, {"rates", rates_object(verdict.evidence.rates)}, {"verdict", verdict_object(verdict)}});
+// how the contacts of an interface carry and what they do together
+Json interface_object(const Case& c, const classification::InterfaceVerdict& verdict) {
+    Json contacts = Json::array(), rates = Json::object();
+    for (std::size_t k = 0; k < verdict.figures.contacts.size(); ++k) {
+        const analysis::CarriedLoad& load = verdict.figures.loads[k];
+        contacts.push_back({{"name", parameters::contact_name(c, verdict.figures.contacts[k])},
+                            {"normal_force", load.normal_force},
+                            {"load_share", load.share},
+                            {"friction_power", load.friction_power},
+                            {"is_loaded", load.is_loaded}});
     }
-    return contacts;
+    for (std::size_t state = 0; state < verdict.figures.rates.size(); ++state)
+        rates[std::string(record::interface_state_names[state])] = verdict.figures.rates[state];
+    return {{"contacts", std::move(contacts)},
+            {"rates", std::move(rates)},
+            {"free_together", verdict.free_together},
+            {"leading", parameters::contact_name(c, verdict.whole.evidence.contact)},
+            {"differs", verdict.differs},
+            {"category", classification::name(verdict.whole.category)}};
+}
+
+// of a case with several joints or a structure of its own: each contact by itself, called as it is there
+void put_contacts(Json& object, const Case& c, const record::Tally& phase) {
+    const classification::PhaseVerdicts all = classification::classify_all(phase, c.verdict);
+    Json contacts = Json::array(), interfaces = Json::array();
+    for (std::size_t k = 0; k < all.contacts.size(); ++k)
+        contacts.push_back({{"name", parameters::contact_name(c, k)},
+                            {"rates", rates_object(analysis::rates(phase.contacts[k].time))},
+                            {"verdict", all.contacts[k] ? verdict_object(*all.contacts[k]) : Json(nullptr)}});
+    for (const classification::InterfaceVerdict& verdict : all.interfaces)
+        interfaces.push_back(interface_object(c, verdict));
+    object["contacts"] = std::move(contacts);
+    if (!interfaces.empty()) object["interfaces"] = std::move(interfaces);
 }
 
 Json phase_object(const Case& c, const classification::Verdict& verdict) {
@@ -108,7 +130,12 @@ Json simulation_units(const Case& c) {
                       {"outcome.ending.release", "s"},
                       {"energy", "J"},
                       {"energy.relative_residual", "1"},
-                      {"phases.window", "s"}});
+                      {"phases.window", "s"},
+                      {"phases.interfaces.rates", "1"},
+                      {"phases.interfaces.free_together", "1"},
+                      {"phases.interfaces.contacts.normal_force", "N"},
+                      {"phases.interfaces.contacts.load_share", "1"},
+                      {"phases.interfaces.contacts.friction_power", "W"}});
     for (const analysis::EvidenceFigure& figure : analysis::evidence_figures()) {
         if (figure.key == "variation") units["phases.verdict.mismatch"] = "1";
         if (const std::string key = analysis::unit_key(figure); !key.empty())
@@ -207,7 +234,7 @@ std::string simulation_json(const parameters::Case& c, const integration::Motion
         document["phases"].push_back(phase_object(c, verdicts[k]));
         const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
         if (has_names && k < motion.record.phases.size())
-            document["phases"].back()["contacts"] = contacts_array(c, motion.record.phases[k]);
+            put_contacts(document["phases"].back(), c, motion.record.phases[k]);
     }
     document["units"] = simulation_units(c);
     return base::text_of(document);
