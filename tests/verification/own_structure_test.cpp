@@ -201,6 +201,7 @@ TEST(OwnStructure, LipHasForcesWhereItsMirroredNodesSlipTogether) {
         c.contact.kinetic_friction = each.slip;
         c.contact.preload = each.preload;
         c.drive.velocity = each.velocity;
+        c.run.early_ending = parameters::EarlyEnding::never;
         const Motion motion = integration::simulate(c);
         EXPECT_EQ(motion.outcome.reason, integration::Reason::completed) << each.stick << " " << each.preload;
         EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-10);

@@ -121,9 +121,9 @@ std::string belief_text(const parameters::Case& c, const model::Structure& struc
     for (std::size_t k = 0; k < structure.contacts.size(); ++k)
         names.push_back(base::visible(parameters::contact_name(c, k)));
     std::string text = "\ncontacts\n";
-    text += shared.share > least_shared ? fmt::format("inertia that {} and {} share: {:.2g} of their own\n", names[shared.first],
-                                             names[shared.second], shared.share)
-                               : "no two contacts share inertia\n";
+    text += shared.share > least_shared ? fmt::format("inertia that {} and {} share: {:.2g} of their own\n",
+                                                      names[shared.first], names[shared.second], shared.share)
+                                        : "no two contacts share inertia\n";
     text += fmt::format("friction takes at most {:.2g} of what a normal force parts (1: Painleve), at {}\n",
                         1.0 - giving.share, names[giving.contact]);
     for (const base::Problem& doubt : model::doubts(structure, names))
