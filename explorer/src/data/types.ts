@@ -121,6 +121,9 @@ export interface Verdict {
   quiet_because: QuietReason | null;
   rates: Rates;
   judged_rates: Rates;
+  /** Of an engine that compares two time steps: by how much its rates changed. */
+  step_change?: Rates;
+  judged_step_change?: Rates;
   regularity: number | null;
   repetition: number | null;
   variation: number | null;

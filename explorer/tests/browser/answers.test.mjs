@@ -101,13 +101,15 @@ test("simulations of every ending", async () => {
   const designs = [
     { preset: "squeal", set: [] },
     { preset: "squeal", set: ["run.engine=beta_2"] },
+    { preset: "squeal", set: ["run.engine=moreau", "run.step=1e-5"] },
     { preset: "quiet", set: ["drive.kind=constant", "drive.velocity=1"] }, // proven to be silent
     { preset: "squeal", set: ["drive.kind=constant", "drive.velocity=1"] }, // a limit cycle
     { preset: "file", set: [] },
   ];
   const simulations = [];
   for (const design of designs) simulations.push(await answerOf("Simulation", "/api/simulate", design));
-  keptWhole("Engine", simulations[1].engine);
+  keptWhole("Engine", { ...simulations[1].engine, ...simulations[2].engine });
+  keptWhole("Verdict", simulations[2].phases[0].verdict);
   keptWhole("Outcome", Object.assign({}, ...simulations.map(({ outcome }) => outcome)));
 });
 
