@@ -44,7 +44,8 @@ inline integration::Motion run_taylor(const model::Structure& structure, double 
     record::Request request;
     request.history = record::KeepHistory::yes;
     record::Recorder recorder(record::schedule(c), request, model::dofs_of(structure),
-                              static_cast<int>(structure.contacts.size()), 0, model::interfaces_of(structure));
+                              static_cast<int>(structure.contacts.size()), model::channels_of(structure),
+                              model::interfaces_of(structure));
     return integration::integrate_taylor(structure, c.drive, start, {parameters::EarlyEnding::never},
                                          std::move(recorder));
 }

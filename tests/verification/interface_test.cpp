@@ -17,6 +17,19 @@ namespace {
 using integration::Motion;
 using support::run_taylor;
 
+// one interface, whose vibration is that of its contact points
+void measure_contacts(model::Structure& structure) {
+    const auto count = static_cast<Eigen::Index>(structure.contacts.size());
+    structure.measured.resize(2 * count, model::dofs_of(structure));
+    for (Eigen::Index k = 0; k < count; ++k) {
+        model::ContactPoint& contact = structure.contacts[static_cast<std::size_t>(k)];
+        contact.interface = 0;
+        structure.measured.row(2 * k) = contact.tangent.transpose();
+        structure.measured.row(2 * k + 1) = contact.normal.transpose();
+        structure.body.insert(structure.body.end(), {static_cast<int>(k), static_cast<int>(k)});
+    }
+}
+
 TEST(Interface, OfAChainCarriesItsWeight) {
     const model::ChainBlock block{.preload = 1.0, .friction = model::Coulomb{1.0, 0.5}};
     const model::ChainBlock heavy{.preload = 1.5, .friction = model::Coulomb{1.0, 0.5}};
@@ -54,8 +67,7 @@ TEST(Interface, TurnsIntoHeatWhatTheEnergyBalanceSays) {
 
 TEST(Interface, OfTheStripSticksAsTheSumOfItsNodesSays) {
     support::RubberStrip strip = support::read_strip(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/strip_s1.txt");
-    for (model::ContactPoint& contact : strip.structure.contacts)
-        contact.interface = 0;
+    measure_contacts(strip.structure);
     const Motion motion = run_taylor(strip.structure, strip.velocity, strip.start, {1.1, 1.0});
     const classification::InterfaceVerdict verdict =
         classification::classify_interface(motion.record.phases.front(), 0, {});

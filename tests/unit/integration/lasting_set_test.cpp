@@ -88,6 +88,13 @@ TEST(LastingSet, KnowsWhenTheBeltWillPullAStuckBlockLoose) {
     EXPECT_FALSE(set.silence(stuck.q, stuck.v, 5.0).has_value());
 }
 
+TEST(LastingSet, KnowsNothingOfContactsThatAreOpen) {
+    const Chain open = chain(0.2, Eigen::Vector4d(0.0, 1.0, 0.0, 1.0), Eigen::Vector4d::Zero());
+    for (const record::Outlook& outlook :
+         LastingSet(open.modal, {ContactMode::open, ContactMode::open}, 0.1).outlooks(open.q, open.v, 0.0))
+        EXPECT_EQ(outlook.future, Future::unknown);
+}
+
 TEST(LastingSet, OfABeltThatStandsStillSticksForEver) {
     const Eigen::Vector4d u(0.2, 0.0, 0.3, 0.0);
     const Chain stuck = chain(0.0, u, Eigen::Vector4d::Zero());

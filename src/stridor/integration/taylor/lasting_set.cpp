@@ -39,7 +39,7 @@ VectorXd vector_of(std::span<const double> numbers) {
 }
 
 bool is_definite(const MatrixXd& a) {
-    return a.size() == 0 || (a.allFinite() && a.llt().info() == Eigen::Success);
+    return a.allFinite() && a.llt().info() == Eigen::Success;
 }
 
 }  // namespace
@@ -77,10 +77,15 @@ LastingSet::LastingSet(const ModalStructure& structure, std::vector<ContactMode>
         pushes.col(row) = tangent;
         ++row;
     }
-    const Eigen::FullPivLU<MatrixXd> coupling(rows_ * pushes);
-    if (count > 0 && !coupling.isInvertible()) return;
-    free_ = model::orthogonal_complement(rows_.transpose());
-    forceless_ = model::orthogonal_complement(pushes);
+    MatrixXd force_rows(0, n);  // (R'B)⁻¹ R'
+    free_ = forceless_ = MatrixXd::Identity(n, n);
+    if (count > 0) {
+        const Eigen::FullPivLU<MatrixXd> coupling(rows_ * pushes);
+        if (!coupling.isInvertible()) return;
+        force_rows = coupling.solve(rows_);
+        free_ = model::orthogonal_complement(rows_.transpose());
+        forceless_ = model::orthogonal_complement(pushes);
+    }
 
     MatrixXd system(n, n);
     system << forceless_.transpose() * square_.asDiagonal(), rows_;
@@ -91,28 +96,28 @@ LastingSet::LastingSet(const ModalStructure& structure, std::vector<ContactMode>
     drift_ = forced_.solve(right);
     bound_vibration();
     if (!is_bounded_) return;
-    add_margins(count > 0 ? MatrixXd(coupling.solve(rows_)) : MatrixXd(0, n), velocity);
+    add_margins(force_rows, velocity);
 }
 
 void LastingSet::bound_vibration() {
     const Index m = free_.cols();
+    is_bounded_ = m == 0;  // contacts hold all of it: there is nothing that vibrates
+    if (is_bounded_) return;
     const MatrixXd mass = forceless_.transpose() * free_;
     const MatrixXd damping = forceless_.transpose() * damping_ * free_;
     const MatrixXd stiffness = forceless_.transpose() * square_.asDiagonal() * free_;
     const Eigen::FullPivLU<MatrixXd> inertia(mass);
-    if (m > 0 && !inertia.isInvertible()) return;
+    if (!inertia.isInvertible()) return;
     generator_ = MatrixXd::Zero(2 * m, 2 * m);
     generator_.topRightCorner(m, m).diagonal().setConstant(rate_);
-    if (m > 0) {
-        generator_.bottomLeftCorner(m, m) = -inertia.solve(stiffness) / rate_;
-        generator_.bottomRightCorner(m, m) = -inertia.solve(damping);
-    }
+    generator_.bottomLeftCorner(m, m) = -inertia.solve(stiffness) / rate_;
+    generator_.bottomRightCorner(m, m) = -inertia.solve(damping);
     if (std::none_of(set_.begin(), set_.end(), is_slip)) {
         // the energy: it grows by no motion, as the dashpots only take
         bound_ = MatrixXd::Zero(2 * m, 2 * m);
         bound_.topLeftCorner(m, m) = stiffness / (rate_ * rate_);
         bound_.bottomRightCorner(m, m).setIdentity();
-        is_bounded_ = is_definite(bound_) && (m == 0 || damping.ldlt().isPositive());
+        is_bounded_ = is_definite(bound_) && damping.ldlt().isPositive();
         return;
     }
     const MatrixXd loss = rate_ * MatrixXd::Identity(2 * m, 2 * m);
@@ -219,7 +224,7 @@ std::vector<record::Outlook> LastingSet::outlooks(std::span<const double> q, std
 }
 
 std::optional<Silence> LastingSet::silence(std::span<const double> q, std::span<const double> v, double time) const {
-    if (!is_bounded_ || !std::all_of(set_.begin(), set_.end(), is_slip)) return std::nullopt;
+    if (!is_bounded_ || free_.cols() == 0 || !std::all_of(set_.begin(), set_.end(), is_slip)) return std::nullopt;
     const Now here = now(q, v);
     if (!lasts(here)) return std::nullopt;
     Silence silence{time, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};

@@ -30,7 +30,8 @@ public:
     /// Nothing is known of any but those whose margin the forced part itself uses up if the set is not proven to last.
     std::vector<record::Outlook> outlooks(std::span<const double> q, std::span<const double> v, double time) const;
 
-    /// The bounds of normal forces and slip velocities that hold from now on, if all contacts slip for ever.
+    /// The bounds of normal forces and slip velocities that hold from now on, if all contacts slip for ever and
+    /// something vibrates.
     std::optional<Silence> silence(std::span<const double> q, std::span<const double> v, double time) const;
 
     const std::vector<ContactMode>& set() const { return set_; }
