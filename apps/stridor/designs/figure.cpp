@@ -11,6 +11,7 @@
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/pictures/contact_states.hpp"
 #include "stridor/pictures/friction_law.hpp"
+#include "stridor/pictures/many_contacts.hpp"
 #include "stridor/pictures/noise_chart.hpp"
 #include "stridor/pictures/picture_files.hpp"
 #include "stridor/pictures/rate_map.hpp"
@@ -72,8 +73,8 @@ void draw_paper(const PaperOptions& options) {
         pictures::draw_both(pictures::friction_law(squeal.contact), out / "figure-3");
         announce(out / "figure-3", "friction law");
         pictures::draw_both(
-            pictures::time_history_scene(
-                squeal, recorded(squeal, {0.0, squeal.run.duration, trace_interval}, interrupt.token()), {}),
+            pictures::motion_scene(squeal,
+                                   recorded(squeal, {0.0, squeal.run.duration, trace_interval}, interrupt.token()), {}),
             out / "figure-5");
         announce(out / "figure-5", "time history of the squeal case with its contact states");
         std::vector<NamedCase> cases;
@@ -121,8 +122,10 @@ void draw_law(const OneFigureOptions& options) {
 }
 
 void draw_states(const OneFigureOptions& options) {
-    const Case c = load_case(options.input);
+    const Case c = load_case(options.input, io::SystemsTaken::or_structure);
     const Interrupt interrupt;
+    if (pictures::shows_many_contacts(c))
+        return pictures::draw(pictures::motion_scene(c, recorded(c, {}, interrupt.token()), ""), options.output);
     pictures::draw(
         states_scene({{c.title.empty() ? options.input.file : c.title, c}}, {0.0, c.run.duration}, interrupt.token()),
         options.output);

@@ -12,6 +12,7 @@
 #include "stridor/io/simulation/motion_csv.hpp"
 #include "stridor/io/simulation/motion_netcdf.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/pictures/many_contacts.hpp"
 #include "stridor/pictures/picture_files.hpp"
 
 #include <CLI/CLI.hpp>
@@ -47,7 +48,8 @@ struct SimulateOptions {
 
 record::Request request_for(const SimulateOptions& options, const parameters::Case& c) {
     record::Request request;
-    const bool wants_trace = !options.trace.empty() || !options.figure.empty();
+    const bool draws_trace = !options.figure.empty() && !pictures::shows_many_contacts(c);
+    const bool wants_trace = !options.trace.empty() || draws_trace;
     const bool wants_history = !options.history.empty() || !options.figure.empty() || options.trace.ends_with(".nc");
     if (wants_history) request.history = record::KeepHistory::yes;
     if (!wants_trace) return request;
@@ -88,8 +90,7 @@ void write_records(const SimulateOptions& options, const parameters::Case& c, co
         io::write_trace_netcdf(options.trace, c, motion.record);
     else if (!options.trace.empty())
         console::write_output(options.trace, io::trace_csv(c, motion.record.trace, interval));
-    if (!options.figure.empty())
-        pictures::draw(pictures::time_history_scene(c, motion.record, options.zoom), options.figure);
+    if (!options.figure.empty()) pictures::draw(pictures::motion_scene(c, motion.record, options.zoom), options.figure);
 }
 
 void simulate(const SimulateOptions& options) {
@@ -130,7 +131,8 @@ void add_simulate(CLI::App& program) {
         ->type_name("FILE");
     command
         ->add_option("--figure", options->figure,
-                     "draw motion and contact states (Figure 5) to FILE.png, FILE.svg or FILE.pdf")
+                     "draw motion and contact states (Figure 5) to FILE.png, FILE.svg or FILE.pdf; of an own structure "
+                     "with several contacts each one's states and loads")
         ->type_name("FILE");
     command->add_option("--zoom", options->zoom, "time range of the figure's zoom")->type_name("FROM:TO");
     command->footer(

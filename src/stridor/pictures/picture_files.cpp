@@ -5,6 +5,7 @@
 #include "stridor/drawing/picture.hpp"
 #include "stridor/pictures/design_mark.hpp"
 #include "stridor/pictures/diagram.hpp"
+#include "stridor/pictures/many_contacts.hpp"
 #include "stridor/pictures/noise_chart.hpp"
 #include "stridor/pictures/stability.hpp"
 #include "stridor/pictures/time_history.hpp"
@@ -19,9 +20,12 @@ namespace {
 // long enough for a few dozen changes of state of a squeal
 constexpr double zoom_length = 20e-3;  // [s]
 
-std::optional<drawing::Extent> zoom_range(const parameters::Case& c, std::span<const record::ContactHistory> histories,
+std::optional<drawing::Extent> zoom_range(const parameters::Case& c, const record::Record& record,
                                           const std::string& zoom) {
-    if (zoom.empty()) return busiest_stretch(c, histories, zoom_length);
+    if (zoom.empty()) {
+        const double length = shows_many_contacts(c) ? telling_length(c, record) : zoom_length;
+        return busiest_stretch(c, record.histories, length);
+    }
     const std::size_t colon = zoom.find(':');
     if (colon == std::string::npos)
         throw Error(ErrorKind::input,
@@ -45,9 +49,11 @@ void draw_both(const drawing::Scene& scene, const std::filesystem::path& stem) {
         draw(scene, std::filesystem::path(stem) += extension);
 }
 
-drawing::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom) {
+drawing::Scene motion_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom) {
+    const std::optional<drawing::Extent> stretch = zoom_range(c, record, zoom);
+    if (shows_many_contacts(c)) return many_contacts(c, record, stretch);
     TimeHistoryOptions options;
-    options.zoom = zoom_range(c, record.histories, zoom);
+    options.zoom = stretch;
     return time_history(c, record, options);
 }
 

@@ -20,8 +20,9 @@ void draw(const drawing::Scene& scene, const std::filesystem::path& path);
 /// Draws a scene as STEM.png and STEM.svg.
 void draw_both(const drawing::Scene& scene, const std::filesystem::path& stem);
 
-/// Figure 5: motion over time with the contact states, and a zoom ("from:to" with units; empty: chosen).
-drawing::Scene time_history_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom);
+/// What a motion looks like, with a zoom ("from:to" with units; empty: chosen): Figure 5, or of several contacts of an
+/// own structure each one's states (`shows_many_contacts`), for which the record needs no trace.
+drawing::Scene motion_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom);
 
 /// Frequencies and growth rates of the sliding modes along a parameter.
 void draw_stability(const analysis::StabilityScan& scan, const std::string& path);
