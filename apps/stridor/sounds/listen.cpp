@@ -56,11 +56,13 @@ void listen(ListenOptions options) {
     info.file = options.out;
     info.player = options.out.empty() ? console::find_player() : "";
 
-    const std::string case_text = io::case_toml(choice.c, {io::Comments::none, ""});
-    const recordings::WavOptions file{recordings::WavSamples::pcm_24,
-                                      {{info.full_scale, info.unit}},
-                                      io::sound_description(info, choice.c),
-                                      recordings::case_mark + case_text};
+    std::string history = recordings::case_mark + io::case_toml(choice.c, {io::Comments::none, ""});
+    if (history.size() > recordings::longest_history) {
+        console::say_note("the sound does not hold its case, whose matrices are too large for it");
+        history.clear();
+    }
+    const recordings::WavOptions file{
+        recordings::WavSamples::pcm_24, {{info.full_scale, info.unit}}, io::sound_description(info, choice.c), history};
     if (!options.out.empty()) recordings::write_wav(options.out, *sound, file);
     console::print(options.json ? io::listen_json(choice.c, info) + "\n" : console::listening_text(info));
     if (!options.out.empty()) return;
@@ -86,8 +88,10 @@ void add_listen(CLI::App& program) {
     command->add_flag("--judged", options->texts.is_judged, "only the steady part the verdict is made from");
     add_output_file(*command, options->out, "write FILE.wav instead of playing");
     command
-        ->add_option("--of", options->texts.of,
-                     "whose motion: joint (of several the first), plate, or the name of one of several joints")
+        ->add_option(
+            "--of", options->texts.of,
+            "whose motion: joint (of several the first), plate, or the name of one of several joints; of an own "
+            "structure a contact (joint: the first) or a row")
         ->type_name("joint|plate|NAME")
         ->capture_default_str();
     command->add_option("--quantity", options->texts.quantity, "what of it")

@@ -173,6 +173,8 @@ std::string heard_text(const sweep::Study& study, const HearingOptions& options)
     };
     add("results", sweep::results_version);
     add("dof", static_cast<double>(settings.sound.pickup.dof));
+    for (const double weight : settings.sound.pickup.weights)
+        add("weight", weight);
     add("quantity", static_cast<double>(settings.sound.pickup.quantity));
     add("rate", settings.sound.rate);
     add("high_pass", settings.sound.high_pass);

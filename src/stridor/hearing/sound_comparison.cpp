@@ -3,8 +3,10 @@
 #include "stridor/base/error.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/classification/sound_rules.hpp"
+#include "stridor/hearing/contact_pickup.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/signal/resample.hpp"
 #include "stridor/sound/analysis.hpp"
@@ -135,10 +137,27 @@ record::ContactHistory heard_history(const record::ContactHistory& run, std::vec
     return heard;
 }
 
+// of an own structure the first contact stands for the joint
+sound::Pickup pickup_in(const parameters::Case& c, const sound::Pickup& pickup) {
+    if (!c.own_structure) return pickup;
+    if (pickup.dof == sound::last_dof)
+        base::refuse("--of plate does not go with a structure of its own", "it has no plate", "Use --of joint.");
+    return contact_pickup(c, 0, ContactDirection::tangent, pickup.quantity);
+}
+
+const char* quantity_word(const sound::Pickup& pickup) {
+    return pickup.quantity == signal::MotionQuantity::velocity ? "velocity" : "acceleration";
+}
+
+std::string motion_words(const parameters::Case& c, const sound::Pickup& pickup) {
+    if (!c.own_structure) return hearing::motion_words(pickup);
+    return parameters::contact_name(c, 0) + " " + quantity_word(pickup) + " along x";
+}
+
 ComparedSound simulate_sound(const SimulatedSound& simulated, const ComparisonSettings& comparison,
                              const std::stop_token& stop) {
     sound::AuralisationSettings settings;
-    settings.pickup = comparison.pickup;
+    settings.pickup = pickup_in(simulated.c, comparison.pickup);
     settings.rate = std::clamp(comparison.rate, least_motion_rate, most_motion_rate);
     settings.stretches = simulated.stretches;
     if (settings.stretches.empty()) settings.stretches = {{0.0, simulated.c.run.duration}};
@@ -149,7 +168,7 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const ComparisonSe
         sound.profile = {};
         sound.heard = {classification::Category::none, {}, {}, {"nothing moves but by rounding"}};
     }
-    sound.what = motion_words(comparison.pickup);
+    sound.what = motion_words(simulated.c, comparison.pickup);
     sound.rate = settings.rate;
     sound.length = sound.analysis.duration;
     rendering.sound->rewind();
@@ -157,7 +176,9 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const ComparisonSe
     rendering.sound->rewind();
     set_detail(sound, *rendering.sound, comparison.detail);
     sound.contact.verdicts = classification::classify_phases(rendering.record.phases, simulated.c.verdict);
-    for (const record::ContactHistory& history : rendering.record.histories)
+    // of an own structure the contact that is heard
+    const std::size_t shown = simulated.c.own_structure ? 1 : rendering.record.histories.size();
+    for (const record::ContactHistory& history : std::span(rendering.record.histories).first(shown))
         sound.contact.histories.push_back(heard_history(history, settings.stretches, sound.detail.from,
                                                         sound.detail.from + signal::duration(sound.detail.signal)));
     return sound;
@@ -188,9 +209,8 @@ bool is_resampled(const NamedSound& sound, double rate) {
 }
 
 std::string motion_words(const sound::Pickup& pickup) {
-    const bool is_velocity = pickup.quantity == signal::MotionQuantity::velocity;
     const bool is_plate = pickup.dof == sound::last_dof;
-    return std::string(is_plate ? "plate " : "joint ") + (is_velocity ? "velocity" : "acceleration") + " along " +
+    return std::string(is_plate ? "plate " : "joint ") + quantity_word(pickup) + " along " +
            (!is_plate && pickup.dof % 2 == 0 ? "x" : "y");
 }
 

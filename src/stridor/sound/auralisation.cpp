@@ -37,6 +37,18 @@ void filter(std::vector<double>& samples, const HighPass& h, double (&memory)[2]
     }
 }
 
+// the motion of a point, sample by sample; motion of shape [dof][sample]
+std::vector<double> weighted(const std::vector<std::vector<double>>& motion, const std::vector<double>& weights) {
+    STRIDOR_EXPECT(motion.size() == weights.size());
+    std::vector<double> sum(motion.front().size());
+    for (std::size_t dof = 0; dof < weights.size(); ++dof) {
+        if (weights[dof] == 0.0) continue;
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            sum[i] += weights[dof] * motion[dof][i];
+    }
+    return sum;
+}
+
 }  // namespace
 
 std::vector<Stretch> stretches_of(const record::Schedule& schedule, record::Phase phase, record::Use least) {
@@ -80,8 +92,13 @@ std::vector<double> Auralisation::add(const record::Trace& trace) {
         limiter_.emplace(interval, settings_.rate, settings_.pickup.quantity);
         first_ = trace.time.front();
     }
-    const std::size_t dof = std::min(settings_.pickup.dof, trace.displacement.size() - 1);
-    STRIDOR_EXPECT(settings_.pickup.dof == last_dof || settings_.pickup.dof == dof);
+    const Pickup& pickup = settings_.pickup;
+    if (!pickup.weights.empty())
+        return heard(
+            limiter_->push({weighted(trace.displacement, pickup.weights), weighted(trace.velocity, pickup.weights),
+                            weighted(trace.acceleration, pickup.weights)}));
+    const std::size_t dof = std::min(pickup.dof, trace.displacement.size() - 1);
+    STRIDOR_EXPECT(pickup.dof == last_dof || pickup.dof == dof);
     return heard(limiter_->push({trace.displacement[dof], trace.velocity[dof], trace.acceleration[dof]}));
 }
 

@@ -17,10 +17,12 @@ namespace stridor::sound {
 /// The last degree of freedom, however many there are: of the rubbing system the plate's.
 inline constexpr std::size_t last_dof = static_cast<std::size_t>(-1);
 
-/// Where and how a motion is listened to.
+/// Where and how a motion is listened to: a degree of freedom, or a point whose motion several make up.
 struct Pickup {
     std::size_t dof = 0;  // [1] degree of freedom: x and y of each joint in turn, then the plate's; or `last_dof`
     signal::MotionQuantity quantity = signal::MotionQuantity::velocity;
+    // [1] shape [dof]: what the motion of each counts in the sum that is heard; empty: that of `dof` alone
+    std::vector<double> weights{};
 };
 
 /// A stretch of time that is heard.

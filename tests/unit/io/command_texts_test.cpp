@@ -8,6 +8,7 @@
 #include "stridor/io/sound/listening_texts.hpp"
 #include "stridor/io/sound/named_sound.hpp"
 #include "stridor/io/sound/signal_output.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "support/error_text.hpp"
 #include "support/scratch_folder.hpp"
@@ -70,6 +71,28 @@ TEST(ListeningTexts, NameOneOfSeveralJoints) {
     EXPECT_EQ(dof_of("lower", "y"), 3U);
     EXPECT_EQ(dof_of("plate", ""), sound::last_dof);
     EXPECT_TRUE(thrown_by([&] { dof_of("lowr", ""); }).says("joint (the first), plate, upper, lower"));
+}
+
+TEST(ListeningTexts, NameAContactOrARowOfAnOwnStructure) {
+    const TomlSource source{ready_file("chain"), "chain.toml", {}};
+    const auto heard = [&](const std::string& of, const std::string& component) {
+        ListeningTexts texts;
+        texts.of = of;
+        texts.component = component;
+        const ListeningChoice choice = chosen_case(texts, source);
+        return listening_settings(texts, choice.c).pickup;
+    };
+    const parameters::Case c = read_case(source, SystemsTaken::or_structure);
+    const std::vector<parameters::OwnContact>& contacts = c.own_structure->contacts;
+    ASSERT_EQ(contacts.size(), 2U);
+    EXPECT_EQ(heard("joint", "").weights, contacts[0].tangent);
+    EXPECT_EQ(heard("block2", "").weights, contacts[1].tangent);
+    EXPECT_EQ(heard("block2", "y").weights, contacts[1].normal);
+    EXPECT_TRUE(heard(c.own_structure->row[3], "").weights.empty());
+    EXPECT_EQ(heard(c.own_structure->row[3], "").dof, 3U);
+    EXPECT_TRUE(thrown_by([&] { heard("block3", ""); }).says("Listen to a contact: block1, block2"));
+    EXPECT_TRUE(thrown_by([&] { heard("plate", ""); }).says("is no contact and no row"));
+    EXPECT_TRUE(thrown_by([&] { heard(c.own_structure->row[3], "x"); }).says("a row has one direction"));
 }
 
 TEST(ListeningTexts, BecomeSettings) {

@@ -11,7 +11,7 @@ std::string listen_json(const parameters::Case& c, const SoundInfo& sound) {
                          {"cell", base::text_or_null(sound.cell)},
                          {"origin", "simulation"},
                          {"of", sound.of},
-                         {"component", sound.component},
+                         {"component", base::text_or_null(sound.component)},
                          {"quantity", sound.quantity},
                          {"direction", sound.direction},
                          {"part", sound.part},

@@ -11,8 +11,8 @@ struct SoundInfo {
     std::string file;         // empty: it was played
     std::string player;       // the program that plays it; empty: it was written
     std::string cell;         // of which chart's cell, in words; empty: of a case
-    std::string of;           // "joint", "plate"
-    std::string component;    // "x", "y"
+    std::string of;           // "joint", "plate", or a name
+    std::string component;    // "x": along, "y": across the contact; empty: of a row
     std::string quantity;     // "velocity", "acceleration"
     std::string direction;    // "whole", "going", "coming"
     std::string part;         // "all", "judged"

@@ -14,12 +14,14 @@ namespace stridor::io {
 
 /// The texts of `stridor listen`; quantities carry their units.
 struct ListeningTexts {
-    std::string cell{};        // "x=20 N,y=0.6"; empty: the case itself
-    std::string direction{};   // "going", "coming"; empty: the whole motion
-    bool is_judged = false;    // only the steady part the verdict is made from
-    std::string of = "joint";  // "joint", of several the first; "plate"; or the name of one of several joints
+    std::string cell{};       // "x=20 N,y=0.6"; empty: the case itself
+    std::string direction{};  // "going", "coming"; empty: the whole motion
+    bool is_judged = false;   // only the steady part the verdict is made from
+    // "joint", of several the first, of an own structure its first contact; "plate"; or the name of one of several
+    // joints, of a contact or of a row
+    std::string of = "joint";
     std::string quantity = "velocity";
-    std::string component{};  // empty: x of the joint, y of the plate
+    std::string component{};  // empty: x of the joint or contact, y of the plate
     std::string rate = "48000 Hz";
     std::string seconds{};  // empty: the whole run
     std::string level = "normalised";
@@ -48,6 +50,9 @@ double listening_full_scale(const ListeningTexts& texts, const hearing::Rendered
 /// What was made of which motion; file and player are left to the caller. Throws as `listening_full_scale` does.
 SoundInfo sound_info(const ListeningTexts& texts, const ListeningChoice& choice,
                      const sound::AuralisationSettings& settings, const hearing::RenderedSound& sound);
+
+/// Whose motion was made audible: "joint velocity along x".
+std::string motion_words(const SoundInfo& info);
 
 /// What a file of it says in its description.
 std::string sound_description(const SoundInfo& info, const parameters::Case& c);
