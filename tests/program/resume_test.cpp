@@ -44,6 +44,30 @@ protected:
 
 }  // namespace
 
+TEST_F(Resume, AKilledChartOfAnOwnStructureEndsWithTheSameBytes) {
+    write_text(folder_ / "string.toml", run({"init", "string"}).out);
+    const auto chart = [](const std::string& out, const std::string& threads) {
+        return std::vector<std::string>{"chart",     "string.toml",
+                                        "--x",       "preload=0.2:2:4",
+                                        "--y",       "mu_d=0.2:0.4:4",
+                                        "--set",     "run.duration=0.1",
+                                        "--set",     "run.window=0.05",
+                                        "--out",     out,
+                                        "--threads", threads};
+    };
+    ASSERT_EQ(run(chart("whole", "2"), folder_.path()).exit_code, 0);
+    ASSERT_FALSE(csv("whole").empty());
+    for (const int wait : {60, 120, 200}) {
+        Process process(Launch{chart("killed", "1"), folder_.path(), {}, std::nullopt, {}});
+        process.ends_within(std::chrono::milliseconds(wait));
+        process.send(SIGKILL);
+        process.wait();
+    }
+    const Finished last = run(chart("killed", "1"), folder_.path());
+    ASSERT_EQ(last.exit_code, 0) << last.err;
+    EXPECT_EQ(csv("killed"), csv("whole"));
+}
+
 TEST_F(Resume, AKilledSweepEndsWithTheSameBytesAsAnUninterruptedOne) {
     ASSERT_EQ(run(sweep("whole", "2"), folder_.path()).exit_code, 0);
     ASSERT_FALSE(csv("whole").empty());

@@ -34,7 +34,8 @@ struct ChartOptions {
 };
 
 void chart(const ChartOptions& options) {
-    sweep::Study study = io::read_study(load_source(options.input.file, options.input.overrides), options.axes);
+    sweep::Study study = io::read_study(load_source(options.input.file, options.input.overrides), options.axes,
+                                        io::SystemsTaken::or_structure);
     if (options.preview) study = sweep::preview(std::move(study));
     const std::string name =
         std::filesystem::path(options.input.file).stem().string() + (options.preview ? "-preview" : "");

@@ -59,7 +59,10 @@ std::vector<io::HeardChart> charts_of(const EvaluateOptions& options) {
                  [](const std::string& assignment) { return !parameters::is_sound_threshold(assignment); });
     std::vector<io::HeardChart> charts;
     for (const std::string& file : options.files)
-        charts.push_back({file, sweep::PlaneSet::file, io::read_study(load_source(file, overrides)), {}});
+        charts.push_back({file,
+                          sweep::PlaneSet::file,
+                          io::read_study(load_source(file, overrides), {}, io::SystemsTaken::or_structure),
+                          {}});
     if (!charts.empty() || !options.recordings.empty()) return charts;
     for (sweep::ReadyChart& chart : sweep::ready_charts())
         if (options.planes == "all" || options.planes == sweep::plane_set_names[static_cast<std::size_t>(chart.set)])

@@ -2,6 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/drawing/palette.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/pictures/field_axis.hpp"
 
 #include <fmt/format.h>
@@ -121,7 +122,7 @@ void mark_boundaries(drawing::Panel& panel, const analysis::StabilityPath& path,
 }  // namespace
 
 drawing::Scene stability(std::string_view quantity, std::span<const StabilityCurve> curves) {
-    const parameters::Field* field = parameters::find_field(quantity);
+    const parameters::Field* field = parameters::field_of(quantity);
     STRIDOR_EXPECT(field != nullptr && std::holds_alternative<parameters::Quantity>(field->kind));
     const drawing::StyledText name = field->symbol.empty() ? field_label(*field) : drawing::symbol(field->symbol);
     drawing::Scene scene;

@@ -100,8 +100,7 @@ DesignResults basic_results(const Case& design, const std::stop_token& stop) {
         if (error.kind() != ErrorKind::input) throw;
         results.without_sound = error.problem().what + " (" + error.problem().why + ").";
     }
-    // the modes of several sliding contacts are not looked at
-    if (design.further_joints.empty()) results.stability = analysis::scan_stability(design, telling_range(design));
+    results.stability = analysis::scan_stability(design, telling_range(design));
     return results;
 }
 

@@ -6,9 +6,10 @@
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
+#include "stridor/model/case_structure.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/check.hpp"
-#include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
@@ -45,20 +46,12 @@ record::Tally tally_of(const Case& c, const Motion& motion, Direction direction)
         if (tally.phase == wanted || tally.phase == Phase::all) return tally;
     record::Tally nothing;
     nothing.phase = wanted;
-    const auto dofs = static_cast<std::size_t>(model::dofs_of_system(c));
-    nothing.contacts.resize(parameters::joint_count(c));
-    nothing.vibration.resize(dofs);
-    nothing.closing_vibration.resize(dofs);
+    const std::size_t contacts = parameters::contact_count(c);
+    const std::size_t channels = c.own_structure ? 2 * contacts : static_cast<std::size_t>(model::dofs_of_system(c));
+    nothing.contacts.resize(contacts);
+    nothing.vibration.resize(channels);
+    nothing.closing_vibration.resize(channels);
     return nothing;
-}
-
-// of steady sliding; unknown for several joints, whose modes are not looked at
-analysis::SlidingStability stability_of(const Case& c, Direction direction) {
-    if (c.further_joints.empty()) return analysis::sliding_stability(model::rubbing_system(c), direction);
-    analysis::SlidingStability unknown;
-    unknown.growth = Cell::unknown;
-    unknown.frequency = Cell::unknown;
-    return unknown;
 }
 
 }  // namespace
@@ -73,8 +66,10 @@ std::optional<Attempt> attempt(const Case& c, const record::Request& request, st
         if (motion.outcome.reason == Reason::cancelled) return std::nullopt;
         return ended(std::move(motion), c);
     } catch (const Error& error) {
-        if (error.kind() != ErrorKind::numerical) throw;
-        return Attempt{Status::failed, error.what(), {}};
+        if (error.kind() == ErrorKind::numerical) return Attempt{Status::failed, error.what(), {}};
+        // a load may close no contact of a structure whose stiffness is scaled
+        if (error.kind() == ErrorKind::input && c.own_structure) return Attempt{Status::invalid, error.what(), {}};
+        throw;
     }
 }
 
@@ -89,7 +84,8 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
     cell.category = verdict.category;
     cell.quiet = verdict.quiet;
     if (verdict.category == classification::Category::undecided) cell.message = verdict.reasons.back();
-    cell.figures = figures_of({verdict.evidence, stability_of(c, direction), attempt.motion});
+    cell.figures =
+        figures_of({verdict.evidence, analysis::sliding_stability(model::structure_of(c), direction), attempt.motion});
     return cell;
 }
 

@@ -212,11 +212,13 @@ double value_at(const Axis& axis, int index) {
 }
 
 Axis resting_axis(const Case& c, const Axis& x) {
-    constexpr std::array<std::string_view, 3> resting{"contact.preload", "contact.kinetic_friction",
-                                                      "joint.incidence_angle"};
+    constexpr std::array<std::string_view, 5> resting{"contact.preload", "contact.kinetic_friction",
+                                                      "joint.incidence_angle", "structure.stiffness_scale",
+                                                      "structure.damping_scale"};
     // what x leaves alone and does not follow the temperature; of several joints the first one's
     const auto rests = [&](std::string_view key) {
-        return !parameters::overlap(c, x.parameter, key) && parameters::temperature_column(c, key) == nullptr;
+        return parameters::belongs(c, key) && !parameters::overlap(c, x.parameter, key) &&
+               parameters::temperature_column(c, key) == nullptr;
     };
     const auto* const found = std::find_if(resting.begin(), resting.end(), rests);
     STRIDOR_EXPECT(found != resting.end());

@@ -1,10 +1,14 @@
 #include "stridor/analysis/stability_scan.hpp"
 
 #include "stridor/model/rubbing_system.hpp"
+#include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/error_text.hpp"
 
 #include <gtest/gtest.h>
+
+#include <memory>
 
 namespace stridor::analysis {
 namespace {
@@ -54,6 +58,34 @@ TEST(StabilityScan, RefusesRangesThatAreNone) {
     EXPECT_TRUE(refusal({"drive.velocity", 0.1, 0.5, 5}).says("changes nothing")) << "the drive is sinusoidal";
     EXPECT_TRUE(refusal({"joint.mass", -1.0, 0.5, 5}).says("mass"));
     EXPECT_NO_THROW(scan_stability(squeal, ScanRange{"mu_d", 0.1, 0.5, 2}));
+}
+
+TEST(StabilityScan, FollowsAKeyOfOneOfSeveralJoints) {
+    const parameters::Case c = parameters::two_lips();
+    const StabilityScan scan = scan_stability(c, ScanRange{"joint.lower.alpha", 40.0, 80.0, 3});
+    EXPECT_EQ(scan.key, "joint.lower.incidence_angle");
+    EXPECT_EQ(scan.unit, "deg");
+    parameters::Case last = c;
+    last.further_joints[0].joint.incidence_angle = 80.0;
+    for (const DirectionScan& each : scan.directions)
+        EXPECT_EQ(each.path.points.back().stability.growth,
+                  sliding_stability(model::rubbing_system(last), each.direction).growth);
+    const auto thrown = thrown_by([&] { scan_stability(c, ScanRange{"joint.lowr.alpha", 40.0, 80.0, 3}); });
+    EXPECT_TRUE(thrown.says("Did you mean joint.lower?"));
+}
+
+// a mass on two springs: its frequency follows the root of the stiffness
+TEST(StabilityScan, FollowsAnOwnStructure) {
+    parameters::OwnStructure own{.row = {"x", "y"}, .mass = {4, 0, 0, 1}, .stiffness = {100, 0, 0, 50}};
+    own.contacts.push_back({.name = "foot", .normal = {0, 1}, .tangent = {1, 0}, .preload_share = 1.0});
+    parameters::Case c;
+    c.own_structure = std::make_shared<const parameters::OwnStructure>(own);
+    const StabilityScan scan = scan_stability(c, ScanRange{"structure.stiffness_scale", 1.0, 4.0, 2});
+    for (const DirectionScan& each : scan.directions) {
+        ASSERT_EQ(each.here.modes.size(), 1U);
+        EXPECT_NEAR(each.here.frequency, 5.0 / 6.283185307179586, 1e-12);
+        EXPECT_NEAR(each.path.points.back().stability.frequency, 10.0 / 6.283185307179586, 1e-12);
+    }
 }
 
 }  // namespace

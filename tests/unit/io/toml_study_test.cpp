@@ -1,9 +1,11 @@
 #include "stridor/io/chart/toml_study.hpp"
 
 #include "io_support.hpp"
+#include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/axis_text.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
 #include <gtest/gtest.h>
@@ -235,6 +237,37 @@ TEST(TomlStudy, OfSeveralJointsTakesAxesFromTheCommandLine) {
     EXPECT_EQ(study.y.parameter, "joint.lower.contact.preload");
     EXPECT_EQ(study.y.scale, sweep::Scale::logarithmic);
     EXPECT_TRUE(error_of([&] { read_study(TomlSource{two, "two.toml", {}}, {"joint.third.F=20:400", ""}); }));
+}
+
+std::string chain_chart() {
+    return ready_file("chain") + R"([chart]
+x = { parameter = "structure.stiffness_scale", from = 0.5, to = 2, points = 3, scale = "log" }
+y = { parameter = "contact.kinetic_friction", from = 0.2, to = 0.6, points = 2 }
+)";
+}
+
+TEST(TomlStudy, TakesAnOwnStructureWhereItIsAskedFor) {
+    const Study study = read_study(TomlSource{chain_chart(), "c.toml", {}}, {}, SystemsTaken::or_structure);
+    const parameters::Case c = sweep::case_at(study, {0, 1, 2});
+    EXPECT_EQ(c.structure_scales.stiffness, 2.0);
+    EXPECT_EQ(c.contact.kinetic_friction, 0.6);
+    const std::string text = sweep::canonical_text(study);
+    EXPECT_NE(text.find("structure.content = " + content_hash(*study.base.own_structure)), std::string::npos);
+    EXPECT_EQ(text.find("structure.stiffness_scale = "), std::string::npos) << "an axis says it";
+    const Study back = read_study(TomlSource{study_toml(study), "back.toml", {}}, {}, SystemsTaken::or_structure);
+    EXPECT_EQ(sweep::canonical_text(back), text);
+    EXPECT_TRUE(error_of([&] { read_study(TomlSource{chain_chart(), "c.toml", {}}); })) << "refused by name elsewhere";
+    EXPECT_TRUE(error_of([&] {
+        read_study(TomlSource{chain_chart(), "c.toml", {}}, {"joint.mass=0.1:0.2", ""},
+                   SystemsTaken::or_structure);
+    })) << "it has no joint";
+}
+
+TEST(TomlStudy, RestsAtWhatAnOwnStructureHas) {
+    const Study study =
+        read_study(TomlSource{chain_chart(), "c.toml", {}}, {"preload=1:2:3", ""}, SystemsTaken::or_structure);
+    EXPECT_EQ(study.y.parameter, "contact.kinetic_friction");
+    EXPECT_TRUE(sweep::has_one_axis(study));
 }
 
 }  // namespace

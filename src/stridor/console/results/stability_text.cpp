@@ -1,11 +1,15 @@
 #include "stridor/console/results/stability_text.hpp"
 
+#include "stridor/base/escapes.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/parameters/own_structure.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <limits>
+#include <vector>
 
 namespace stridor::console {
 
@@ -17,20 +21,50 @@ std::string kind_name(StabilityKind kind) {
     return std::string(analysis::stability_names[static_cast<std::size_t>(kind)]);
 }
 
+// of many modes those that grow most, by rising frequency
+constexpr std::size_t most_modes_shown = 6;
+
 std::string modes_text(const analysis::SlidingStability& stability) {
-    std::string text;
+    std::vector<double> growths;
     for (const analysis::Eigenmode& mode : stability.modes)
-        text += fmt::format("  {:9.2f} Hz {:+10.3f} 1/s", mode.frequency, mode.growth);
+        growths.push_back(mode.growth);
+    std::sort(growths.rbegin(), growths.rend());
+    const bool is_long = growths.size() > most_modes_shown;
+    const double least = is_long ? growths[most_modes_shown - 1] : -std::numeric_limits<double>::infinity();
+    std::string text;
+    std::size_t shown = 0;
+    for (const analysis::Eigenmode& mode : stability.modes)
+        if (mode.growth >= least && shown < most_modes_shown) {
+            text += fmt::format("  {:9.2f} Hz {:+10.3f} 1/s", mode.frequency, mode.growth);
+            ++shown;
+        }
+    if (is_long) text += fmt::format("  and {} that decay faster", growths.size() - shown);
     return text;
+}
+
+// contacts that steady sliding lifts off
+std::string open_text(const parameters::Case& c, const analysis::SlidingStability& stability) {
+    std::string text;
+    for (const std::size_t contact : stability.open)
+        text += (text.empty() ? "" : ", ") + base::visible(parameters::contact_name(c, contact));
+    return text.empty() ? "" : "        open: " + text + "\n";
+}
+
+// the least of several, or of an own structure, has no one preload to be a share of
+std::string normal_force_text(const parameters::Case& c, double normal_force) {
+    const bool has_one = !c.own_structure && c.further_joints.empty();
+    return has_one ? fmt::format("N/F {:8.4f}", normal_force / c.contact.preload)
+                   : fmt::format("N {:8.4g} N", normal_force);
 }
 
 std::string header(const analysis::StabilityScan& scan) {
     std::string text = styled("stability of steady sliding", Style::bold, STDOUT_FILENO) + "\n\n";
     for (const analysis::DirectionScan& direction : scan.directions) {
         const analysis::SlidingStability& here = direction.here;
-        text += fmt::format("{:<8}{:<11}N/F {:8.4f}  modes{}\n",
+        text += fmt::format("{:<8}{:<11}{}  modes{}\n",
                             parameters::direction_names[static_cast<std::size_t>(direction.direction)],
-                            kind_name(here.kind), here.normal_force / scan.base.contact.preload, modes_text(here));
+                            kind_name(here.kind), normal_force_text(scan.base, here.normal_force), modes_text(here));
+        text += open_text(scan.base, here);
     }
     return text;
 }
@@ -55,7 +89,7 @@ std::string stability_text(const analysis::StabilityScan& scan) {
     text += "\n";
     for (const analysis::DirectionScan& direction : scan.directions)
         text += boundary_lines(scan, direction);
-    const std::string name = scan.key.substr(scan.key.find('.') + 1);
+    const std::string name = scan.key.substr(scan.key.rfind('.') + 1);
     const std::size_t width = std::max<std::size_t>(12, name.size());
     for (const analysis::DirectionScan& direction : scan.directions) {
         text += fmt::format("\n{:<8}{:>{}}  {:<11}modes (frequency, growth)\n",

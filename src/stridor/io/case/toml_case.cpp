@@ -202,7 +202,7 @@ void require_joints(const TomlDocument& document, SystemsTaken taken) {
     if (taken == SystemsTaken::or_structure || !has_own_structure(document)) return;
     throw Error(ErrorKind::input,
                 {"this command takes a case with joints", "the file has a structure of its own, as [structure]",
-                 "`stridor simulate` and `stridor check` take it."},
+                 "`stridor help` lists which commands take one: simulate, check, chart, advise, evaluate."},
                 document.find("structure")->key_place);
 }
 
@@ -261,8 +261,8 @@ std::vector<base::Complaint> case_warnings(const TomlDocument& document) {
     return warnings;
 }
 
-parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples) {
-    return read_system(document, samples, ReadAs::base_of_chart, SystemsTaken::joints);
+parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples, SystemsTaken taken) {
+    return read_system(document, samples, ReadAs::base_of_chart, taken);
 }
 
 parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples, SystemsTaken taken) {

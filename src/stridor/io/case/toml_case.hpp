@@ -43,7 +43,8 @@ parameters::Case read_case(const std::string& path, std::vector<std::string> ove
 
 /// The case a chart starts from, out of a document that is parsed already. Whether its values fit together is left to
 /// the chart, whose axes replace two of them.
-parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples);
+parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples,
+                                SystemsTaken taken = SystemsTaken::joints);
 
 /// What reading a case leaves out and its user should know: keys that mean nothing for the kinds the file chooses, and
 /// have a value that `stridor init` writes (with any other they are errors).

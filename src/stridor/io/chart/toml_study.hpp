@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/sweep/study.hpp"
 
@@ -30,10 +31,12 @@ struct AxisTexts {
 /// parameter, or text with a unit. The case's own sections must be complete, the axes' keys included: they are its base
 /// values. Any of it may be overridden ("chart.x.points=5", "chart.directions=going"). Axes given beside it take the
 /// place of the file's, which then needs no [chart]. Throws what `read_case` throws.
-sweep::Study read_study(const TomlSource& source, const AxisTexts& axes = {});
+sweep::Study read_study(const TomlSource& source, const AxisTexts& axes = {},
+                        SystemsTaken taken = SystemsTaken::joints);
 
 /// The same of a document that is parsed already.
-sweep::Study read_study(const TomlDocument& document, const AxisTexts& axes = {});
+sweep::Study read_study(const TomlDocument& document, const AxisTexts& axes = {},
+                        SystemsTaken taken = SystemsTaken::joints);
 
 /// The same from a file; "-" is standard input.
 sweep::Study read_study(const std::string& path, std::vector<std::string> overrides = {});

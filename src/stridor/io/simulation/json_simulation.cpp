@@ -149,24 +149,27 @@ Json simulation_units(const Case& c) {
     return units;
 }
 
-Json stability_object(const analysis::SlidingStability& stability) {
+Json stability_object(const parameters::Case& c, const analysis::SlidingStability& stability) {
     Json modes = Json::array();
     for (const analysis::Eigenmode& mode : stability.modes)
         modes.push_back({{"growth", mode.growth}, {"frequency", mode.frequency}});
-    return {{"kind", name_of(analysis::stability_names, stability.kind)},
-            {"growth", stability.growth},
-            {"frequency", stability.frequency},
-            {"normal_force", stability.normal_force},
-            {"modes", std::move(modes)}};
+    Json object{{"kind", name_of(analysis::stability_names, stability.kind)},
+                {"growth", stability.growth},
+                {"frequency", stability.frequency},
+                {"normal_force", stability.normal_force},
+                {"modes", std::move(modes)}};
+    for (const std::size_t contact : stability.open)
+        object["open"].push_back(parameters::contact_name(c, contact));
+    return object;
 }
 
-Json direction_object(const analysis::DirectionScan& direction) {
+Json direction_object(const parameters::Case& c, const analysis::DirectionScan& direction) {
     Json object{{"direction", name_of(parameters::direction_names, direction.direction)}};
-    object.update(stability_object(direction.here));
+    object.update(stability_object(c, direction.here));
     Json points = Json::array();
     for (const analysis::StabilityPoint& point : direction.path.points) {
         Json entry{{"value", point.value}};
-        entry.update(stability_object(point.stability));
+        entry.update(stability_object(c, point.stability));
         points.push_back(std::move(entry));
     }
     Json boundaries = Json::array();
@@ -245,7 +248,7 @@ std::string stability_json(const analysis::StabilityScan& scan) {
     if (!scan.key.empty()) document["over"] = {{"parameter", scan.key}, {"unit", scan.unit}};
     document["directions"] = Json::array();
     for (const analysis::DirectionScan& direction : scan.directions)
-        document["directions"].push_back(direction_object(direction));
+        document["directions"].push_back(direction_object(scan.base, direction));
     Json units = case_units(scan.base);
     units.update(stability_units());
     document["units"] = std::move(units);
