@@ -1,6 +1,7 @@
 #include "stridor/integration/contact_impulses.hpp"
 
 #include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/contact_sets.hpp"
 #include "stridor/integration/contact_violation.hpp"
 
 #include <Eigen/LU>
@@ -31,6 +32,7 @@ public:
 
     bool solve();
     bool mend();
+    bool solve_any();
     ContactImpulses result() const { return result_; }
 
 private:
@@ -119,6 +121,21 @@ bool Trial::mend() {
     return true;
 }
 
+// tries all sets of modes, those nearest to the first one first; returns whether one obeys the laws
+bool Trial::solve_any() {
+    std::vector<std::vector<ContactMode>> possible(meeting_.mode.size());
+    for (std::size_t k = 0; k < possible.size(); ++k)
+        possible[k] = meeting_.touches[k] ? std::vector{ContactMode::stick, ContactMode::slip_forward,
+                                                        ContactMode::slip_backward, ContactMode::open}
+                                          : std::vector{meeting_.mode[k]};
+    for (const std::vector<ContactMode>& set : contact_sets(possible, meeting_.mode)) {
+        std::fill(limit_.begin(), limit_.end(), StickLimit::whole);
+        result_.mode = set;
+        if (solve() && !mend()) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::optional<ContactImpulses> contact_impulses(const ModalStructure& structure, const Meeting& meeting) {
@@ -128,6 +145,7 @@ std::optional<ContactImpulses> contact_impulses(const ModalStructure& structure,
         if (!trial.solve()) return std::nullopt;
         if (!trial.mend()) return trial.result();
     }
+    if (trial.solve_any()) return trial.result();
     return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include "stridor/integration/contact_impulses.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/contact_sets.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -28,8 +29,10 @@ double sign_of(ContactMode mode) {
     return mode == ContactMode::slip_forward ? forward_sign : -forward_sign;
 }
 
-double gap_zero(const ModalContact& c, const TaylorState& state) {
-    return gap_rounding * (dot_of_sizes(c.normal, state.q) + std::abs(c.initial_gap));
+// of the gap, and of what its rate changes in a step of time [s]
+double gap_zero(const ModalContact& c, const TaylorState& state, double step) {
+    return gap_rounding * (dot_of_sizes(c.normal, state.q) + std::abs(c.initial_gap)) +
+           term_rounding * step * dot_of_sizes(c.normal, state.v);
 }
 double slip_zero(const ModalContact& c, const TaylorState& state, const SurfaceSeries& surface) {
     return function_rounding * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
@@ -145,7 +148,7 @@ bool Settling::meet(TaylorState& state, const SurfaceSeries& surface, std::size_
         const ModalContact& c = structure_.contacts[k];
         meeting.gap_velocity[k] = gap_velocity(c, state.v);
         meeting.slip_velocity[k] = slip_velocity(c, state.v, surface[0]);
-        const bool is_near = gap(c, state.q) <= gap_zero(c, state);
+        const bool is_near = gap(c, state.q) <= gap_zero(c, state, block_.step());
         meeting.touches[k] = state.set[k] != ContactMode::open || is_near || k == fired;
         if (k == fired || (state.set[k] == ContactMode::open && is_near && meeting.gap_velocity[k] < 0.0))
             meeting.mode[k] = ContactMode::stick;
@@ -172,12 +175,14 @@ bool Settling::meet(TaylorState& state, const SurfaceSeries& surface, std::size_
 void Settling::look(const TaylorState& state, std::size_t contact, Violation& worst) {
     const ContactMode mode = state.set[contact];
     for (std::size_t f = 0; f < event_functions(mode); ++f) {
-        const BlockSeries c = event_series(structure_, block_, contact, mode, f, broken_[contact]);
+        BlockSeries c = event_series(structure_, block_, contact, mode, f, broken_[contact]);
         const double most = largest(c);
         double zero = function_rounding * most;
-        if (mode == ContactMode::open)
-            zero = gap_rounding * block_.gap_scale(contact);
-        else if (is_slip(mode) && f == 1)
+        if (mode == ContactMode::open) {
+            zero = gap_zero(structure_.contacts[contact], state, block_.step());
+            // below the surface by rounding, it touches: its rate says whether it closes
+            c[0] = std::max(0.0, c[0]);
+        } else if (is_slip(mode) && f == 1)
             zero = slip_per_friction * zero +
                    term_rounding * (block_.velocity_scale(contact) + block_.velocity_change_scale(contact));
         else
@@ -191,8 +196,8 @@ void Settling::look(const TaylorState& state, std::size_t contact, Violation& wo
     }
 }
 
-// forces and accelerations that obey all laws, beginning with the present set
-Settling::Forces Settling::find_forces(TaylorState& state, const SurfaceSeries& surface) {
+// changes the worst violated contact until none is, beginning with the present set
+Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSeries& surface) {
     broken_ = begins_;
     const std::size_t most_changes = 40 + 20 * state.set.size();
     for (std::size_t change = 0; change < most_changes; ++change) {
@@ -221,6 +226,54 @@ Settling::Forces Settling::find_forces(TaylorState& state, const SurfaceSeries& 
         }
     }
     return Forces::inconsistent;
+}
+
+// tries all sets, those nearest to the present one first; returns whether one obeys the laws
+bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
+    const std::size_t p = state.set.size();
+    const ContactSet present = state.set;
+    std::vector<std::vector<ContactMode>> possible(p);
+    std::vector<bool> is_at_rest(p);
+    for (std::size_t k = 0; k < p; ++k) {
+        const ModalContact& c = structure_.contacts[k];
+        const double w = slip_velocity(c, state.v, surface[0]);
+        is_at_rest[k] = std::abs(w) <= slip_zero(c, state, surface);
+        if (present[k] == ContactMode::open &&
+            (gap(c, state.q) > gap_zero(c, state, block_.step()) ||
+             block_.step() * gap_velocity(c, state.v) > gap_zero(c, state, block_.step())))
+            possible[k] = {ContactMode::open};
+        else if (is_at_rest[k])
+            possible[k] = {ContactMode::stick, ContactMode::slip_forward, ContactMode::slip_backward,
+                           ContactMode::open};
+        else
+            possible[k] = {slip_mode(model::slip_of(w)), ContactMode::open};
+    }
+    broken_ = begins_;
+    for (const ContactSet& set : contact_sets(possible, present)) {
+        if (!block_.choose(set)) continue;
+        state.set = set;
+        block_.expand(state.q, state.v, surface, settling_order);
+        Violation worst;
+        for (std::size_t k = 0; k < p; ++k)
+            look(state, k, worst);
+        if (worst.order <= most_dropped) continue;
+        state.dropped = orders_;
+        for (std::size_t k = 0; k < p; ++k)
+            begins_[k] = is_at_rest[k] && is_slip(set[k]);
+        return true;
+    }
+    return false;
+}
+
+// forces and accelerations that obey all laws
+Settling::Forces Settling::find_forces(TaylorState& state, const SurfaceSeries& surface) {
+    const ContactSet present = state.set;
+    const std::vector<bool> begins = begins_;
+    const Forces forces = change_one_by_one(state, surface);
+    if (forces == Forces::found || forces == Forces::closing) return forces;
+    state.set = present;
+    begins_ = begins;
+    return find_any(state, surface) ? Forces::found : forces;
 }
 
 // ends what would end within `soon`; returns whether anything did

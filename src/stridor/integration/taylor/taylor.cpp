@@ -43,7 +43,9 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
       drive_(drive, 1.0, record::end_of(recorder.schedule())),
       recorder_(recorder),
       structure_(modal_structure(structure)),
-      step_(2.0 / std::max(structure_.fastest, 2.0 * std::numbers::pi * drive_.profile().frequency)),
+      // a structure without springs and dashpots has no rate of its own: the run is its block
+      step_(std::min(2.0 / std::max(structure_.fastest, 2.0 * std::numbers::pi * drive_.profile().frequency),
+                     record::end_of(recorder.schedule()))),
       block_(structure_, step_),
       settling_(structure_, step_),
       sums_{std::vector<record::Vibration>(static_cast<std::size_t>(model::channels_of(structure))),

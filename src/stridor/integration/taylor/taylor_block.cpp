@@ -186,11 +186,6 @@ BlockSeries TaylorBlock::slip_velocity(std::size_t contact) const {
     return series;
 }
 
-double TaylorBlock::gap_scale(std::size_t contact) const {
-    const ModalContact& c = structure_.contacts[contact];
-    return dot_of_sizes(c.normal, q_) + std::abs(c.initial_gap);
-}
-
 double TaylorBlock::velocity_scale(std::size_t contact) const {
     const ModalContact& c = structure_.contacts[contact];
     return dot_of_sizes(c.tangent, v_) + std::abs(c.drive_share * surface_[0]);

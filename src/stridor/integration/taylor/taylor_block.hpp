@@ -56,9 +56,8 @@ public:
     BlockSeries gap(std::size_t contact) const;
     BlockSeries slip_velocity(std::size_t contact) const;
 
-    /// What rounding works on, in each of the four: the sum of the terms' sizes.
+    /// What rounding works on, in each of the others: the sum of the terms' sizes.
     double force_scale(std::size_t contact) const;
-    double gap_scale(std::size_t contact) const;
     double velocity_scale(std::size_t contact) const;
 
     /// The same in what accelerations change the slip velocity over a block [m/s].

@@ -1,0 +1,205 @@
+// The Taylor engine on structures far from sensible: its runs end, in the laws of contact, with their energy accounted
+// for, or refused for a reason that is theirs.
+
+#include "stridor/base/error.hpp"
+#include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/modal_structure.hpp"
+#include "stridor/integration/taylor/taylor.hpp"
+#include "stridor/parameters/own_structure.hpp"
+#include "support/effort.hpp"
+#include "support/patience.hpp"
+#include "support/runs.hpp"
+#include "support/wild_structures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+namespace stridor {
+namespace {
+
+using integration::Motion;
+using integration::Reason;
+using model::ContactState;
+using support::WildStructure;
+
+constexpr double seconds_of_a_hang = 30.0;  // for runs of some hundreds of blocks
+constexpr double most_unexplained = 1e-9;   // [1] of the turnover: the engine's own bound
+constexpr double law_rounding = 1e-8;       // [1] of the terms of a gap, a velocity or a force
+constexpr double sum_rounding = 1e-11;      // [1] of the largest displacement or velocity: what sums over modes leave
+constexpr int samples = 400;                // of a run
+
+Motion run(const WildStructure& wild, parameters::EarlyEnding ending, double interval, std::stop_token stop = {}) {
+    record::Request request;
+    request.history = record::KeepHistory::yes;
+    request.trace = {0.0, wild.duration, interval};
+    const record::Schedule schedule{{{0.0, wild.duration, record::Phase::all, record::Use::judged}},
+                                    {record::Phase::all}};
+    record::Recorder recorder(schedule, request, model::dofs_of(wild.structure),
+                              static_cast<int>(wild.structure.contacts.size()), 0,
+                              model::interfaces_of(wild.structure));
+    parameters::Case c;
+    c.own_structure = std::make_shared<parameters::OwnStructure>();
+    c.run.initial = wild.initial;
+    const double V = integration::ImposedMotion(wild.drive, 1.0, wild.duration).at(0.0).velocity;
+    return integration::integrate_taylor(wild.structure, wild.drive, integration::initial_state(c, wild.structure, V),
+                                         {ending}, std::move(recorder), std::move(stop));
+}
+
+// the sizes that rounding works on
+struct Sizes {
+    Eigen::VectorXd displacement, velocity;  // of the modes, shape [mode]
+    double largest_displacement = 0.0;       // [m] of all degrees of freedom
+    double largest_velocity = 0.0;           // [m/s] likewise
+    double force = 0.0;                      // [N]
+    double surface = 0.0;                    // [m/s]
+};
+
+Sizes sizes_of(const integration::ModalStructure& modal, const WildStructure& wild, const record::Trace& trace) {
+    const auto n = static_cast<Eigen::Index>(modal.modes());
+    Sizes sizes{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+    Eigen::VectorXd u(n), v(n);
+    for (std::size_t s = 0; s < trace.time.size(); ++s) {
+        for (Eigen::Index j = 0; j < n; ++j) {
+            u(j) = trace.displacement[static_cast<std::size_t>(j)][s];
+            v(j) = trace.velocity[static_cast<std::size_t>(j)][s];
+        }
+        sizes.displacement = sizes.displacement.cwiseMax(integration::modal(modal, wild.structure, u).cwiseAbs());
+        sizes.velocity = sizes.velocity.cwiseMax(integration::modal(modal, wild.structure, v).cwiseAbs());
+        sizes.largest_displacement = std::max(sizes.largest_displacement, u.cwiseAbs().maxCoeff());
+        sizes.largest_velocity = std::max(sizes.largest_velocity, v.cwiseAbs().maxCoeff());
+        sizes.surface = std::max(sizes.surface, std::abs(trace.surface_velocity[s]));
+        for (const record::ContactTrace& contact : trace.contacts)
+            sizes.force = std::max({sizes.force, contact.normal_force[s], std::abs(contact.friction_force[s])});
+    }
+    return sizes;
+}
+
+// which law the samples break; empty: none
+std::string broken_law(const WildStructure& wild, const record::Trace& trace) {
+    const integration::ModalStructure modal = integration::modal_structure(wild.structure);
+    const Sizes sizes = sizes_of(modal, wild, trace);
+    std::ostringstream broken;
+    for (std::size_t m = 0; m < modal.contacts.size(); ++m) {
+        const std::size_t k = modal.number[m];
+        const model::ContactPoint& contact = wild.structure.contacts[k];
+        const record::ContactTrace& sampled = trace.contacts[k];
+        const std::vector<double> q(sizes.displacement.data(), sizes.displacement.data() + sizes.displacement.size());
+        const std::vector<double> v(sizes.velocity.data(), sizes.velocity.data() + sizes.velocity.size());
+        const double length =
+            law_rounding * (integration::dot_of_sizes(modal.contacts[m].normal, q) + contact.initial_gap) +
+            sum_rounding * contact.normal.lpNorm<1>() * sizes.largest_displacement;
+        const double speed = law_rounding * (integration::dot_of_sizes(modal.contacts[m].tangent, v) + sizes.surface) +
+                             sum_rounding * contact.tangent.lpNorm<1>() * sizes.largest_velocity;
+        const double force = law_rounding * sizes.force;
+        for (std::size_t s = 0; s < trace.time.size(); ++s) {
+            double gap = contact.initial_gap, slip = -contact.drive_share * trace.surface_velocity[s];
+            for (std::size_t j = 0; j < trace.displacement.size(); ++j) {
+                gap += contact.normal(static_cast<Eigen::Index>(j)) * trace.displacement[j][s];
+                slip += contact.tangent(static_cast<Eigen::Index>(j)) * trace.velocity[j][s];
+            }
+            const auto say = [&](const char* what, double value, double scale) {
+                if (broken.str().empty())
+                    broken << what << " " << value << " (" << value / scale << " of its rounding) of contact " << k
+                           << " at " << trace.time[s] / wild.duration << " of the run";
+            };
+            const double N = sampled.normal_force[s], T = sampled.friction_force[s];
+            const ContactState state = sampled.state[s];
+            if (gap < -length) say("penetration", gap, length);
+            if (state == ContactState::separation) {
+                if (N != 0.0 || T != 0.0) say("force of an open contact", N + std::abs(T), force);
+                continue;
+            }
+            if (gap > length) say("gap of a closed contact", gap, length);
+            if (N < 0.0) say("normal force", N, force);
+            const model::Slip way = state == ContactState::slip ? model::slip_of(slip) : model::slip_against(T);
+            if (std::abs(T) > stick_limit(contact.friction, way) * N + force)
+                say("friction beyond its limit", std::abs(T) - stick_limit(contact.friction, way) * N, force);
+            if (state == ContactState::stick && std::abs(slip) > speed) say("slip of a stuck contact", slip, speed);
+            if (state == ContactState::slip && T * slip > force * std::abs(slip) + speed * std::abs(T))
+                say("friction with the slip", T * slip, force * speed);
+        }
+    }
+    return broken.str();
+}
+
+// friction may feed a motion until it is no number any more
+bool has_outgrown_numbers(const Motion& motion) {
+    double largest = 0.0;
+    for (const auto& velocity : motion.record.trace.velocity)
+        for (const double v : velocity)
+            largest = std::max(largest, std::abs(v));
+    return !(largest < 1e100);
+}
+
+std::string failure_of(const WildStructure& wild, std::array<long, integration::reason_names.size()>& ended) {
+    support::Patience patience(seconds_of_a_hang);
+    const Motion motion = run(wild, parameters::EarlyEnding::never, wild.duration / samples, patience.token());
+    const Reason reason = motion.outcome.reason;
+    ++ended[static_cast<std::size_t>(reason)];
+    if (reason == Reason::cancelled) return "no end";
+    if (reason == Reason::diverged && has_outgrown_numbers(motion)) return {};
+    // what the balance does not explain is said of the run, which then has no verdict
+    const bool is_refused = reason == Reason::no_forces || reason == Reason::chattering || reason == Reason::unbalanced;
+    if (is_refused) return {};
+    if (!integration::has_result(motion.outcome))
+        return std::string(integration::reason_names[static_cast<std::size_t>(reason)]) + " at " +
+               std::to_string(motion.outcome.time / wild.duration) + " of the run";
+    const double unexplained = motion.energy.relative_residual();
+    if (!(std::abs(unexplained) < most_unexplained)) {
+        std::ostringstream text;
+        text << "unexplained energy " << unexplained << " of the turnover";
+        return text.str();
+    }
+    return broken_law(wild, motion.record.trace);
+}
+
+TEST(StructureFuzz, KeepsTheLawsOfContactInWildStructures) {
+    long failures = 0;
+    std::array<long, integration::reason_names.size()> ended{};
+    const support::Runs runs = support::runs(support::effort(120, 10));
+    for (std::uint64_t number = runs.first; number < runs.first + runs.count; ++number) {
+        std::string failure;
+        try {
+            failure = failure_of(support::wild_structure(number), ended);
+        } catch (const Error& error) {
+            failure = error.what();
+        }
+        if (failure.empty()) continue;
+        ADD_FAILURE() << "wild structure " << number << ": " << failure;
+        ++failures;
+        ASSERT_LT(failures, 50);
+    }
+    for (std::size_t r = 0; r < ended.size(); ++r)
+        if (ended[r] > 0) std::cout << integration::reason_names[r] << ": " << ended[r] << "\n";
+    // a refusal is rare: contacts that friction presses without end, impacts that throw each other for ever
+    const long refused =
+        ended[static_cast<std::size_t>(Reason::no_forces)] + ended[static_cast<std::size_t>(Reason::chattering)];
+    EXPECT_LT(20 * refused, static_cast<long>(runs.count) + 100);
+}
+
+// what the search by single changes did not find: it had run in circles, or met no impact that it could solve
+TEST(StructureFuzz, FindsTheForcesThatSingleChangesMiss) {
+    for (const std::uint64_t number : {
+             279U,  // one contact: stuck it would be pulled, open it would fall, and it slips
+             8U,    // two contacts, one of them slipping
+             29U,   // two, one of them open
+             70U,   // three
+             178U,  // two that stuck
+             54U,   // an open contact that an impact elsewhere left below its surface by rounding
+         }) {
+        std::array<long, integration::reason_names.size()> ended{};
+        EXPECT_EQ(failure_of(support::wild_structure(number), ended), "") << "wild structure " << number;
+        EXPECT_EQ(ended[static_cast<std::size_t>(Reason::no_forces)], 0) << "wild structure " << number;
+    }
+}
+
+}  // namespace
+}  // namespace stridor
