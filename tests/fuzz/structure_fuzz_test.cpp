@@ -32,7 +32,7 @@ using support::WildStructure;
 
 constexpr double seconds_of_a_hang = 30.0;  // for runs of some hundreds of blocks
 constexpr double most_unexplained = 1e-9;   // [1] of the turnover: the engine's own bound
-constexpr double law_rounding = 1e-8;       // [1] of the terms of a gap, a velocity or a force
+constexpr double law_rounding = 2e-8;       // [1] of the terms of a gap, a velocity or a force
 constexpr double sum_rounding = 1e-11;      // [1] of the largest displacement or velocity: what sums over modes leave
 constexpr int samples = 400;                // of a run
 

@@ -38,6 +38,15 @@ double slip_zero(const ModalContact& c, const TaylorState& state, const SurfaceS
     return function_rounding * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
 }
 
+// what moves and is stretched, less the load's potential: closing a gap by force changes all of it
+double free_energy(const ModalStructure& structure, const TaylorState& state) {
+    double energy = 0.0;
+    for (std::size_t j = 0; j < state.q.size(); ++j)
+        energy += 0.5 * state.v[j] * state.v[j] +
+                  (0.5 * structure.square_frequency[j] * state.q[j] - structure.load[j]) * state.q[j];
+    return energy;
+}
+
 // the first coefficient above `zero`; none if all are below
 struct Leading {
     int order = most_dropped + 1;
@@ -304,13 +313,9 @@ bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
         }
     }
     if (!has_ended) return false;
-    double before = 0.0, after = 0.0;
-    for (const double each : state.v)
-        before += 0.5 * each * each;
+    const double before = free_energy(structure_, state);
     project(state, surface);
-    for (const double each : state.v)
-        after += 0.5 * each * each;
-    losses_.impact_loss += before - after;
+    losses_.impact_loss += before - free_energy(structure_, state);
     return true;
 }
 

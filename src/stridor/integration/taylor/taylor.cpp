@@ -28,7 +28,7 @@ namespace stridor::integration {
 namespace {
 
 constexpr long blocks_between_checks = 256;
-constexpr long blocks_between_projections = 64;
+constexpr long blocks_between_projections = 8;
 // so many events within this share of a block are a pile-up that double precision cannot resolve
 constexpr int most_events_at_once = 1000;
 constexpr double pile_up_window = 1e-3;
@@ -232,6 +232,8 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
 
 Motion TaylorRun::run(const std::stop_token& stop) {
     const Outcome outcome = advance(stop);
+    // what has gathered in closed gaps since the last time would be work of the load
+    if (outcome.reason == Reason::completed) settling_.project(state_, surface(outcome.time));
     const bool is_filled = outcome.reason == Reason::settled;
     const EnergyBalance balance = is_filled ? final_balance_ : energy();
     record::Record record = recorder_.finish(is_filled ? spans().back().to : outcome.time, outlooks(outcome));
