@@ -5,7 +5,8 @@
 #include <span>
 #include <string>
 
-/// The colours of paper, ink and numbers. Those of categories and contact states stand in pictures/category_colours.
+/// The colours of paper, ink and numbers. Those of categories and contact states stand in
+/// pictures/parts/category_colours.
 namespace stridor::drawing {
 
 inline constexpr Colour white{255, 255, 255};

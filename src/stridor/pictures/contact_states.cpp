@@ -1,8 +1,8 @@
 #include "stridor/pictures/contact_states.hpp"
 
 #include "stridor/drawing/palette.hpp"
-#include "stridor/pictures/category_colours.hpp"
-#include "stridor/pictures/field_axis.hpp"
+#include "stridor/pictures/parts/category_colours.hpp"
+#include "stridor/pictures/parts/field_axis.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/pictures/cell_kinds.hpp"
-#include "stridor/pictures/field_axis.hpp"
+#include "stridor/pictures/parts/cell_kinds.hpp"
+#include "stridor/pictures/parts/field_axis.hpp"
 
 #include <algorithm>
 #include <array>

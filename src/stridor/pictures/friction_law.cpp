@@ -2,7 +2,7 @@
 
 #include "stridor/drawing/palette.hpp"
 #include "stridor/model/friction/law.hpp"
-#include "stridor/pictures/category_colours.hpp"
+#include "stridor/pictures/parts/category_colours.hpp"
 
 #include <algorithm>
 

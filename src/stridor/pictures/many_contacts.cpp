@@ -5,8 +5,8 @@
 #include "stridor/drawing/lettering.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/parameters/own_structure.hpp"
-#include "stridor/pictures/category_colours.hpp"
-#include "stridor/pictures/field_axis.hpp"
+#include "stridor/pictures/parts/category_colours.hpp"
+#include "stridor/pictures/parts/field_axis.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include "stridor/drawing/lettering.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/pictures/contact_states.hpp"
-#include "stridor/pictures/field_axis.hpp"
-#include "stridor/pictures/sound_panels.hpp"
+#include "stridor/pictures/parts/field_axis.hpp"
+#include "stridor/pictures/parts/sound_panels.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "stridor/pictures/sound.hpp"
 
 #include "stridor/drawing/palette.hpp"
-#include "stridor/pictures/sound_panels.hpp"
+#include "stridor/pictures/parts/sound_panels.hpp"
 
 #include <fmt/format.h>
 

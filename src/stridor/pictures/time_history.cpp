@@ -4,7 +4,7 @@
 #include "stridor/drawing/palette.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/contact_states.hpp"
-#include "stridor/pictures/field_axis.hpp"
+#include "stridor/pictures/parts/field_axis.hpp"
 #include "stridor/record/schedule.hpp"
 
 #include <fmt/format.h>

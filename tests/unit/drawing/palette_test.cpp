@@ -1,6 +1,6 @@
 #include "stridor/drawing/palette.hpp"
 
-#include "stridor/pictures/category_colours.hpp"
+#include "stridor/pictures/parts/category_colours.hpp"
 
 #include <gtest/gtest.h>
 

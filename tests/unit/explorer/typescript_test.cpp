@@ -1,7 +1,7 @@
 #include "stridor/explorer/typescript.hpp"
 
 #include "stridor/drawing/palette.hpp"
-#include "stridor/pictures/category_colours.hpp"
+#include "stridor/pictures/parts/category_colours.hpp"
 #include "stridor/sweep/cell.hpp"
 
 #include <gtest/gtest.h>

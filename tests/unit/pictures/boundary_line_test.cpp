@@ -1,7 +1,7 @@
-#include "stridor/pictures/boundary_line.hpp"
+#include "stridor/pictures/parts/boundary_line.hpp"
 
 #include "pictures_support.hpp"
-#include "stridor/pictures/field_axis.hpp"
+#include "stridor/pictures/parts/field_axis.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "pictures_support.hpp"
 #include "stridor/drawing/palette.hpp"
-#include "stridor/pictures/category_colours.hpp"
+#include "stridor/pictures/parts/category_colours.hpp"
 
 #include <gtest/gtest.h>
 

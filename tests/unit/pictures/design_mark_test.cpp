@@ -1,4 +1,4 @@
-#include "stridor/pictures/design_mark.hpp"
+#include "stridor/pictures/parts/design_mark.hpp"
 
 #include "pictures_support.hpp"
 #include "stridor/pictures/noise_chart.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/pictures/field_axis.hpp"
+#include "stridor/pictures/parts/field_axis.hpp"
 
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/temperature_table.hpp"

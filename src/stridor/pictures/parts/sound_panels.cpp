@@ -1,7 +1,7 @@
-#include "stridor/pictures/sound_panels.hpp"
+#include "stridor/pictures/parts/sound_panels.hpp"
 
 #include "stridor/drawing/palette.hpp"
-#include "stridor/pictures/category_colours.hpp"
+#include "stridor/pictures/parts/category_colours.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "stridor/pictures/category_colours.hpp"
+#include "stridor/pictures/parts/category_colours.hpp"
 
 #include "stridor/drawing/palette.hpp"
 

@@ -1,7 +1,7 @@
-#include "stridor/pictures/cell_kinds.hpp"
+#include "stridor/pictures/parts/cell_kinds.hpp"
 
 #include "stridor/drawing/palette.hpp"
-#include "stridor/pictures/category_colours.hpp"
+#include "stridor/pictures/parts/category_colours.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include "stridor/pictures/boundary_line.hpp"
+#include "stridor/pictures/parts/boundary_line.hpp"
 
 #include "stridor/drawing/palette.hpp"
-#include "stridor/pictures/field_axis.hpp"
+#include "stridor/pictures/parts/field_axis.hpp"
 
 #include <limits>
 #include <utility>

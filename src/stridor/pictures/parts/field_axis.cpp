@@ -1,4 +1,4 @@
-#include "stridor/pictures/field_axis.hpp"
+#include "stridor/pictures/parts/field_axis.hpp"
 
 #include "stridor/base/check.hpp"
 #include "stridor/parameters/case_key.hpp"

@@ -1,7 +1,7 @@
-#include "stridor/pictures/design_mark.hpp"
+#include "stridor/pictures/parts/design_mark.hpp"
 
 #include "stridor/drawing/palette.hpp"
-#include "stridor/pictures/field_axis.hpp"
+#include "stridor/pictures/parts/field_axis.hpp"
 
 #include <array>
 #include <string_view>
