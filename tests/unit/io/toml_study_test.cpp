@@ -258,8 +258,7 @@ TEST(TomlStudy, TakesAnOwnStructureWhereItIsAskedFor) {
     EXPECT_EQ(sweep::canonical_text(back), text);
     EXPECT_TRUE(error_of([&] { read_study(TomlSource{chain_chart(), "c.toml", {}}); })) << "refused by name elsewhere";
     EXPECT_TRUE(error_of([&] {
-        read_study(TomlSource{chain_chart(), "c.toml", {}}, {"joint.mass=0.1:0.2", ""},
-                   SystemsTaken::or_structure);
+        read_study(TomlSource{chain_chart(), "c.toml", {}}, {"joint.mass=0.1:0.2", ""}, SystemsTaken::or_structure);
     })) << "it has no joint";
 }
 
