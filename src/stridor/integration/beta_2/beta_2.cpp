@@ -16,6 +16,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/integration/energy_held.hpp"
+#include "stridor/integration/step_samples.hpp"
 #include "stridor/integration/sticking.hpp"
 #include "stridor/model/contact_forces.hpp"
 #include "stridor/model/frequencies.hpp"
@@ -201,7 +202,6 @@ public:
     record::Outlook outlook(const Outcome& outcome) const;
 
 private:
-    long step_at(double time) const { return static_cast<long>(std::ceil(time / coefficients_.h - 1e-6)); }
     void advance(long end);
     void sample();
     void note(const Step<dofs>& now, double increment);
@@ -309,22 +309,19 @@ template <int dofs>
 Outcome Stepping<dofs>::run(const std::stop_token& stop) {
     const double h = coefficients_.h;
     const std::vector<record::Span>& spans = recorder_.schedule().spans;
-    const record::TraceRequest& trace = recorder_.request().trace;
-    const long every = trace.interval > 0.0 ? std::max(1L, std::lround(std::min(trace.interval / h, 1e15))) : 0;
-    long next_sample = every > 0 ? step_at(trace.from) : -1;
-    const long last_sample = every > 0 ? step_at(trace.to) : -1;
+    StepSamples samples = step_samples(recorder_.request().trace, h);
     for (std::size_t k = 0; k < spans.size(); ++k) {
         const long span_begin = n_;
-        const long span_end = step_at(spans[k].to);
+        const long span_end = step_at(spans[k].to, h);
         std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
         while (n_ < span_end) {
             long end = std::min(span_end, n_ + steps_between_stops);
-            if (next_sample >= n_ && next_sample <= last_sample) {
-                if (next_sample == n_) {
+            if (samples.next >= n_ && samples.next <= samples.last) {
+                if (samples.next == n_) {
                     sample();
-                    next_sample += every;
+                    samples.next += samples.every;
                 }
-                end = std::min(end, next_sample);
+                end = std::min(end, samples.next);
             }
             advance(end);
             widen_reach();

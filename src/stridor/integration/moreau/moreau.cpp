@@ -13,6 +13,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/moreau/moreau_run.hpp"
+#include "stridor/integration/step_samples.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,16 +100,10 @@ MoreauRun::MoreauRun(const model::Structure& structure, ModalStructure modal_one
       watch_every_(static_cast<long>(1 + structure_.modes() / modes_per_watched_step)),
       vibration_(static_cast<std::size_t>(model::channels_of(structure))),
       load_(structure.contacts.size()),
-      initial_q_(q_),
-      most_q_(q_.size(), 0.0),
-      most_v_(q_.size(), 0.0) {
+      travel_{q_, std::vector<double>(structure_.modes(), 0.0), std::vector<double>(structure_.modes(), 0.0)} {
     surface_velocity_ = motion_.at(0.0).velocity;
-    dashpot_power_ = dashpot_power();
-    initial_energy_ = stored();
-}
-
-long MoreauRun::step_at(double time) const {
-    return static_cast<long>(std::ceil(time / step_ - 1e-6));
+    dashpot_power_ = dashpot_power(structure_, v_);
+    initial_energy_ = stored_energy(structure_, q_, v_);
 }
 
 // who takes part: the closed ones, and the open ones whose gap would close
@@ -197,27 +192,24 @@ bool MoreauRun::advance() {
 
 Outcome MoreauRun::run(const std::stop_token& stop) {
     const std::vector<record::Span>& spans = recorder_.schedule().spans;
-    const record::TraceRequest& trace = recorder_.request().trace;
-    const long every = trace.interval > 0.0 ? std::max(1L, std::lround(std::min(trace.interval / step_, 1e15))) : 0;
-    long next_sample = every > 0 ? step_at(trace.from) : -1;
-    const long last_sample = every > 0 ? step_at(trace.to) : -1;
+    StepSamples samples = step_samples(recorder_.request().trace, step_);
     for (std::size_t k = 0; k < spans.size(); ++k) {
         const long begin = n_;
-        const long end = step_at(spans[k].to);
+        const long end = step_at(spans[k].to, step_);
         std::fill(vibration_.begin(), vibration_.end(), record::Vibration());
         std::fill(load_.begin(), load_.end(), record::Load());
         watched_ = 0;
         while (n_ < end) {
             if (n_ % watch_every_ == 0 && record::is_judged(spans[k].use)) watch();
             if (n_ % steps_between_looks == 0) {
-                widen_reach();
+                widen(travel_, q_, v_);
                 if (!is_finite()) return {Reason::diverged, time()};
                 if (stop.stop_requested()) return {Reason::cancelled, time()};
             }
             if (!advance()) return {Reason::no_forces, time()};
-            if (n_ - 1 == next_sample && next_sample <= last_sample) {
+            if (n_ - 1 == samples.next && samples.next <= samples.last) {
                 sample();
-                next_sample += every;
+                samples.next += samples.every;
             }
         }
         const double length = n_ > begin ? static_cast<double>(n_ - begin) * step_ : spans[k].to - spans[k].from;

@@ -30,7 +30,7 @@ void MoreauRun::note(double start_velocity, double end_velocity) {
         rates_[2 * k] = gap_rate;
         rates_[2 * k + 1] = slip_rate;
     }
-    const double power = dashpot_power();
+    const double power = dashpot_power(structure_, v_);
     work_.dashpot_loss += step_ * 0.5 * (dashpot_power_ + power);
     dashpot_power_ = power;
 }
@@ -41,33 +41,12 @@ void MoreauRun::tell(std::size_t contact) {
                     {contact_of(contacts_.set()[contact]), time(), 0.0, rates_[2 * contact + 1], rates_[2 * contact]});
 }
 
-double MoreauRun::dashpot_power() const {
-    const std::size_t n = structure_.modes();
-    double power = 0.0;
-    if (structure_.is_damped_by_mode()) {
-        for (std::size_t j = 0; j < n; ++j)
-            power += structure_.damping[j] * v_[j] * v_[j];
-        return power;
-    }
-    for (std::size_t a = 0; a < n; ++a)
-        for (std::size_t b = 0; b < n; ++b)
-            power += structure_.damping[a * n + b] * v_[a] * v_[b];
-    return power;
-}
-
 // velocities at this instant stand for the steps until the next ones
 void MoreauRun::watch() {
     const auto n = static_cast<Eigen::Index>(structure_.modes());
     const Eigen::VectorXd speed = structure_.channels * Eigen::Map<const Eigen::VectorXd>(v_.data(), n);
     add_vibration(whole_, speed, 1.0, vibration_);
     ++watched_;
-}
-
-void MoreauRun::widen_reach() {
-    for (std::size_t j = 0; j < q_.size(); ++j) {
-        most_q_[j] = std::max(most_q_[j], std::abs(q_[j]));
-        most_v_[j] = std::max(most_v_[j], std::abs(v_[j]));
-    }
 }
 
 // the instant at which the step that is done began, with its forces
@@ -103,13 +82,6 @@ double MoreauRun::elastic() const {
     return energy;
 }
 
-double MoreauRun::stored() const {
-    double energy = 0.0;
-    for (std::size_t j = 0; j < structure_.modes(); ++j)
-        energy += 0.5 * v_[j] * v_[j] + 0.5 * structure_.square_frequency[j] * q_[j] * q_[j];
-    return energy;
-}
-
 bool MoreauRun::is_finite() const {
     double sum = 0.0;
     for (std::size_t j = 0; j < q_.size(); ++j)
@@ -119,14 +91,8 @@ bool MoreauRun::is_finite() const {
 
 EnergyBalance MoreauRun::energy() const {
     EnergyBalance balance = work_;
-    balance.stored = stored() - initial_energy_;
-    for (std::size_t j = 0; j < structure_.modes(); ++j) {
-        balance.preload_work += structure_.load[j] * (q_[j] - initial_q_[j]);
-        balance.held += 0.5 * std::abs(structure_.square_frequency[j]) * most_q_[j] * most_q_[j] +
-                        0.5 * most_v_[j] * most_v_[j] + std::abs(structure_.load[j]) * most_q_[j];
-    }
-    balance.residual = unexplained(balance);
-    return balance;
+    balance.stored = stored_energy(structure_, q_, v_) - initial_energy_;
+    return closed_balance(balance, structure_, q_, travel_);
 }
 
 }  // namespace stridor::integration

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/modal_energy.hpp"
 #include "stridor/integration/moreau/contact_rows.hpp"
 #include "stridor/integration/moreau/exchange_tableau.hpp"
 #include "stridor/integration/moreau/free_propagation.hpp"
@@ -23,7 +24,6 @@ public:
     EnergyBalance energy() const;
 
 private:
-    long step_at(double time) const;
     double time() const { return static_cast<double>(n_) * step_; }
     bool advance();
     void find_touching();
@@ -32,11 +32,8 @@ private:
     void note(double start_velocity, double end_velocity);
     void tell(std::size_t contact);
     void watch();
-    void widen_reach();
     void sample();
-    double dashpot_power() const;
     double elastic() const;
-    double stored() const;
     bool is_finite() const;
 
     const model::Structure& whole_;
@@ -66,7 +63,7 @@ private:
     std::vector<record::Load> load_;            // likewise, shape [contact]
     EnergyBalance work_;
     double initial_energy_ = 0.0;  // [J]
-    std::vector<double> initial_q_, most_q_, most_v_;
+    ModalTravel travel_;
 };
 
 }  // namespace stridor::integration

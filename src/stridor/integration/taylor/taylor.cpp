@@ -64,8 +64,7 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
         if (whole_.contacts[structure_.number[k]].initial_gap > 0.0) state_.set[k] = ContactMode::open;
     state_.dropped.resize(structure_.contacts.size());
     told_ = state_.set;
-    most_q_.assign(structure_.modes(), 0.0);
-    most_v_ = most_q_;
+    travel_ = {state_.q, std::vector<double>(structure_.modes(), 0.0), std::vector<double>(structure_.modes(), 0.0)};
     is_steady_ = parameters::is_steady(drive);
     may_end_early_ = settings.early_ending == parameters::EarlyEnding::proven &&
                      !(recorder_.request().trace.interval > 0.0) && is_steady_ && drive_.profile().velocity != 0.0;
@@ -121,10 +120,7 @@ void TaylorRun::move(double theta) {
     if (!(theta > 0.0)) return;
     block_.displacement_at(theta, state_.q);
     block_.velocity_at(theta, state_.v);
-    for (std::size_t j = 0; j < scratch_.size(); ++j) {
-        most_q_[j] = std::max(most_q_[j], std::abs(state_.q[j]));
-        most_v_[j] = std::max(most_v_[j], std::abs(state_.v[j]));
-    }
+    widen(travel_, state_.q, state_.v);
     is_fresh_ = false;
 }
 
@@ -187,8 +183,7 @@ bool TaylorRun::is_finite() const {
 
 Outcome TaylorRun::advance(const std::stop_token& stop) {
     surface_ = surface(0.0);
-    initial_energy_ = stored();
-    initial_q_ = state_.q;
+    initial_energy_ = stored_energy(structure_, state_.q, state_.v);
     if (settling_.settle(state_, surface_) != Settled::done) return {Reason::no_forces, 0.0};
     tell();
     pass_boundary();

@@ -54,16 +54,7 @@ void TaylorRun::account(double theta) {
     for (std::size_t i = 0; i < block_places; ++i) {
         const double duration = node_weight[i] * theta * step_;
         const double* v = velocities_.data() + i * modes;
-        double dashpots = 0.0;
-        if (structure_.is_damped_by_mode()) {
-            for (std::size_t j = 0; j < modes; ++j)
-                dashpots += structure_.damping[j] * v[j] * v[j];
-        } else {
-            for (std::size_t a = 0; a < modes; ++a)
-                for (std::size_t b = 0; b < modes; ++b)
-                    dashpots += structure_.damping[a * modes + b] * v[a] * v[b];
-        }
-        work_.dashpot_loss += duration * dashpots;
+        work_.dashpot_loss += duration * dashpot_power(structure_, {v, modes});
         for (std::size_t k = 0; k < state_.set.size(); ++k) {
             const ContactMode mode = state_.set[k];
             if (mode == ContactMode::open) continue;
@@ -127,27 +118,14 @@ void TaylorRun::pass_samples(double theta) {
     }
 }
 
-double TaylorRun::stored() const {
-    double energy = 0.0;
-    for (std::size_t j = 0; j < state_.q.size(); ++j)
-        energy += 0.5 * state_.v[j] * state_.v[j] + 0.5 * structure_.square_frequency[j] * state_.q[j] * state_.q[j];
-    return energy;
-}
-
 EnergyBalance TaylorRun::energy() const {
     EnergyBalance balance = work_;
     const EnergyBalance& impacts = settling_.losses();
     balance.impact_loss += impacts.impact_loss;
     balance.friction_loss += impacts.friction_loss;
     balance.drive_work += impacts.drive_work;
-    balance.stored = stored() - initial_energy_;
-    for (std::size_t j = 0; j < state_.q.size(); ++j) {
-        balance.preload_work += structure_.load[j] * (state_.q[j] - initial_q_[j]);
-        balance.held += 0.5 * std::abs(structure_.square_frequency[j]) * most_q_[j] * most_q_[j] +
-                        0.5 * most_v_[j] * most_v_[j] + std::abs(structure_.load[j]) * most_q_[j];
-    }
-    balance.residual = unexplained(balance);
-    return balance;
+    balance.stored = stored_energy(structure_, state_.q, state_.v) - initial_energy_;
+    return closed_balance(balance, structure_, state_.q, travel_);
 }
 
 }  // namespace stridor::integration

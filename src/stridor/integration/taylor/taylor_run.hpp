@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/modal_energy.hpp"
 #include "stridor/integration/return_watch.hpp"
 #include "stridor/integration/taylor/event_polynomial.hpp"
 #include "stridor/integration/taylor/lasting_set.hpp"
@@ -65,7 +66,6 @@ private:
     void fill_with_cycle(double duration, const std::stop_token& stop);
     double distance(const Event& a, const Event& b) const;
     std::vector<record::Outlook> outlooks(const Outcome& outcome) const;
-    double stored() const;
     bool is_finite() const;
 
     const model::Structure& whole_;
@@ -98,9 +98,8 @@ private:
     EnergyBalance final_balance_;  // of a run that ended early, up to there
     EnergyBalance work_;           // dashpots, friction, drive
     double initial_energy_ = 0.0;
-    std::vector<double> initial_q_;
-    std::vector<double> most_q_, most_v_;  // largest that they have been
-    double window_begin_ = 0.0;            // [s] of the search for pile-ups
+    ModalTravel travel_;
+    double window_begin_ = 0.0;  // [s] of the search for pile-ups
     int window_events_ = 0;
     std::vector<double> scratch_;
     std::vector<double> velocities_;       // [1/s] shape [place][mode]

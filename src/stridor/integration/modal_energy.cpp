@@ -1,0 +1,49 @@
+#include "stridor/integration/modal_energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace stridor::integration {
+
+double stored_energy(const ModalStructure& structure, std::span<const double> q, std::span<const double> v) {
+    double energy = 0.0;
+    for (std::size_t j = 0; j < structure.modes(); ++j)
+        energy += 0.5 * v[j] * v[j] + 0.5 * structure.square_frequency[j] * q[j] * q[j];
+    return energy;
+}
+
+double dashpot_power(const ModalStructure& structure, std::span<const double> v) {
+    const std::size_t modes = structure.modes();
+    double power = 0.0;
+    if (structure.is_damped_by_mode()) {
+        for (std::size_t j = 0; j < modes; ++j)
+            power += structure.damping[j] * v[j] * v[j];
+        return power;
+    }
+    for (std::size_t a = 0; a < modes; ++a)
+        for (std::size_t b = 0; b < modes; ++b)
+            power += structure.damping[a * modes + b] * v[a] * v[b];
+    return power;
+}
+
+void widen(ModalTravel& travel, std::span<const double> q, std::span<const double> v) {
+    for (std::size_t j = 0; j < travel.most_q.size(); ++j) {
+        travel.most_q[j] = std::max(travel.most_q[j], std::abs(q[j]));
+        travel.most_v[j] = std::max(travel.most_v[j], std::abs(v[j]));
+    }
+}
+
+EnergyBalance closed_balance(EnergyBalance balance, const ModalStructure& structure, std::span<const double> q,
+                             const ModalTravel& travel) {
+    for (std::size_t j = 0; j < structure.modes(); ++j) {
+        const double most_q = travel.most_q[j], most_v = travel.most_v[j];
+        balance.preload_work += structure.load[j] * (q[j] - travel.initial_q[j]);
+        balance.held += 0.5 * std::abs(structure.square_frequency[j]) * most_q * most_q + 0.5 * most_v * most_v +
+                        std::abs(structure.load[j]) * most_q;
+    }
+    balance.residual = unexplained(balance);
+    return balance;
+}
+
+}  // namespace stridor::integration
