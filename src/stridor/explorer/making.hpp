@@ -86,9 +86,9 @@ struct Shared : std::enable_shared_from_this<Shared> {
 
     /// Waits until all threads have ended, but not for ever; returns how many have not.
     std::size_t join() {
-        std::unique_lock lock(mutex);
-        ended.wait_for(lock, limits.stopping, [this] { return threads == 0; });
-        return threads;
+        std::unique_lock lock(mutex_);
+        ended_.wait_for(lock, limits.stopping, [this] { return threads_ == 0; });
+        return threads_;
     }
 
     const Limits limits;
@@ -118,15 +118,15 @@ private:
 
     void start(Task task) {
         {
-            const std::lock_guard lock(mutex);
-            ++threads;
+            const std::lock_guard lock(mutex_);
+            ++threads_;
         }
         std::thread([self = shared_from_this(), task = std::move(task)]() mutable {
             task();
             task = nullptr;  // what it holds stands on `self`
-            const std::lock_guard lock(self->mutex);
-            --self->threads;
-            self->ended.notify_all();
+            const std::lock_guard lock(self->mutex_);
+            --self->threads_;
+            self->ended_.notify_all();
         }).detach();
     }
 
@@ -144,9 +144,9 @@ private:
         });
     }
 
-    std::mutex mutex{};
-    std::condition_variable ended{};
-    std::size_t threads = 0;  // that make answers, given up or not
+    std::mutex mutex_{};
+    std::condition_variable ended_{};
+    std::size_t threads_ = 0;  // that make answers, given up or not
 };
 
 }  // namespace stridor::explorer
