@@ -22,7 +22,7 @@ namespace stridor::integration {
 namespace {
 
 // by the engines that take structures of any size with any number of contacts
-Motion simulate_any_size(const parameters::Case& c, const record::Request& request, std::stop_token stop) {
+Motion simulate_any_size(const parameters::Case& c, const record::Request& request, const std::stop_token& stop) {
     const model::Structure structure = model::structure_of(c);
     record::Recorder recorder(record::schedule(c), request, model::dofs_of(structure),
                               static_cast<int>(structure.contacts.size()), model::channels_of(structure),
@@ -31,7 +31,7 @@ Motion simulate_any_size(const parameters::Case& c, const record::Request& reque
     const InitialState start = initial_state(c, structure, velocity);
     if (c.run.engine == parameters::Engine::moreau)
         return integrate_moreau_twice(structure, c.drive, start, {c.run.step}, std::move(recorder), stop);
-    return integrate_taylor(structure, c.drive, start, {c.run.early_ending}, std::move(recorder), std::move(stop));
+    return integrate_taylor(structure, c.drive, start, {c.run.early_ending}, std::move(recorder), stop);
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
 
 Motion simulate(const parameters::Case& c, const record::Request& request, std::stop_token stop, Workspace& workspace) {
     if (c.own_structure || !c.further_joints.empty() || c.run.engine == parameters::Engine::moreau)
-        return simulate_any_size(c, request, std::move(stop));
+        return simulate_any_size(c, request, stop);
     record::Recorder recorder(record::schedule(c), request, model::dofs_of_system(c), 1);
     switch (c.run.engine) {
         case parameters::Engine::exact:
@@ -61,7 +61,7 @@ Motion simulate(const parameters::Case& c, const record::Request& request, std::
                                    std::move(stop), workspace.flows);
         case parameters::Engine::beta_2:
             return integrate_beta_2(model::rubbing_system(c), c.drive, {c.run.initial, c.run.perturbation},
-                                    {c.run.step, c.run.beta_2}, std::move(recorder), std::move(stop));
+                                    {c.run.step, c.run.beta_2}, std::move(recorder), stop);
         case parameters::Engine::moreau:
             break;  // above
     }

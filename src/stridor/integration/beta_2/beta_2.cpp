@@ -369,7 +369,7 @@ double stable_step(double beta_2, double angular_frequency) {
 }
 
 Motion integrate_beta_2(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
-                        const Beta2& settings, record::Recorder recorder, std::stop_token stop) {
+                        const Beta2& settings, record::Recorder recorder, const std::stop_token& stop) {
     const model::ContactPoint& contact = model::only_contact(structure, "the beta_2 engine");
     if (!std::holds_alternative<model::Plastic>(contact.impact))
         throw Error(ErrorKind::input,

@@ -30,6 +30,6 @@ double stable_step(double beta_2, double angular_frequency);
 /// `Error`: input for any other, by name; numerical for a Painleve configuration; what `initial_state` throws.
 /// Source: Elmaian et al. 2012, references [9, 10]; explicit Newmark scheme with beta = 0, gamma = beta_2.
 Motion integrate_beta_2(const model::Structure& structure, const parameters::Drive& drive, const Start& start,
-                        const Beta2& settings, record::Recorder recorder, std::stop_token stop = {});
+                        const Beta2& settings, record::Recorder recorder, const std::stop_token& stop = {});
 
 }  // namespace stridor::integration

@@ -223,7 +223,7 @@ Outcome MoreauRun::run(const std::stop_token& stop) {
 }
 
 Motion integrate_moreau(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
-                        const Moreau& settings, record::Recorder recorder, std::stop_token stop) {
+                        const Moreau& settings, record::Recorder recorder, const std::stop_token& stop) {
     for (const model::ContactPoint& contact : structure.contacts)
         if (!std::holds_alternative<model::Plastic>(contact.impact))
             throw Error(ErrorKind::input,

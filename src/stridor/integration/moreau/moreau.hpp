@@ -32,6 +32,6 @@ double longest_step(const ModalStructure& structure);
 /// solves any law of friction in `model` and plastic impacts. Throws `Error` (input) for other impacts, by name, and
 /// what `modal_structure` refuses.
 Motion integrate_moreau(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
-                        const Moreau& settings, record::Recorder recorder, std::stop_token stop = {});
+                        const Moreau& settings, record::Recorder recorder, const std::stop_token& stop = {});
 
 }  // namespace stridor::integration

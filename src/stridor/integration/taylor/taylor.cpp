@@ -236,7 +236,7 @@ Motion TaylorRun::run(const std::stop_token& stop) {
 }
 
 Motion integrate_taylor(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
-                        const Taylor& settings, record::Recorder recorder, std::stop_token stop) {
+                        const Taylor& settings, record::Recorder recorder, const std::stop_token& stop) {
     for (const model::ContactPoint& contact : structure.contacts)
         if (!std::holds_alternative<model::Plastic>(contact.impact))
             throw Error(ErrorKind::input, {"the Taylor engine cannot solve this structure",

@@ -26,6 +26,6 @@ struct Taylor {
 /// any law of friction in `model` and plastic impacts. Throws `Error`: input for other impacts, by name, and what
 /// `modal_structure` refuses.
 Motion integrate_taylor(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
-                        const Taylor& settings, record::Recorder recorder, std::stop_token stop = {});
+                        const Taylor& settings, record::Recorder recorder, const std::stop_token& stop = {});
 
 }  // namespace stridor::integration
