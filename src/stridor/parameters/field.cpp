@@ -6,7 +6,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/damping_ratio.hpp"
-#include "stridor/parameters/own_structure.hpp"
+#include "stridor/parameters/field_belongs.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
@@ -53,67 +53,6 @@ constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only",
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
 constexpr std::array<std::string_view, 3> engine_names{"exact", "beta_2", "moreau"};
 constexpr std::array<std::string_view, 2> early_ending_names{"proven", "never"};
-
-bool always(const Case&) {
-    return true;
-}
-bool has_joints(const Case& c) {
-    return !c.own_structure;
-}
-bool has_own_structure(const Case& c) {
-    return c.own_structure != nullptr;
-}
-bool has_preload(const Case& c) {
-    return !c.own_structure || is_preloaded(*c.own_structure);
-}
-// do all contacts of an own structure say it themselves?
-template <auto member>
-bool all_say(const Case& c) {
-    return c.own_structure && std::all_of(c.own_structure->contacts.begin(), c.own_structure->contacts.end(),
-                                          [](const OwnContact& contact) { return (contact.*member).has_value(); });
-}
-bool has_static_friction(const Case& c) {
-    return !all_say<&OwnContact::static_friction>(c);
-}
-bool has_kinetic_friction(const Case& c) {
-    return !all_say<&OwnContact::kinetic_friction>(c);
-}
-bool is_sinusoidal(const Case& c) {
-    return c.drive.kind == DriveKind::sinusoidal;
-}
-bool is_constant(const Case& c) {
-    return c.drive.kind == DriveKind::constant;
-}
-bool is_sampled(const Case& c) {
-    return c.drive.kind == DriveKind::sampled;
-}
-bool is_trapezoidal(const Case& c) {
-    return c.drive.kind == DriveKind::trapezoidal;
-}
-bool has_frequency(const Case& c) {
-    return is_sinusoidal(c) || is_trapezoidal(c);
-}
-bool has_velocity(const Case& c) {
-    return is_constant(c) || is_trapezoidal(c);
-}
-bool has_phases(const Case& c) {
-    return !is_steady(c.drive);
-}
-bool has_friction_each_way(const Case& c) {
-    return c.contact.friction == FrictionKind::directional;
-}
-bool rebounds(const Case& c) {
-    return c.contact.impact == ImpactKind::restitution;
-}
-bool has_steps(const Case& c) {
-    return c.run.engine != Engine::exact;
-}
-bool has_beta_2(const Case& c) {
-    return c.run.engine == Engine::beta_2;
-}
-bool starts_sliding(const Case& c) {
-    return c.run.initial == Initial::sliding;
-}
 
 template <auto part, auto member>
 Quantity quantity(std::string_view unit, Range range, std::optional<UsualRange> usual = {}) {
@@ -319,9 +258,15 @@ std::vector<Home> homes_of(const Case& c, const Field& field) {
 }
 
 std::string home_of(const Case& c, const Field& field) {
+    const std::vector<Home> homes = homes_of(c, field);
     std::string text;
-    for (const Home& home : homes_of(c, field))
-        text += (text.empty() ? "" : " or ") + key_of(*home.choice) + " = \"" + std::string(home.name) + "\"";
+    for (std::size_t i = 0; i < homes.size(); ++i) {
+        const bool goes_on = i > 0 && homes[i].choice == homes[i - 1].choice;
+        const bool is_last = i + 1 == homes.size() || homes[i + 1].choice != homes[i].choice;
+        if (i > 0) text += goes_on && !is_last ? ", " : " or ";
+        if (!goes_on) text += key_of(*homes[i].choice) + " = ";
+        text += "\"" + std::string(homes[i].name) + "\"";
+    }
     return text;
 }
 

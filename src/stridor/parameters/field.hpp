@@ -106,7 +106,7 @@ struct Home {
 /// The choices of which each alone would give a field a meaning in a case that is otherwise as `c`.
 std::vector<Home> homes_of(const Case& c, const Field& field);
 
-/// The same in words: "drive.kind = "sinusoidal" or drive.kind = "sampled""; empty if none does (temperature.value).
+/// The same in words: "drive.kind = "sinusoidal" or "sampled""; empty if none does (temperature.value).
 std::string home_of(const Case& c, const Field& field);
 
 /// Is its value the name of a file that is opened?

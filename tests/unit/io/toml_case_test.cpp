@@ -120,12 +120,12 @@ TEST(TomlCase, RefusesNumbersThatMakeNoSense) {
 
 TEST(TomlCase, RefusesKeysThatMeanNothingForTheCase) {
     expect_error(refusal_with("[run]", "velocity = 1\n\n[run]"),
-                 "drive.velocity means nothing for this case (it belongs to drive.kind = \"constant\" or drive.kind = "
+                 "drive.velocity means nothing for this case (it belongs to drive.kind = \"constant\" or "
                  "\"trapezoidal\")",
                  "case.toml:27:1");
     expect_error(refusal(squeal_toml(), {"drive.velocity=1"}), "drive.velocity means nothing", "--set");
     expect_error(refusal(minimal, {"verdict.settling=0.1"}),
-                 "it belongs to drive.kind = \"sinusoidal\" or drive.kind = \"sampled\"", "--set");
+                 "it belongs to drive.kind = \"sinusoidal\", \"sampled\" or \"trapezoidal\"", "--set");
 }
 
 TEST(TomlCase, OverridesOfTheDriveLeaveOutKeysOfTheFileThatLostTheirMeaning) {

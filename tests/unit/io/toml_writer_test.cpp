@@ -110,10 +110,9 @@ TEST(TomlWriter, ExplainsEveryKeyWithSymbolUnitAndRange) {
 // one letter less makes a key of another kind, a few more comment out those of this one
 TEST(TomlWriter, ShowsTheKeysOfOtherKindsReadyToBeUncommented) {
     const std::string text = case_toml(parameters::paper_case(parameters::PaperCase::squeal));
-    EXPECT_NE(
-        text.find("# with drive.kind = \"constant\" or drive.kind = \"trapezoidal\": velocity of the plate; going if "
-                  "positive, coming if negative (V) [m/s, not 0]\n#velocity = \"0.1 m/s\"\n"),
-        std::string::npos)
+    EXPECT_NE(text.find("# with drive.kind = \"constant\" or \"trapezoidal\": velocity of the plate; going if "
+                        "positive, coming if negative (V) [m/s, not 0]\n#velocity = \"0.1 m/s\"\n"),
+              std::string::npos)
         << text;
     const std::string constant = replaced(replaced(text, "kind = \"sinusoidal\"", "kind = \"constant\""),
                                           "#velocity = \"0.1", "velocity = \"0.3");

@@ -194,8 +194,12 @@ TEST(Field, BelongsWhereItMeansSomething) {
 
 TEST(Field, SaysWhichChoicesGiveItAMeaning) {
     const Case c;
-    EXPECT_EQ(home_of(c, *find_field("drive.velocity")), R"(drive.kind = "constant" or drive.kind = "trapezoidal")");
+    EXPECT_EQ(home_of(c, *find_field("drive.velocity")), R"(drive.kind = "constant" or "trapezoidal")");
     EXPECT_EQ(home_of(c, *find_field("drive.file")), R"(drive.kind = "sampled")");
+    Case steady;
+    steady.drive.kind = DriveKind::constant;
+    EXPECT_EQ(home_of(steady, *find_field("verdict.settling")),
+              R"(drive.kind = "sinusoidal", "sampled" or "trapezoidal")");
     EXPECT_EQ(home_of(c, *find_field("temperature.value")), "");
     const std::vector<Home> homes = homes_of(c, *find_field("contact.restitution"));
     ASSERT_EQ(homes.size(), 1U);
