@@ -166,7 +166,6 @@ private:
         const double w = v[0] - V;
         expect(std::abs(trace_.surface_velocity[k] - V) <= 1e-11 * largest_surface_velocity(), "surface velocity at ",
                time, ": ", trace_.surface_velocity[k], " is not ", V);
-        const model::FrictionLaw law = model::friction_law(c_.contact);
         if (trace_.contacts.front().state[k] == ContactState::separation) {
             expect(u[1] - u[2] >= -event_depth * length, "gap ", u[1] - u[2], " at ", time);
             expect(std::abs(above.value) <= rounding * size, "force ", above.value, " across an open gap at ", time);
@@ -178,19 +177,32 @@ private:
         expect(above.value >= -event_depth * size, "normal force ", above.value, " at ", time);
         expect(std::abs(above.value - N) <= event_depth * size, "normal force at ", time, ": ", above.value, " is not ",
                N);
+        check_friction(k,
+                       {.tangential = tangential.value, .normal = above.value, .size = size, .w = w, .speed = speed});
+    }
+
+    // T of the equations of motion and N of them, with the size of their terms; slip velocity and the size of its terms
+    struct Closed {
+        double tangential, normal, size, w, speed;
+    };
+
+    void check_friction(std::size_t k, const Closed& now) {
+        const double time = trace_.time[k];
+        const double N = trace_.contacts.front().normal_force[k], T = trace_.contacts.front().friction_force[k];
+        const model::FrictionLaw law = model::friction_law(c_.contact);
         if (trace_.contacts.front().state[k] == ContactState::stick) {
-            expect(std::abs(w) <= rounding * speed, "stuck contact moves with ", w, " at ", time);
-            const double limit = stick_limit(law, model::slip_against(tangential.value));
-            expect(std::abs(tangential.value) <= limit * above.value + event_depth * size, "stick at ", time,
-                   " with T ", tangential.value, " and N ", above.value);
+            expect(std::abs(now.w) <= rounding * now.speed, "stuck contact moves with ", now.w, " at ", time);
+            const double limit = stick_limit(law, model::slip_against(now.tangential));
+            expect(std::abs(now.tangential) <= limit * now.normal + event_depth * now.size, "stick at ", time,
+                   " with T ", now.tangential, " and N ", now.normal);
         } else {
             const double off = std::min(std::abs(T - slip_ratio(law, model::Slip::forward) * N),
                                         std::abs(T - slip_ratio(law, model::Slip::backward) * N));
-            expect(off <= rounding * size, "slip at ", time, " with T ", T, " and N ", N);
+            expect(off <= rounding * now.size, "slip at ", time, " with T ", T, " and N ", N);
             // a slip that ends where the plate comes to a stop: w is what rounding of the velocities before has left
-            const double pace = speed + largest_surface_velocity();
-            expect(T * w <= 0.0 || std::abs(w) <= event_depth * pace || std::abs(T) <= event_depth * size,
-                   "friction drives the slip at ", time, " with T ", T, " and w ", w);
+            const double pace = now.speed + largest_surface_velocity();
+            expect(T * now.w <= 0.0 || std::abs(now.w) <= event_depth * pace || std::abs(T) <= event_depth * now.size,
+                   "friction drives the slip at ", time, " with T ", T, " and w ", now.w);
         }
     }
 

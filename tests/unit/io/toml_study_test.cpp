@@ -20,23 +20,23 @@ constexpr const char* axes =
     "x = { parameter = \"contact.preload\", from = \"1 N\", to = \"3 kN\", points = 40, scale = \"log\" }\n"
     "y = { parameter = \"contact.kinetic_friction\", from = 0.1, to = 0.8, points = 8 }\n";
 
-Study read(const std::string& chart, std::vector<std::string> overrides = {}) {
+Study read_chart(const std::string& chart, std::vector<std::string> overrides = {}) {
     return read_study(
         TomlSource{chart + squeal_toml().substr(squeal_toml().find('[')), "chart.toml", std::move(overrides)});
 }
 
-std::optional<Error> refusal(const std::string& chart, std::vector<std::string> overrides = {}) {
-    const auto error = error_of([&] { read(chart, std::move(overrides)); });
+std::optional<Error> chart_refusal(const std::string& chart, std::vector<std::string> overrides = {}) {
+    const auto error = error_of([&] { read_chart(chart, std::move(overrides)); });
     EXPECT_TRUE(!error || error->kind() == ErrorKind::input) << error->what();
     return error;
 }
 
-std::optional<Error> refusal_with(const std::string& from, const std::string& to) {
-    return refusal(replaced(axes, from, to));
+std::optional<Error> chart_refusal_with(const std::string& from, const std::string& to) {
+    return chart_refusal(replaced(axes, from, to));
 }
 
 TEST(TomlStudy, ReadsAxesInTheUnitOfTheirParameter) {
-    const Study study = read(axes);
+    const Study study = read_chart(axes);
     EXPECT_EQ(study.x.parameter, "contact.preload");
     EXPECT_EQ(study.x.from, 1.0);
     EXPECT_EQ(study.x.to, 3000.0);
@@ -50,35 +50,36 @@ TEST(TomlStudy, ReadsAxesInTheUnitOfTheirParameter) {
 
 TEST(TomlStudy, ReadsDirectionsAndQuantities) {
     const std::string text(axes);
-    const Study study = read(text + "directions = [\"coming\"]\nquantities = [\"slip\", \"category\"]\n");
+    const Study study = read_chart(text + "directions = [\"coming\"]\nquantities = [\"slip\", \"category\"]\n");
     EXPECT_EQ(study.directions, std::vector{parameters::Direction::coming});
     EXPECT_EQ(study.quantities, (std::vector<std::string>{"slip", "category"}));
 }
 
 TEST(TomlStudy, ReadsRefinementAndStarts) {
-    EXPECT_EQ(read(axes).refine, 0);
-    EXPECT_TRUE(read(axes).starts.empty());
-    const Study study = read(std::string(axes) + "refine = 3\nstarts = [\"sliding\", \"rest\"]\n");
+    EXPECT_EQ(read_chart(axes).refine, 0);
+    EXPECT_TRUE(read_chart(axes).starts.empty());
+    const Study study = read_chart(std::string(axes) + "refine = 3\nstarts = [\"sliding\", \"rest\"]\n");
     EXPECT_EQ(study.refine, 3);
     EXPECT_EQ(study.starts, (std::vector{parameters::Initial::sliding, parameters::Initial::rest}));
-    const Study overridden = read(axes, {"chart.refine=2", "chart.starts=rest,stuck"});
+    const Study overridden = read_chart(axes, {"chart.refine=2", "chart.starts=rest,stuck"});
     EXPECT_EQ(overridden.refine, 2);
     EXPECT_EQ(overridden.starts, (std::vector{parameters::Initial::rest, parameters::Initial::stuck}));
 }
 
 TEST(TomlStudy, PointsAtWrongRefinementAndStarts) {
     const std::string text(axes);
-    expect_error(refusal(text + "refine = 7\n"), "chart.refine = 7 is not a number of halvings", "chart.toml:4:10");
-    expect_error(refusal(text + "refine = 1.5\n"), "it must be a whole number up to 6", "chart.toml:4:10");
-    expect_error(refusal(text + "refine = \"fine\"\n"), "chart.refine", "chart.toml:4:10");
-    expect_error(refusal(text + "starts = [\"slide\"]\n"), "choices: \"rest\", \"stuck\", \"sliding\"",
+    expect_error(chart_refusal(text + "refine = 7\n"), "chart.refine = 7 is not a number of halvings",
                  "chart.toml:4:10");
-    expect_error(refusal(text + "starts = [\"rest\", \"rest\"]\n"), "chart.starts names \"rest\" twice",
+    expect_error(chart_refusal(text + "refine = 1.5\n"), "it must be a whole number up to 6", "chart.toml:4:10");
+    expect_error(chart_refusal(text + "refine = \"fine\"\n"), "chart.refine", "chart.toml:4:10");
+    expect_error(chart_refusal(text + "starts = [\"slide\"]\n"), "choices: \"rest\", \"stuck\", \"sliding\"",
+                 "chart.toml:4:10");
+    expect_error(chart_refusal(text + "starts = [\"rest\", \"rest\"]\n"), "chart.starts names \"rest\" twice",
                  "chart.toml:4:10");
 }
 
 TEST(TomlStudy, TakesSectionsInsteadOfInlineTables) {
-    const Study study = read(
+    const Study study = read_chart(
         "[chart.x]\nparameter = \"contact.preload\"\nfrom = 1\nto = 2\npoints = 3\n"
         "[chart.y]\nparameter = \"joint.incidence_angle\"\nfrom = \"0 deg\"\nto = 90\npoints = 2\n");
     EXPECT_EQ(study.x.points, 3);
@@ -86,37 +87,37 @@ TEST(TomlStudy, TakesSectionsInsteadOfInlineTables) {
 }
 
 TEST(TomlStudy, IsOverriddenKeyByKey) {
-    const Study study = read(axes, {"chart.x.points=5", "chart.x.to=0.1 kN", "chart.y.scale=log",
-                                    "chart.directions=going", "chart.quantities=[\"slip\", \"stick\"]"});
+    const Study study = read_chart(axes, {"chart.x.points=5", "chart.x.to=0.1 kN", "chart.y.scale=log",
+                                          "chart.directions=going", "chart.quantities=[\"slip\", \"stick\"]"});
     EXPECT_EQ(study.x.points, 5);
     EXPECT_EQ(study.x.to, 100.0);
     EXPECT_EQ(study.y.scale, sweep::Scale::logarithmic);
     EXPECT_EQ(study.directions, std::vector{parameters::Direction::going});
     EXPECT_EQ(study.quantities, (std::vector<std::string>{"slip", "stick"}));
-    EXPECT_EQ(read(axes, {"chart.y.parameter=plate.mass", "chart.y.to=300 g"}).y.parameter, "plate.mass");
+    EXPECT_EQ(read_chart(axes, {"chart.y.parameter=plate.mass", "chart.y.to=300 g"}).y.parameter, "plate.mass");
 }
 
 TEST(TomlStudy, MayHaveBaseValuesThatItsAxesReplace) {
     // mu_d of the file is above mu_s, but the axis ends below
-    const Study study = read(axes, {"contact.kinetic_friction=0.85"});
+    const Study study = read_chart(axes, {"contact.kinetic_friction=0.85"});
     EXPECT_EQ(study.base.contact.kinetic_friction, 0.85);
-    expect_error(refusal(axes, {"run.window=2"}), "run.window = 2 s is longer", "--set");
+    expect_error(chart_refusal(axes, {"run.window=2"}), "run.window = 2 s is longer", "--set");
 }
 
 TEST(TomlStudy, SuggestsAChartWhereThereIsNone) {
-    expect_error(refusal(""), "there is no section [chart]", "chart.toml");
-    EXPECT_NE(refusal("")->problem().suggestion.find("stridor init noise-chart"), std::string::npos);
+    expect_error(chart_refusal(""), "there is no section [chart]", "chart.toml");
+    EXPECT_NE(chart_refusal("")->problem().suggestion.find("stridor init noise-chart"), std::string::npos);
 }
 
 TEST(TomlStudy, ListsWhatAnAxisLacks) {
-    expect_error(refusal_with(", points = 8", ""), "missing in [chart]: chart.y.points", "chart.toml:1:2");
-    expect_error(refusal("[chart]\n"),
+    expect_error(chart_refusal_with(", points = 8", ""), "missing in [chart]: chart.y.points", "chart.toml:1:2");
+    expect_error(chart_refusal("[chart]\n"),
                  "missing in [chart]: chart.x.parameter, chart.x.from, chart.x.to, chart.x.points", "chart.toml:1:2");
 }
 
 TEST(TomlStudy, WithoutAYAxisIsADiagramOverXAlone) {
     const std::string text(axes);
-    const Study study = read(text.substr(0, text.find("y = ")));
+    const Study study = read_chart(text.substr(0, text.find("y = ")));
     EXPECT_TRUE(sweep::has_one_axis(study));
     EXPECT_EQ(study.x.parameter, "contact.preload");
     EXPECT_EQ(study.y.parameter, "contact.kinetic_friction");
@@ -152,54 +153,58 @@ TEST(TomlStudy, AUnitAtTheLastEndIsThatOfBoth) {
 }
 
 TEST(TomlStudy, PointsAtWhatAnAxisGetsWrong) {
-    expect_error(refusal_with("contact.preload", "contact.prelaod"), "Did you mean contact.preload?",
+    expect_error(chart_refusal_with("contact.preload", "contact.prelaod"), "Did you mean contact.preload?",
                  "chart.toml:2:19");
-    expect_error(refusal_with("contact.preload", "drive.kind"), "chart.x.parameter = \"drive.kind\" is no quantity",
-                 "chart.toml:2:19");
-    expect_error(refusal_with("contact.kinetic_friction", "drive.velocity"), "changes nothing", "chart.toml:3:19");
-    expect_error(refusal_with("\"1 N\"", "\"1 mm\""), "chart.x.from = \"1 mm\" is a length (m) (expected a force (N))",
-                 "chart.toml:2:45");
-    expect_error(refusal_with("\"1 N\"", "0"), "chart.x.from", "chart.toml:2:45");
-    expect_error(refusal_with("to = 0.8", "to = -1"), "chart.y.to: contact.kinetic_friction = -1 is out of range",
+    expect_error(chart_refusal_with("contact.preload", "drive.kind"),
+                 "chart.x.parameter = \"drive.kind\" is no quantity", "chart.toml:2:19");
+    expect_error(chart_refusal_with("contact.kinetic_friction", "drive.velocity"), "changes nothing",
+                 "chart.toml:3:19");
+    expect_error(chart_refusal_with("\"1 N\"", "\"1 mm\""),
+                 "chart.x.from = \"1 mm\" is a length (m) (expected a force (N))", "chart.toml:2:45");
+    expect_error(chart_refusal_with("\"1 N\"", "0"), "chart.x.from", "chart.toml:2:45");
+    expect_error(chart_refusal_with("to = 0.8", "to = -1"), "chart.y.to: contact.kinetic_friction = -1 is out of range",
                  "chart.toml:3:64");
-    expect_error(refusal_with("points = 8", "points = 1"), "chart.y.points = 1", "chart.toml:3:78");
-    expect_error(refusal_with("points = 8", "points = 2.5"), "must be a whole number", "chart.toml:3:78");
-    expect_error(refusal_with("points = 8", "points = 1e300"), "must be a whole number", "chart.toml:3:78");
-    expect_error(refusal_with("points = 8", "points = true"), "chart.y.points is a boolean", "chart.toml:3:78");
-    expect_error(refusal_with("\"log\"", "\"lg\""), "Did you mean \"log\"?", "chart.toml:2:86");
-    expect_error(refusal_with("scale", "scael"), "unknown key chart.x.scael. Did you mean chart.x.scale?",
+    expect_error(chart_refusal_with("points = 8", "points = 1"), "chart.y.points = 1", "chart.toml:3:78");
+    expect_error(chart_refusal_with("points = 8", "points = 2.5"), "must be a whole number", "chart.toml:3:78");
+    expect_error(chart_refusal_with("points = 8", "points = 1e300"), "must be a whole number", "chart.toml:3:78");
+    expect_error(chart_refusal_with("points = 8", "points = true"), "chart.y.points is a boolean", "chart.toml:3:78");
+    expect_error(chart_refusal_with("\"log\"", "\"lg\""), "Did you mean \"log\"?", "chart.toml:2:86");
+    expect_error(chart_refusal_with("scale", "scael"), "unknown key chart.x.scael. Did you mean chart.x.scale?",
                  "chart.toml:2:78");
-    expect_error(refusal_with("contact.kinetic_friction", "contact.preload"), "chart.x and chart.y are both",
+    expect_error(chart_refusal_with("contact.kinetic_friction", "contact.preload"), "chart.x and chart.y are both",
                  "chart.toml:2:5");
-    expect_error(refusal("[chart]\nx = 5\n"), "chart.x is a number (expected an axis", "chart.toml:2:5");
+    expect_error(chart_refusal("[chart]\nx = 5\n"), "chart.x is a number (expected an axis", "chart.toml:2:5");
 }
 
 TEST(TomlStudy, TakesAxesInAnySpellingAndKeepsTheFullKey) {
-    const Study study = read(replaced(replaced(axes, "contact.preload", "F"), "contact.kinetic_friction", "mu_d"));
+    const Study study =
+        read_chart(replaced(replaced(axes, "contact.preload", "F"), "contact.kinetic_friction", "mu_d"));
     EXPECT_EQ(study.x.parameter, "contact.preload");
     EXPECT_EQ(study.y.parameter, "contact.kinetic_friction");
-    EXPECT_EQ(sweep::canonical_text(study), sweep::canonical_text(read(axes)));
-    EXPECT_EQ(study_toml(study), study_toml(read(axes)));
-    EXPECT_EQ(sweep::canonical_text(read(axes, {"mu_s=0.9", "chart.x.parameter=preload"})),
-              sweep::canonical_text(read(axes, {"contact.static_friction=0.9"})));
-    expect_error(refusal_with("contact.preload", "mass"), "Write joint.mass or plate.mass.", "chart.toml:2:19");
+    EXPECT_EQ(sweep::canonical_text(study), sweep::canonical_text(read_chart(axes)));
+    EXPECT_EQ(study_toml(study), study_toml(read_chart(axes)));
+    EXPECT_EQ(sweep::canonical_text(read_chart(axes, {"mu_s=0.9", "chart.x.parameter=preload"})),
+              sweep::canonical_text(read_chart(axes, {"contact.static_friction=0.9"})));
+    expect_error(chart_refusal_with("contact.preload", "mass"), "Write joint.mass or plate.mass.", "chart.toml:2:19");
 }
 
 TEST(TomlStudy, TellsAllThatIsWrongAtOnce) {
     std::string text = replaced(axes, "contact.preload", "contact.prelaod");
     text = replaced(text, "points = 8", "points = 2.5");
-    const auto error = refusal(text + "directions = [\"gonig\"]\n", {"contact.preload=20 mm"});
+    const auto error = chart_refusal(text + "directions = [\"gonig\"]\n", {"contact.preload=20 mm"});
     ASSERT_TRUE(error);
     EXPECT_EQ(error->complaints().size(), 4U) << error->what();
 }
 
 TEST(TomlStudy, PointsAtUnknownDirectionsAndQuantities) {
     const std::string text(axes);
-    expect_error(refusal(text + "directions = [\"gonig\"]\n"), "Did you mean \"going\"?", "chart.toml:4:14");
-    expect_error(refusal(text + "directions = []\n"), "chart.directions is empty", "chart.toml:4:14");
-    expect_error(refusal(text + "quantities = [\"slipp\"]\n"), "chart.quantities names \"slipp\"", "chart.toml:4:14");
-    expect_error(refusal(text + "quantities = [5]\n"), "chart.quantities is a list of numbers", "chart.toml:4:14");
-    expect_error(refusal(text + "colour = 1\n"), "unknown key chart.colour", "chart.toml:4:1");
+    expect_error(chart_refusal(text + "directions = [\"gonig\"]\n"), "Did you mean \"going\"?", "chart.toml:4:14");
+    expect_error(chart_refusal(text + "directions = []\n"), "chart.directions is empty", "chart.toml:4:14");
+    expect_error(chart_refusal(text + "quantities = [\"slipp\"]\n"), "chart.quantities names \"slipp\"",
+                 "chart.toml:4:14");
+    expect_error(chart_refusal(text + "quantities = [5]\n"), "chart.quantities is a list of numbers",
+                 "chart.toml:4:14");
+    expect_error(chart_refusal(text + "colour = 1\n"), "unknown key chart.colour", "chart.toml:4:1");
 }
 
 TEST(TomlStudy, ReadsAFile) {
