@@ -2,6 +2,7 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/friction_keys.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/resolution.hpp"
@@ -21,12 +22,6 @@ constexpr double most_cut = 1.0 - 1e-9;
 // of an engine with steps in a stretch that is judged
 constexpr double least_steps = 10.0;
 
-// friction of one way to slip, as a case calls it
-struct FrictionKeys {
-    std::string_view kinetic, kinetic_symbol;
-    std::string_view limit, limit_symbol;
-};
-
 void check_friction(const Case& c, const FrictionKeys& keys, std::vector<Finding>& found) {
     const double kinetic = get_quantity(c, *find_field(keys.kinetic));
     const double limit = get_quantity(c, *find_field(keys.limit));
@@ -39,15 +34,9 @@ void check_friction(const Case& c, const FrictionKeys& keys, std::vector<Finding
 }
 
 // where all contacts say one of them themselves, the case's own says nothing
-bool has_both_coefficients(const Case& c) {
-    return find_field("contact.static_friction")->belongs(c) && find_field("contact.kinetic_friction")->belongs(c);
-}
-
 void check_contact(const Case& c, std::vector<Finding>& found) {
-    check_friction(c, {"contact.kinetic_friction", "mu_d", "contact.static_friction", "mu_s"}, found);
-    if (c.contact.friction == FrictionKind::directional)
-        check_friction(c, {"contact.kinetic_friction_coming", "mu_dc", "contact.static_friction_coming", "mu_sc"},
-                       found);
+    for (const FrictionKeys& keys : friction_keys)
+        if (find_field(keys.kinetic)->belongs(c) && find_field(keys.limit)->belongs(c)) check_friction(c, keys, found);
 }
 
 // coefficients that a contact has itself stand in for those of the case
@@ -252,7 +241,7 @@ std::vector<Finding> findings(const Case& c) {
     }
     check_zeros(c, found);
     if (c.own_structure) check_own_structure(c, found);
-    if (has_both_coefficients(c)) check_contact(c, found);
+    check_contact(c, found);
     check_drive(c, found);
     check_run(c, found);
     check_verdict(c, found);

@@ -8,13 +8,13 @@
 //
 // Ratios. Stiffnesses along and across the joint are added up into one matrix, masses into one total: the smaller
 // summand is known to eps times the ratio, 1e-4 where that is 1e12. A normal force is known to eps F, a friction force
-// mu N to
-// eps mu F.
+// mu N to eps mu F.
 
 #include "stridor/parameters/resolution.hpp"
 
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/friction_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,10 +80,12 @@ Named fastest_rate(const Case& c, double friction) {
 
 void find_fast(const Case& c, std::vector<Finding>& found) {
     if (c.run.engine != Engine::exact) return;  // the others have their step
-    const bool has_coming = c.contact.friction == FrictionKind::directional;
-    const Named friction =
-        largest_of({{"contact.kinetic_friction", c.contact.kinetic_friction},
-                    {"contact.kinetic_friction_coming", has_coming ? c.contact.kinetic_friction_coming : 0.0}});
+    Named friction{friction_keys.front().kinetic};
+    for (const FrictionKeys& keys : friction_keys) {
+        const Field& field = *find_field(keys.kinetic);
+        if (field.belongs(c) && get_quantity(c, field) > friction.value)
+            friction = {keys.kinetic, get_quantity(c, field)};
+    }
     const double rate = fastest_rate(c, friction.value).value;
     if (rate * c.run.duration <= most_apart) return;
     const Named frictionless = fastest_rate(c, 0.0);
