@@ -4,7 +4,7 @@ namespace stridor::integration {
 
 /// The contact states with the two directions of slip told apart.
 enum class ContactMode { open, stick, slip_forward, slip_backward };  // forward: w > 0
-inline constexpr int modes = 4;
+inline constexpr int contact_modes = 4;
 
 /// Does the contact slip, whichever way?
 constexpr bool is_slip(ContactMode mode) {

@@ -36,7 +36,7 @@ void add_velocities(Totals& sum, const Flows& flows, const Flow& flow, const Sum
 
 Totals totals(const Flows& flows, const Account& account) {
     Totals sum;
-    for (int m = 0; m < modes; ++m) {
+    for (int m = 0; m < contact_modes; ++m) {
         const Flow& flow = flows.flow[m];
         const Sums& full = account.full[m];
         const Sums& part = account.part[m];

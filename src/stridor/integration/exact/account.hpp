@@ -6,8 +6,8 @@ namespace stridor::integration {
 
 /// What the kernel has added up since the last reset, by contact state.
 struct Account {
-    Sums full[modes]{};  // whole steps, not weighted
-    Sums part[modes]{};  // parts of steps, weighted
+    Sums full[contact_modes]{};  // whole steps, not weighted
+    Sums part[contact_modes]{};  // parts of steps, weighted
 };
 
 /// Integrals over the time since the last reset.

@@ -78,8 +78,8 @@ struct Flows {
     double mass[most_coordinates];                       // [kg] of x, (y,) g
     double damping[most_coordinates][most_coordinates];  // [N*s/m]
     double tangent_on_gap;                               // [1]
-    double slip_ratio[modes];                            // [1] T/N while it slips; 0 in other states
-    Flow flow[modes];
+    double slip_ratio[contact_modes];                    // [1] T/N while it slips; 0 in other states
+    Flow flow[contact_modes];
 };
 
 /// The body a degree of freedom belongs to: the rubbing one moves along and across the contact, with the first two.
