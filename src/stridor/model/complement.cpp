@@ -3,12 +3,10 @@
 
 #include <Eigen/QR>
 
-#include <utility>
-
 namespace stridor::model {
 
-Eigen::MatrixXd orthogonal_complement(Eigen::MatrixXd blocked) {
-    const Eigen::HouseholderQR<Eigen::MatrixXd> decomposition(std::move(blocked));
+Eigen::MatrixXd orthogonal_complement(const Eigen::MatrixXd& blocked) {
+    const Eigen::HouseholderQR<Eigen::MatrixXd> decomposition(blocked);
     const Eigen::MatrixXd q = decomposition.householderQ();
     return q.rightCols(decomposition.rows() - decomposition.cols());
 }

@@ -6,7 +6,7 @@ namespace stridor::model {
 
 /// Orthonormal columns that span what is orthogonal to all columns of `blocked`: the motions that constraints leave
 /// free. Shape [size, size - columns]; the columns are linearly independent.
-Eigen::MatrixXd orthogonal_complement(Eigen::MatrixXd blocked);
+Eigen::MatrixXd orthogonal_complement(const Eigen::MatrixXd& blocked);
 
 /// leftᵀ A right: a matrix of the motion in the coordinates of the free motions,
 /// shape [columns of left, columns of right].

@@ -26,6 +26,7 @@ struct AudioName {
     std::string hash;    // SHA-256, 64 hexadecimal digits
     std::string format;  // extension without its dot
     bool operator==(const AudioName&) const = default;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 of its own comparison for a pointer
     auto operator<=>(const AudioName&) const = default;
 };
 

@@ -18,6 +18,7 @@ struct RowLabel {
     int component = 0;   // 1 to 3: displacement along x, y, z; 4 to 6: rotation about them; 0: none of these
 
     friend bool operator==(const RowLabel&, const RowLabel&) = default;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 of its own comparison for a pointer
     friend auto operator<=>(const RowLabel&, const RowLabel&) = default;
 };
 

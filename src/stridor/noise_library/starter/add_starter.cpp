@@ -49,9 +49,9 @@ MadeNoise make_noise(const parameters::Case& c, const std::stop_token& stop, int
 
 // the loudest sample lies 1 dB below full scale, which the file states: levels compare
 double full_scale_of(const signal::Signal& sound) {
-    constexpr double bits_of_1_dB = 1.0 / 6.020599913279624;  // [1] log2 of the factor
+    constexpr double bits_of_a_decibel = 1.0 / 6.020599913279624;  // [1] log2 of the factor
     const double peak = sound::peak(sound.samples);
-    return peak > 0.0 ? peak * base::power_of_2(bits_of_1_dB) : 1.0;
+    return peak > 0.0 ? peak * base::power_of_2(bits_of_a_decibel) : 1.0;
 }
 
 void write_noise(const std::string& file, const signal::Signal& sound, const parameters::Case& c,

@@ -33,12 +33,12 @@ constexpr std::uint64_t largest_shortfall = 8192;     // [1] frames that the len
 constexpr const char* probe_size = "1048576";         // [bytes] that a demuxer looks at before it begins
 constexpr const char* most_streams = "32";            // [1]
 
-template <auto Member>
+template <auto member>
 struct Free {
     const Ffmpeg* ffmpeg;
     template <typename T>
     void operator()(T* thing) const {
-        (ffmpeg->*Member)(&thing);
+        (ffmpeg->*member)(&thing);
     }
 };
 

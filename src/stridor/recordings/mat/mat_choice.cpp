@@ -38,8 +38,8 @@ constexpr std::array<std::string_view, 17> rate_names{"fs",
 constexpr std::array<std::string_view, 8> step_names{
     "dt", "delta_t", "deltat", "ts", "sample_time", "sampletime", "sampleinterval", "sampling_interval"};
 
-template <std::size_t Count>
-bool is_one_of(const std::array<std::string_view, Count>& names, std::string name) {
+template <std::size_t count>
+bool is_one_of(const std::array<std::string_view, count>& names, std::string name) {
     for (char& c : name)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
     return std::find(names.begin(), names.end(), name) != names.end();

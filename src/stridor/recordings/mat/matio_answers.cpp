@@ -97,7 +97,7 @@ bool is_number(mat::MatKind kind) {
 
 bool load(const Matio& matio, mat_t* file, Found& found) {
     if (found.is_loaded) return true;
-    if (!is_number(found.head.kind) || matio.Mat_VarReadDataAll(file, found.info) != 0) return false;
+    if (!is_number(found.head.kind) || matio.read_all_data(file, found.info) != 0) return false;
     const std::uint64_t bytes = found.head.rows * found.head.columns * size_of(*found.info);
     found.is_loaded = found.info->data != nullptr && found.info->nbytes >= bytes;
     return found.is_loaded;
@@ -116,7 +116,7 @@ bool receive(const ConfinedProcess::Channel& channel, Plain& plain) {
 std::vector<Found> list(const Matio& matio, mat_t* file) {
     std::vector<Found> all;
     while (all.size() <= mat::most_variables) {
-        matvar_t* info = matio.Mat_VarReadNextInfo(file);
+        matvar_t* info = matio.read_next_info(file);
         if (info == nullptr) break;
         all.push_back({info, head_of(*info)});
     }
@@ -159,7 +159,7 @@ void send_columns(const ConfinedProcess::Channel& channel, const std::vector<Fou
 }  // namespace
 
 void answer_with_matio(const Matio& matio, const ConfinedProcess::Channel& channel) {
-    mat_t* file = matio.Mat_Open(ConfinedProcess::file_path, MAT_ACC_RDONLY);
+    mat_t* file = matio.open(ConfinedProcess::file_path, MAT_ACC_RDONLY);
     if (file == nullptr) return send(channel, mat::Opened{});
     std::vector<Found> all = list(matio, file);
     send(channel, mat::Opened{1, static_cast<std::uint32_t>(all.size())});

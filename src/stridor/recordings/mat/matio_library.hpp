@@ -11,9 +11,9 @@ namespace stridor::recordings {
 /// The functions that Stridor uses, of the version it was built with.
 struct Matio {
     base::OpenedLibrary library{STRIDOR_MATIO_LIBRARY};
-    decltype(&::Mat_Open) Mat_Open = library.function("Mat_Open");
-    decltype(&::Mat_VarReadNextInfo) Mat_VarReadNextInfo = library.function("Mat_VarReadNextInfo");
-    decltype(&::Mat_VarReadDataAll) Mat_VarReadDataAll = library.function("Mat_VarReadDataAll");
+    decltype(&::Mat_Open) open = library.function("Mat_Open");
+    decltype(&::Mat_VarReadNextInfo) read_next_info = library.function("Mat_VarReadNextInfo");
+    decltype(&::Mat_VarReadDataAll) read_all_data = library.function("Mat_VarReadDataAll");
 };
 
 /// The library, opened once for the process. Null where this machine lacks it.
