@@ -23,6 +23,7 @@ void case_file(std::string_view bytes);
 void compressed_audio(std::string_view bytes);
 void mat(std::string_view bytes);
 void structure(std::string_view bytes);
+void numpy(std::string_view bytes);
 
 struct Target {
     std::string_view name;  // of its folder in the corpus
@@ -42,7 +43,8 @@ inline constexpr std::array targets{Target{"signal_csv", signal_csv},
                                     Target{"requests", requests},
                                     Target{"compressed_audio", compressed_audio},
                                     Target{"mat", mat},
-                                    Target{"structure", structure}};
+                                    Target{"structure", structure},
+                                    Target{"numpy", numpy}};
 
 /// Stops the program where a promise is broken, in every build.
 inline void require(bool promise) {

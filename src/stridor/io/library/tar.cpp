@@ -2,11 +2,9 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/opened_library.hpp"
+#include "stridor/io/archive_library.hpp"
 #include "stridor/storage/system_io.hpp"
 
-#include <archive.h>
-#include <archive_entry.h>
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -73,38 +71,6 @@ namespace {
 constexpr std::size_t piece_size = std::size_t{1} << 16U;          // [bytes] read from a file at a time
 constexpr std::uint64_t longest_header = std::uint64_t{1} << 18U;  // [bytes] with all that extends it
 constexpr std::size_t longest_name = 255;                          // [bytes] of a file, as in the ustar dialect
-
-// The functions of libarchive that Stridor uses, of the version it was built with. It is opened when the first archive
-// is read: linked to the program, it and the thirteen libraries it needs would be loaded at every start.
-struct Libarchive {
-    base::OpenedLibrary library{STRIDOR_ARCHIVE_LIBRARY};
-    decltype(&::archive_entry_filetype) entry_filetype = library.function("archive_entry_filetype");
-    decltype(&::archive_entry_hardlink) entry_hardlink = library.function("archive_entry_hardlink");
-    decltype(&::archive_entry_pathname) entry_pathname = library.function("archive_entry_pathname");
-    decltype(&::archive_entry_size) entry_size = library.function("archive_entry_size");
-    decltype(&::archive_errno) error_number = library.function("archive_errno");
-    decltype(&::archive_error_string) error_string = library.function("archive_error_string");
-    decltype(&::archive_filter_bytes) filter_bytes = library.function("archive_filter_bytes");
-    decltype(&::archive_filter_count) filter_count = library.function("archive_filter_count");
-    decltype(&::archive_read_data_block) read_data_block = library.function("archive_read_data_block");
-    decltype(&::archive_read_free) read_free = library.function("archive_read_free");
-    decltype(&::archive_read_new) read_new = library.function("archive_read_new");
-    decltype(&::archive_read_next_header) read_next_header = library.function("archive_read_next_header");
-    decltype(&::archive_read_open) read_open = library.function("archive_read_open");
-    decltype(&::archive_read_open_filename) read_open_filename = library.function("archive_read_open_filename");
-    decltype(&::archive_read_open_memory2) read_open_memory = library.function("archive_read_open_memory2");
-    decltype(&::archive_read_support_filter_gzip) support_gzip = library.function("archive_read_support_filter_gzip");
-    decltype(&::archive_read_support_filter_xz) support_xz = library.function("archive_read_support_filter_xz");
-    decltype(&::archive_read_support_filter_zstd) support_zstd = library.function("archive_read_support_filter_zstd");
-    decltype(&::archive_read_support_format_raw) support_raw = library.function("archive_read_support_format_raw");
-    decltype(&::archive_read_support_format_tar) support_tar = library.function("archive_read_support_format_tar");
-};
-
-const Libarchive& libarchive() {
-    static const Libarchive opened;
-    opened.library.expect_whole("archives cannot be read");
-    return opened;
-}
 
 [[noreturn]] void refuse(const std::string& file, const std::string& why, const std::string& suggestion = "") {
     throw Error(ErrorKind::input, {file + " is no whole archive of a noise library", why, suggestion});

@@ -6,8 +6,11 @@
 #include "stridor/io/structure/dmig.hpp"
 #include "stridor/io/structure/harwell_boeing.hpp"
 #include "stridor/io/structure/matrix_market.hpp"
+#include "stridor/io/structure/numpy_array.hpp"
+#include "stridor/io/structure/numpy_matrix.hpp"
 #include "stridor/io/structure/output4.hpp"
 #include "stridor/io/structure/row_labels_csv.hpp"
+#include "stridor/io/structure/zip_members.hpp"
 #include "stridor/recordings/refusal.hpp"
 
 #include <fmt/format.h>
@@ -69,7 +72,7 @@ public:
         if (!take_matrices(found, beginning, role))
             throw refusal(path, "it is no file of a part that is known",
                           "known are CalculiX (.sti, .mas, .dof), Matrix Market, Abaqus matrices, Nastran's DMIG and "
-                          "OUTPUT4 in ASCII, Ansys' Harwell-Boeing, and tables of labels");
+                          "OUTPUT4 in ASCII, Ansys' Harwell-Boeing, NumPy's .npz, and tables of labels");
         const bool is_one = matrices_.size() == before + 1;
         for (std::size_t k = before; k < matrices_.size() && is_one && role != MatrixRole::untold; ++k)
             matrices_[k].role = role;
@@ -107,6 +110,8 @@ public:
 
 private:
     bool take_matrices(const StructureInput& found, const Beginning& beginning, MatrixRole role) {
+        if (is_zip(beginning.text)) return take_npz(found, role);
+        if (is_numpy_array(beginning.text)) return add(read_npy(found), role);
         if (is_matrix_market(beginning.text)) return add(read_matrix_market(found), role);
         if (beginning.lines.size() > 2 && is_harwell_boeing(beginning.lines[2]))
             return add(read_harwell_boeing(found), role);
@@ -134,6 +139,15 @@ private:
         put_labels_once(found.name, std::move(table.labels));
         positions_.merge(table.positions);
         sets_ = std::move(table.sets);
+        return true;
+    }
+
+    // one sparse matrix, which does not say what it is, or dense ones with names
+    bool take_npz(const StructureInput& found, MatrixRole role) {
+        std::vector<ListedMatrix> matrices = read_npz(found);
+        if (matrices.size() == 1) return add(std::move(matrices.front()), role);
+        for (ListedMatrix& matrix : matrices)
+            matrices_.push_back(std::move(matrix));
         return true;
     }
 

@@ -21,7 +21,8 @@ struct PartFiles {
 using FileOpener = std::function<std::optional<structure::StructureInput>(const std::string& path)>;
 
 /// A part from the files of a finite-element program: CalculiX (.sti, .mas, .dof and the deck .inp; naming one is
-/// enough), Matrix Market, Abaqus, Nastran (.pch, .op4), Ansys (Harwell-Boeing and mapping), in the units of the files.
+/// enough), Matrix Market, Abaqus, Nastran (.pch, .op4), Ansys (Harwell-Boeing and mapping), NumPy (.npz, .npy), in the
+/// units of the files.
 ///
 /// Throws `Error` (input) for what no reader knows, for a stiffness or mass that is missing or comes twice, for labels
 /// that do not fit, and whatever the readers refuse; `Error` (io) for a file that cannot be read. What it returns is
