@@ -9,6 +9,7 @@
 #include "stridor/io/structure/numpy_array.hpp"
 #include "stridor/io/structure/numpy_matrix.hpp"
 #include "stridor/io/structure/output4.hpp"
+#include "stridor/io/structure/output4_binary.hpp"
 #include "stridor/io/structure/row_labels_csv.hpp"
 #include "stridor/io/structure/zip_members.hpp"
 #include "stridor/recordings/refusal.hpp"
@@ -72,7 +73,7 @@ public:
         if (!take_matrices(found, beginning, role))
             throw refusal(path, "it is no file of a part that is known",
                           "known are CalculiX (.sti, .mas, .dof), Matrix Market, Abaqus matrices, Nastran's DMIG and "
-                          "OUTPUT4 in ASCII, Ansys' Harwell-Boeing, NumPy's .npz, and tables of labels");
+                          "OUTPUT4, Ansys' Harwell-Boeing, NumPy's .npz, and tables of labels");
         const bool is_one = matrices_.size() == before + 1;
         for (std::size_t k = before; k < matrices_.size() && is_one && role != MatrixRole::untold; ++k)
             matrices_[k].role = role;
@@ -111,17 +112,14 @@ public:
 private:
     bool take_matrices(const StructureInput& found, const Beginning& beginning, MatrixRole role) {
         if (is_zip(beginning.text)) return take_npz(found, role);
+        if (is_output4_binary(beginning.text)) return add(read_output4_binary(found));
         if (is_numpy_array(beginning.text)) return add(read_npy(found), role);
         if (is_matrix_market(beginning.text)) return add(read_matrix_market(found), role);
         if (beginning.lines.size() > 2 && is_harwell_boeing(beginning.lines[2]))
             return add(read_harwell_boeing(found), role);
         if (take_table(found, beginning)) return true;
         if (is_dmig(beginning.text)) return take_dmig(found);
-        if (!beginning.lines.empty() && is_output4(beginning.lines[0])) {
-            for (ListedMatrix& matrix : read_output4(found))
-                matrices_.push_back(std::move(matrix));
-            return true;
-        }
+        if (!beginning.lines.empty() && is_output4(beginning.lines[0])) return add(read_output4(found));
         const bool is_keyword = beginning.first_data.starts_with('*');
         if (is_abaqus_matrix(beginning.first_data) || is_keyword) return add(read_abaqus_matrix(found), role);
         if (!beginning.first_data.empty() && is_numbers(beginning.first_data))
@@ -146,16 +144,19 @@ private:
     bool take_npz(const StructureInput& found, MatrixRole role) {
         std::vector<ListedMatrix> matrices = read_npz(found);
         if (matrices.size() == 1) return add(std::move(matrices.front()), role);
-        for (ListedMatrix& matrix : matrices)
-            matrices_.push_back(std::move(matrix));
-        return true;
+        return add(std::move(matrices));
     }
 
     bool take_dmig(const StructureInput& found) {
         DmigFile file = read_dmig(found);
-        for (ListedMatrix& matrix : file.matrices)
-            matrices_.push_back(std::move(matrix));
         positions_.merge(file.positions);
+        return add(std::move(file.matrices));
+    }
+
+    // they have names that tell what they are
+    bool add(std::vector<ListedMatrix> matrices) {
+        for (ListedMatrix& matrix : matrices)
+            matrices_.push_back(std::move(matrix));
         return true;
     }
 

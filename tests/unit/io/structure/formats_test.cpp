@@ -63,6 +63,35 @@ TEST(StructureFormats, Output4GivesTheSameMatrices) {
     }
 }
 
+TEST(StructureFormats, BinaryOutput4GivesTheSameMatrices) {
+    const ElasticPart block = block_part();
+    for (const bool is_big_endian : {false, true})
+        for (const bool is_wide : {false, true})
+            for (const Sparse sparse : {Sparse::none, Sparse::packed, Sparse::big}) {
+                const Output4Words how{.is_big_endian = is_big_endian, .is_wide = is_wide, .sparse = sparse};
+                const ElasticPart part = part_of({{"job.op4", output4_binary(block.stiffness, "KAAX", how) +
+                                                                  output4_binary(block.mass, "MAAX", how)},
+                                                  {"rows.csv", label_table(block, ',')}},
+                                                 {.files = {"job.op4"}, .labels = "rows.csv"});
+                expect_same(part, block, "binary OUTPUT4");
+            }
+}
+
+TEST(StructureFormats, SingleOutput4GivesSevenDigits) {
+    ElasticPart block = block_part();
+    for (reduction::SparseMatrix* matrix : {&block.stiffness, &block.mass})
+        *matrix = matrix->cast<float>().cast<double>();
+    for (const bool is_big_endian : {false, true})
+        for (const Sparse sparse : {Sparse::none, Sparse::packed, Sparse::big}) {
+            const Output4Words how{.is_big_endian = is_big_endian, .is_single = true, .sparse = sparse};
+            const ElasticPart part = part_of(
+                {{"job.op4", output4_binary(block.stiffness, "KAAX", how) + output4_binary(block.mass, "MAAX", how)},
+                 {"rows.csv", label_table(block, ',')}},
+                {.files = {"job.op4"}, .labels = "rows.csv"});
+            expect_same(part, block, "binary OUTPUT4 of single numbers");
+        }
+}
+
 TEST(StructureFormats, AnsysGivesTheSameMatrices) {
     const ElasticPart block = block_part();
     const ElasticPart part = part_of({{"k.matrix", harwell_boeing(block.stiffness, "Stiffness")},

@@ -213,6 +213,82 @@ std::string big(const std::vector<Number>& numbers) {
     return bytes;
 }
 
+/// How a binary OUTPUT4 file is written.
+struct Output4Words {
+    bool is_big_endian = false;
+    bool is_wide = false;    // words of eight bytes
+    bool is_single = false;  // type 1
+    Sparse sparse = Sparse::none;
+};
+
+/// Words of one Fortran record.
+class Output4Record {
+public:
+    explicit Output4Record(Output4Words words) : words_(words) {}
+
+    Output4Record& integer(std::int64_t value) {
+        bytes_ += words_.is_wide ? ordered(std::vector{value}) : ordered(std::vector{static_cast<std::int32_t>(value)});
+        return *this;
+    }
+    Output4Record& real(double value) {
+        bytes_ += words_.is_single && !words_.is_wide ? ordered(std::vector{static_cast<float>(value)})
+                                                      : ordered(std::vector{value});
+        return *this;
+    }
+    Output4Record& text(std::string name) {
+        name.resize(words_.is_wide ? 16 : 8, ' ');
+        bytes_ += name;
+        return *this;
+    }
+    std::string take() const {
+        const std::string marker = ordered(std::vector{static_cast<std::uint32_t>(bytes_.size())});
+        return marker + bytes_ + marker;
+    }
+
+private:
+    template <typename Number>
+    std::string ordered(const std::vector<Number>& numbers) const {
+        return words_.is_big_endian ? big(numbers) : little(numbers);
+    }
+
+    Output4Words words_;
+    std::string bytes_;
+};
+
+inline std::string output4_binary(const reduction::SparseMatrix& matrix, const std::string& name, Output4Words how) {
+    const auto rows = static_cast<std::int64_t>(matrix.rows());
+    const std::int64_t words_of_value = how.is_wide || how.is_single ? 1 : 2;
+    std::string file = Output4Record(how)
+                           .integer(rows)
+                           .integer(how.sparse == Sparse::big ? -rows : rows)
+                           .integer(6)
+                           .integer(how.is_single ? 1 : 2)
+                           .text(name)
+                           .take();
+    const Eigen::MatrixXd dense(matrix);
+    for (std::int64_t column = 0; column < rows; ++column) {
+        Output4Record record(how);
+        if (how.sparse == Sparse::none) {
+            record.integer(column + 1).integer(1).integer(words_of_value * rows);
+            for (const double value : dense.col(column))
+                record.real(value);
+        } else {  // each entry as a string of its own
+            const std::int64_t head = how.sparse == Sparse::big ? 2 : 1;
+            const auto count = static_cast<std::int64_t>(matrix.col(column).nonZeros());
+            record.integer(column + 1).integer(0).integer(count * (head + words_of_value));
+            for (reduction::SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
+                if (how.sparse == Sparse::big)
+                    record.integer(words_of_value + 1).integer(entry.row() + 1);
+                else
+                    record.integer(entry.row() + 1 + 65536 * (words_of_value + 1));
+                record.real(entry.value());
+            }
+        }
+        file += record.take();
+    }
+    return file + Output4Record(how).integer(rows + 1).integer(1).integer(words_of_value).real(1.0).take();
+}
+
 /// NumPy's file of one array, whose header is a literal of Python.
 inline std::string npy_of(std::string header, const std::string& bytes) {
     header.resize((header.size() + 11 + 63) / 64 * 64 - 11, ' ');

@@ -3,6 +3,7 @@
 #include "stridor/io/structure/calculix.hpp"
 #include "stridor/io/structure/dmig.hpp"
 #include "structure_texts.hpp"
+#include "structure_writers.hpp"
 
 namespace stridor::io::structure {
 namespace {
@@ -314,6 +315,46 @@ TEST(Output4Traps, WhatDoesNotFitIsRefused) {
     refused(header + "       7       0       4\n       3       1\n 1.0E+00\n", "there is no column 7");
     refused(header + column + "       3       1       1\n 1.0E+00\nrubbish\n", "it is no header of a matrix");
     refused(header + "       1       0       4\n       3       1\n one\n", "\"one\" is no finite number");
+}
+
+TEST(Output4Traps, BinaryRecordsThatDoNotFitAreRefused) {
+    const std::string table = "node,component\n1,1\n2,1\n";
+    const auto refused = [&](const std::string& bytes, const std::string& sentence) {
+        expect_refused({{"j.op4", bytes}, {"t.csv", table}}, {.files = {"j.op4"}, .labels = "t.csv"}, sentence);
+    };
+    const Output4Words how;
+    const auto header = [&](std::int64_t columns, std::int64_t rows, std::int64_t type) {
+        return Output4Record(how).integer(columns).integer(rows).integer(6).integer(type).text("KAAX").take();
+    };
+    const auto column = [&](std::int64_t number, std::int64_t first, std::int64_t words) {
+        return Output4Record(how).integer(number).integer(first).integer(words);
+    };
+    const std::string head = header(2, 2, 2);
+    const std::string good = column(1, 1, 4).real(1.0).real(2.0).take();
+    refused(head, "the file is cut off (it ends within matrix KAAX)");
+    refused(head + good.substr(0, 20), "the record at byte 32 does not end where it says");
+    refused(head + good + "abc", "the file is cut off");
+    refused(header(2, 2, 4) + good, "matrix KAAX: it is complex");
+    refused(header(2, 2, 7) + good, "matrix KAAX: its first record is damaged");
+    refused(header(-2, 2, 2) + good, "matrix KAAX: its first record is damaged");
+    refused(head + column(7, 1, 4).real(1.0).real(2.0).take(), "matrix KAAX: there is no column 7 (it has 2)");
+    refused(head + column(1, 2, 4).real(1.0).real(2.0).take(), "matrix KAAX: there is no row 3 (it has 2)");
+    refused(head + column(1, -1, 4).real(1.0).real(2.0).take(), "matrix KAAX: there is no row 0 (it has 2)");
+    refused(head + column(1, 1, 8).real(1.0).real(2.0).take(), "column 1 says 8 words, and holds 4");
+    refused(head + column(1, 1, 3).integer(1).real(2.0).take(), "3 words are no whole number of values");
+    refused(head + column(1, 0, 3).integer(65536 * 9 + 1).real(2.0).take(), "a string of 8 words does not fit");
+    refused(head + column(1, 1, 4).real(NAN).real(2.0).take(), "it holds nan");
+    refused(head + Output4Record(how).integer(1).take(), "a record is too short");
+    // loads are rectangular, and left out
+    const std::string end = column(3, 1, 2).real(1.0).take();
+    const std::string load = Output4Record(how).integer(1).integer(2).integer(2).integer(2).text("PAX").take() + good +
+                             column(2, 1, 2).real(1.0).take();
+    const std::string mass = Output4Record(how).integer(2).integer(2).integer(6).integer(2).text("MAAX").take() +
+                             column(1, 1, 2).real(1.0).take() + column(2, 2, 2).real(1.0).take() + end;
+    const std::string stiffness = head + column(1, 1, 2).real(3.0).take() + column(2, 2, 2).real(3.0).take() + end;
+    const ElasticPart part =
+        part_of({{"j.op4", stiffness + load + mass}, {"t.csv", table}}, {.files = {"j.op4"}, .labels = "t.csv"});
+    EXPECT_EQ(part.stiffness.coeff(1, 1), 3.0);
 }
 
 TEST(AnsysTraps, PointersThatDoNotRiseAreRefused) {
