@@ -61,7 +61,7 @@ HeldPart held_part(const ElasticPart& part, const std::vector<Index>& held) {
     SparseMatrix mass = without(part.mass, held);
     SparseFactor factor(stiffness, mass, 0.0);
     const bool is_free = !factor.is_whole() || factor.negative_pivots() > 0 || factor.weakest_pivot() < free_pivot;
-    return {std::move(stiffness), std::move(mass), std::move(factor), is_free};
+    return {stiffness, mass, std::move(factor), is_free};
 }
 
 // a mode that was missed would stand out: all behind it would seem to be wrong

@@ -164,8 +164,8 @@ double largest_dwell(std::span<const double> samples, double width) {
 
 LevelCourse level_course(std::span<const double> samples, double rate, signal::Windows& windows) {
     const auto usual = static_cast<std::size_t>(course_part * rate);
-    const std::size_t length = std::max<std::size_t>(8, std::min(usual, samples.size() * 2 / 5)) / 2 * 2;
-    const std::vector<double> parts = parts_of(samples, windows.of(length));
+    const std::size_t hop = std::max<std::size_t>(8, std::min(usual, samples.size() * 2 / 5)) / 2;  // half a window
+    const std::vector<double> parts = parts_of(samples, windows.of(2 * hop));
     LevelCourse course;
     if (parts.size() < 4) return course;
     const double whole = *std::max_element(parts.begin(), parts.end());
@@ -189,7 +189,7 @@ LevelCourse level_course(std::span<const double> samples, double rate, signal::W
         const double error = levels[k] - mean - slope * (static_cast<double>(k) - middle);
         rest += error * error;
     }
-    course.trend = slope * rate / static_cast<double>(length / 2);
+    course.trend = slope * rate / static_cast<double>(hop);
     course.unsteadiness = std::sqrt(rest / count);
     return course;
 }

@@ -28,7 +28,7 @@ DatabaseOptions options_for(const std::string& word) {
 
 }  // namespace
 
-KeptResults::KeptResults(const std::filesystem::path& file, std::string what, std::string word)
+KeptResults::KeptResults(const std::filesystem::path& file, const std::string& what, std::string word)
     : database_(file, options_for(word)),
       word_(std::move(word)) {
     Transaction transaction(database_);

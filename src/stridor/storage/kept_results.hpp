@@ -27,7 +27,7 @@ public:
     /// Opens the results of this computation, or begins the file. `what` is all that decides them; `word` is what
     /// messages call the file. Throws `Error`: input if it is something else or another computation's, io if another
     /// process has it open or it cannot be read or written.
-    KeptResults(const std::filesystem::path& file, std::string what, std::string word);
+    KeptResults(const std::filesystem::path& file, const std::string& what, std::string word);
 
     /// Writes what is not written yet.
     ~KeptResults();

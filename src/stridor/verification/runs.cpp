@@ -14,7 +14,7 @@ parameters::Drive constant_drive(double velocity) {
     return drive;
 }
 
-record::Recorder whole_run(double from, double to, record::TraceRequest trace) {
+record::Recorder whole_run(double from, double to, const record::TraceRequest& trace) {
     record::Schedule schedule;
     if (from > 0.0) schedule.spans.push_back({0.0, from, record::Phase::all, record::Use::unused});
     schedule.spans.push_back({from, to, record::Phase::all, record::Use::judged});

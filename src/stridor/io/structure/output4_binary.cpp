@@ -1,5 +1,5 @@
-// A binary OUTPUT4 file is a list of Fortran records: length [bytes], content, the same length again. All words, of 4 or
-// 8 bytes, stand in one order of bytes.
+// A binary OUTPUT4 file is a list of Fortran records: length [bytes], content, the same length again. All words, of 4
+// or 8 bytes, stand in one order of bytes.
 //
 //     columns, rows (negative: BIGMAT), form, type, name of two words          opens a matrix
 //     column, first row, words, values                                         a dense column
