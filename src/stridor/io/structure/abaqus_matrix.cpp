@@ -22,11 +22,6 @@ bool is_comment(std::string_view text) {
 void expect_matrix(const FieldScanner& scanner, std::string_view text) {
     if (!text.starts_with('*')) return;
     const std::string keyword = upper(text);
-    if (keyword.starts_with("*USER ELEMENT") || keyword.starts_with("*MATRIX"))
-        throw scanner.refusal(
-            "it holds the matrix of a substructure",
-            "CalculiX condenses the stiffness alone, so that it cannot vibrate",
-            "Write the whole matrices: *FREQUENCY, SOLVER=MATRIXSTORAGE, or Abaqus' *MATRIX GENERATE.");
     if (keyword.starts_with("*CLOAD"))
         throw scanner.refusal("it holds loads", "a structure is its stiffness and mass", "Leave the file out.");
     throw scanner.refusal(fmt::format("\"{}\" is no line of a matrix", text),

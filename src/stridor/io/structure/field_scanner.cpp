@@ -68,6 +68,10 @@ double FieldScanner::real(const char* what) {
     return *value;
 }
 
+bool FieldScanner::is_at_end() const {
+    return line_.text.find_first_not_of(separators, at_) == std::string_view::npos;
+}
+
 void FieldScanner::expect_end() {
     const std::string_view text = word();
     if (!text.empty()) throw refusal("\"" + std::string(text) + "\" is more than the line should hold");

@@ -38,6 +38,8 @@ public:
     /// The next word as a number; `what` is what it should be: "a value". Throws `Error` (input) at its place.
     std::int64_t integer(const char* what);
     double real(const char* what);
+    /// Is there no further word?
+    bool is_at_end() const;
     /// Throws `Error` (input) if there is anything more.
     void expect_end();
 

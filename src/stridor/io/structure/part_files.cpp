@@ -11,6 +11,7 @@
 #include "stridor/io/structure/output4.hpp"
 #include "stridor/io/structure/output4_binary.hpp"
 #include "stridor/io/structure/row_labels_csv.hpp"
+#include "stridor/io/structure/user_element.hpp"
 #include "stridor/io/structure/zip_members.hpp"
 #include "stridor/recordings/refusal.hpp"
 
@@ -120,6 +121,7 @@ private:
         if (take_table(found, beginning)) return true;
         if (is_dmig(beginning.text)) return take_dmig(found);
         if (!beginning.lines.empty() && is_output4(beginning.lines[0])) return add(read_output4(found));
+        if (is_user_element(beginning.first_data)) return add(read_user_element(found));
         const bool is_keyword = beginning.first_data.starts_with('*');
         if (is_abaqus_matrix(beginning.first_data) || is_keyword) return add(read_abaqus_matrix(found), role);
         if (!beginning.first_data.empty() && is_numbers(beginning.first_data))

@@ -41,6 +41,11 @@ TEST(StructureFormats, AbaqusGivesTheSameMatrices) {
     expect_same(unlabelled, block, "Abaqus, coordinates");
 }
 
+TEST(StructureFormats, AbaqusSubstructuresGiveTheSameMatrices) {
+    const ElasticPart block = block_part();
+    expect_same(part_of({{"job.mtx", user_element(block)}}, {.files = {"job.mtx"}}), block, "user element");
+}
+
 TEST(StructureFormats, DmigGivesTheSameMatrices) {
     ElasticPart block = block_part();
     block.stiffness = rounded(block.stiffness);

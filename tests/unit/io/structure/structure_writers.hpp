@@ -60,6 +60,27 @@ inline std::string abaqus(const reduction::ElasticPart& part, const reduction::S
     return text;
 }
 
+// a substructure: one node per row, as CalculiX writes them
+inline std::string user_element(const reduction::ElasticPart& part) {
+    std::string text = fmt::format(
+        "**\n** GENERATION OF SUBSTRUCTURE\n*USER ELEMENT,NODES={:11},LINEAR\n** ELEMENT NODES", part.labels.size());
+    for (std::size_t k = 0; k < part.labels.size(); ++k)
+        text += fmt::format("{}{:>10},", k % 10 == 0 ? "\n**" : "", part.labels[k].node);
+    text += fmt::format("\n{:10}\n", part.labels.front().component);
+    for (std::size_t k = 1; k < part.labels.size(); ++k)
+        text += fmt::format("{:10},{:10}\n", k + 1, part.labels[k].component);
+    for (const auto& [type, matrix] : {std::pair("STIFFNESS", part.stiffness), std::pair("MASS", part.mass)}) {
+        text += fmt::format("*MATRIX,TYPE={}\n", type);
+        const Eigen::MatrixXd dense(matrix);
+        int count = 0;
+        for (Eigen::Index row = 0; row < dense.rows(); ++row)
+            for (Eigen::Index column = 0; column <= row; ++column)
+                text += fmt::format("{:24.16e},{}", dense(row, column), ++count % 4 == 0 ? "\n" : "");
+        text += "\n";
+    }
+    return text;
+}
+
 inline std::string coordinates(const reduction::SparseMatrix& matrix) {
     std::string text;
     each_entry(matrix, true, [&](int row, int column, double value) {

@@ -91,7 +91,7 @@ TEST(CalculixTraps, TiesAreToldOf) {
 
 TEST(CalculixTraps, CondensedStiffnessCannotVibrate) {
     expect_refused({{"s.mtx", text_of(traps + "substructure_stiffness_only.mtx")}}, {.stiffness = "s.mtx"},
-                   "it holds the matrix of a substructure (CalculiX condenses the stiffness alone");
+                   "it holds the matrix of a substructure without its mass (CalculiX condenses the stiffness alone");
 }
 
 TEST(CalculixTraps, DamagedLinesAreRefusedWhereTheyStand) {
@@ -229,6 +229,62 @@ TEST(AbaqusTraps, OtherTextsAreRefused) {
     refused("3,1, 3,1, 1.0\n", "the mass has a row 2.1 that the stiffness lacks (both must be of the same model)");
     refused("2,1, 2,1, 1.0\n2,1, 3,1, 0.5\n3,1, 2,1, 0.6\n3,1, 3,1, 1.0\n", "the matrix is not symmetric");
     refused("2,1, 2,1, 1.0\n2,1, 2,1, 1.0\n", "holds the entry 2.1, 2.1 twice");
+}
+
+const std::string element_head =
+    "**\n*User Element, Nodes=3, LINEAR\n** ELEMENT NODES\n**      10,      20,\n**  -1\n      1, 2\n      3, 1\n";
+const std::string element_stiffness =
+    "*MATRIX,TYPE=STIFFNESS\n 4.0,\n -1.0, 5.0,\n 0.0, -2.0, 6.0, 0.0,\n -3.0, 0.0, 7.0, 0,0,0,0, 8.0\n";
+const std::string element_mass = "*MATRIX, TYPE=MASS\n1.0, 0, 1.0, 0,\n0, 1.0, 0, 0, 0, 1.0,0,0,0,0,1.0\n";
+
+// a substructure of two nodes with two degrees of freedom each, and a mode in an internal node
+TEST(AbaqusTraps, SubstructuresAreTakenWithTheirMass) {
+    const std::string load = "*MATRIX,TYPE=LOAD CASE\n1,1,1,1,1,1,1,1,1,1,1,1,1,1,1\n";
+    const ElasticPart part =
+        part_of({{"s.mtx", element_head + element_stiffness + element_mass + load}}, {.files = {"s.mtx"}});
+    EXPECT_NO_THROW(expect_sound(part));
+    ASSERT_EQ(rows_of(part), 5);
+    std::string labels;
+    for (const auto& label : part.labels)
+        labels += describe(label) + " ";
+    EXPECT_EQ(labels, "10.1 10.2 20.1 20.2 internal 3.1 ");
+    EXPECT_EQ(part.stiffness.coeff(1, 2), -2.0);
+    EXPECT_EQ(part.stiffness.coeff(3, 1), -3.0);
+    EXPECT_EQ(part.stiffness.coeff(3, 0), 0.0);
+    EXPECT_EQ(part.mass.coeff(4, 4), 1.0);
+}
+
+TEST(AbaqusTraps, SubstructuresThatDoNotFitAreRefused) {
+    const auto refused = [](const std::string& text, const std::string& sentence) {
+        expect_refused({{"s.mtx", text}}, {.files = {"s.mtx"}}, sentence);
+    };
+    refused(element_head + element_stiffness, "it holds the matrix of a substructure without its mass");
+    refused(element_head + element_mass, "it holds the matrix of a substructure without its mass");
+    refused(element_head + element_stiffness + "1.0\n", "the stiffness has 16 values (5 rows have 15 in a triangle");
+    refused(element_head + element_stiffness + element_mass + element_mass, "there is more than one mass");
+    refused(element_head + element_stiffness + "*MATRIX,TYPE=MASS\n1.0, one\n", "\"one\" is no finite number");
+    refused("*USER ELEMENT, LINEAR\n1\n" + element_mass, "the number of nodes is missing, too large or there twice");
+    refused("*USER ELEMENT, NODES=900000, LINEAR\n1\n" + element_mass, "the number of nodes is missing, too large");
+    refused(element_head + "*USER ELEMENT, NODES=3, LINEAR\n", "the number of nodes is missing, too large or there");
+    refused("*USER ELEMENT, NODES=2, LINEAR\n1\n" + element_mass, "the element has 2 nodes, and lists 0");
+    refused("*USER ELEMENT, NODES=2, LINEAR\n" + element_mass, "it does not say which degrees of freedom");
+    refused("*USER ELEMENT, NODES=2, LINEAR\n1\n3, 1\n" + element_mass, "there is no node at position 3");
+    refused("*USER ELEMENT, NODES=2, LINEAR\n11\n" + element_mass, "the degree of freedom \"11\" is none of 1 to 6");
+    refused("*USER ELEMENT, NODES=2, LINEAR\n1,2,3,4,5,6,1\n" + element_mass,
+            "a node has more than 6 degrees of freedom");
+    refused("*USER ELEMENT, NODES=1, LINEAR\n** ELEMENT NODES\n** 7\n1\n*MATRIX,TYPE=STIFFNESS\n1,2\n",
+            "the stiffness has more than 1 values");
+}
+
+// all entries, as an element without symmetry has them
+TEST(AbaqusTraps, WholeMatricesOfSubstructuresMustBeSymmetric) {
+    const std::string head = "*USER ELEMENT, NODES=2, LINEAR, UNSYMM\n** ELEMENT NODES\n** 7, 8\n3\n";
+    const std::string mass = "*MATRIX,TYPE=MASS\n1,0,0,1\n";
+    const ElasticPart part =
+        part_of({{"s.mtx", head + "*MATRIX,TYPE=STIFFNESS\n2,-1\n-1,2\n" + mass}}, {.files = {"s.mtx"}});
+    EXPECT_EQ(part.stiffness.coeff(0, 1), -1.0);
+    expect_refused({{"s.mtx", head + "*MATRIX,TYPE=STIFFNESS\n2,-1\n-1.5,2\n" + mass}}, {.files = {"s.mtx"}},
+                   "matrix stiffness is not symmetric");
 }
 
 const std::string dmig_mass =
