@@ -70,4 +70,66 @@ TEST(Structure, RefusesWithASentenceAndExitCode2) {
     EXPECT_EQ(folder.files(), 0);
 }
 
+// what is no part ends with the sentence that says so, alone
+TEST(Structure, RefusesBadPartsEachByItsOwnSentence) {
+    const ScratchFolder folder;
+    const auto refused = [&](std::vector<std::string> arguments, const std::string& sentence) {
+        const Finished finished = run(arguments, folder.path());
+        EXPECT_EQ(finished.exit_code, 2) << finished.err;
+        EXPECT_EQ(finished.out, "");
+        const std::size_t at = finished.err.find("error: " + sentence);
+        EXPECT_NE(at, std::string::npos) << finished.err;
+        EXPECT_EQ(finished.err.find("error:", at == std::string::npos ? 0 : at + 1), std::string::npos) << finished.err;
+    };
+    const auto put = [&](const std::string& name, const std::string& text) {
+        stridor::support::write_text(folder.path() / name, text);
+    };
+    const std::string symmetric = "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n";
+    const std::string general = "%%MatrixMarket matrix coordinate real general\n2 2 4\n";
+    put("k.mtx", symmetric + "1 1 2\n2 1 -1\n2 2 2\n");
+    put("m.mtx", symmetric + "1 1 1\n2 1 0.5\n2 2 1\n");
+    put("rows.csv", "node,component\n7,1\n7,2\n");
+    const auto part = [](const std::string& stiffness, const std::string& mass) {
+        return std::vector<std::string>{"structure", "check", "--stiffness", stiffness,
+                                        "--mass",    mass,    "--labels",    "rows.csv"};
+    };
+    EXPECT_EQ(run(part("k.mtx", "m.mtx"), folder.path()).exit_code, 0);
+
+    put("job_STIF1.mtx", "7,1, 7,1, 2.0\n8,1, 8,1, 2.0\n");
+    put("job_MASS1.mtx", "7,1, 7,1, 1.0\n9,1, 9,1, 1.0\n");
+    refused({"structure", "check", "job_STIF1.mtx", "job_MASS1.mtx"},
+            "the mass has a row 9.1 that the stiffness lacks (both must be of the same model)");
+    put("long.csv", "node,component\n7,1\n7,2\n8,1\n");
+    auto arguments = part("k.mtx", "m.mtx");
+    arguments.back() = "long.csv";
+    refused(arguments, "it labels 3 rows, the stiffness has 2");
+
+    put("indefinite.mtx", symmetric + "1 1 1\n2 1 3\n2 2 1\n");
+    refused(part("k.mtx", "indefinite.mtx"), "the mass is negative for some motion (1 of its pivots are negative)");
+    put("negative.mtx", symmetric + "1 1 1\n2 1 0.1\n2 2 -1\n");
+    refused(part("k.mtx", "negative.mtx"), "the mass is negative for some motion (row 7.2 has -1 on its diagonal)");
+    put("unsymmetric.mtx", general + "1 1 2\n1 2 -1\n2 1 -1.5\n2 2 2\n");
+    refused(part("unsymmetric.mtx", "m.mtx"), "the matrix is not symmetric (at row ");
+    refused(part("k.mtx", "unsymmetric.mtx"), "the matrix is not symmetric (at row ");
+    put("buckled.mtx", symmetric + "1 1 2\n2 1 -3\n2 2 2\n");
+    refused(part("buckled.mtx", "m.mtx"), "the stiffness is negative for some motion");
+
+    arguments = part("k.mtx", "m.mtx");
+    arguments.insert(arguments.end(), {"--contact", "99"});
+    refused(arguments, "\"99\" is no set, node or row");
+    const auto with_contact = [](const std::string& contact) {
+        return "[structure]\nstiffness = \"k.mtx\"\nmass = \"m.mtx\"\nlabels = \"rows.csv\"\n"
+               "[[structure.contact]]\n" +
+               contact +
+               "[contact]\npreload = \"5 N\"\nstatic_friction = 0.8\nkinetic_friction = 0.6\n[drive]\nkind = "
+               "\"constant\"\nvelocity = \"20 mm/s\"\n";
+    };
+    put("good.toml", with_contact("node = 7\nnormal = \"y\"\ntangent = \"x\"\n"));
+    EXPECT_EQ(run({"check", "good.toml"}, folder.path()).exit_code, 0);
+    put("missing.toml", with_contact("node = 99\nnormal = \"y\"\ntangent = \"x\"\n"));
+    refused({"simulate", "missing.toml"}, "\"99\" is no set, node or row");
+    put("zero.toml", with_contact("node = 7\nnormal = [0, 0, 0]\ntangent = \"x\"\n"));
+    refused({"simulate", "zero.toml"}, "the normal is zero (it has no direction)");
+}
+
 }  // namespace

@@ -114,8 +114,9 @@ Shifted shifted(const SparseMatrix& stiffness, const SparseMatrix& mass) {
         SparseFactor factor(stiffness, mass, sigma);
         if (factor.is_whole() && factor.negative_pivots() == 0) return {sigma, std::move(factor)};
     }
-    throw Error(ErrorKind::input, {"the stiffness is negative for some motion", "the structure would buckle by itself",
-                                   "Is it a stiffness matrix, whole, and without Lagrange multipliers?"});
+    throw Error(ErrorKind::input,
+                {"the stiffness is negative for some motion", "the structure would buckle by itself",
+                 "Is it a stiffness matrix, whole, and without Lagrange multipliers? Code_Aster: AFFE_CHAR_CINE."});
 }
 
 // the modes behind 1/(omega^2 - sigma), lowest first; those without mass are left out

@@ -242,7 +242,7 @@ std::vector<Eigen::Index> named_rows(const ElasticPart& part, std::string_view n
         std::string sets;
         for (const NodeSet& set : part.sets)
             sets += (sets.empty() ? "" : ", ") + set.name;
-        refuse_part(fmt::format("\"{}\" is no set, node or row of the part", name),
+        refuse_part(fmt::format("\"{}\" is no set, node or row of the part", plain),
                     sets.empty() ? "it has no node sets" : "its node sets are " + sets);
     }
     finder.add(plain, components, rows);

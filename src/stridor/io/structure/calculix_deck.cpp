@@ -80,6 +80,11 @@ private:
             throw scanner.refusal("the model has a contact pair",
                                   "its springs would stand in the stiffness beside the contacts of Stridor",
                                   "Take it out, and name the nodes that touch to Stridor.");
+        has_transform_ = has_transform_ || keyword_.name == "TRANSFORM";
+        if (keyword_.name == "FREQUENCY" && upper(keyword_.values["GLOBAL"]) == "NO" && has_transform_)
+            throw scanner.refusal("the matrices are in the systems of transformed nodes",
+                                  "GLOBAL=NO stores them so; rows would not be along x, y and z",
+                                  "Leave GLOBAL=NO out: GLOBAL=YES is the default.");
         if (keyword_.name == "RIGIDBODY" && keyword_.values.contains("ROTNODE"))
             deck_.rotation_nodes.insert(keyword_.values["ROTNODE"]);
         if (keyword_.name == "TIE" || keyword_.name == "EQUATION" || keyword_.name == "TRANSFORM" ||
@@ -176,6 +181,7 @@ private:
     std::map<std::string, std::size_t> set_places_;            // in the deck's list
     std::map<std::string, std::vector<std::string>> members_;  // by the name in capitals
     int includes_ = 0;
+    bool has_transform_ = false;
 };
 
 }  // namespace

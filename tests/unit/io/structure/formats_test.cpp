@@ -106,6 +106,67 @@ TEST(StructureFormats, AnsysGivesTheSameMatrices) {
     expect_same(part, block, "Harwell-Boeing");
 }
 
+/// Files of one format, and how far their numbers are kept.
+struct WrittenPart {
+    std::string format;
+    TextFiles texts;
+    PartFiles files;
+    double kept = 0.0;  // [1] of each entry; 0: to the last bit
+};
+
+std::vector<WrittenPart> written_parts(const ElasticPart& block) {
+    const std::string table = label_table(block, ',');
+    return {
+        {"Matrix Market",
+         {{"k", matrix_market(block.stiffness, false)}, {"m", matrix_market(block.mass, false)}, {"rows.csv", table}},
+         {.stiffness = "k", .mass = "m", .labels = "rows.csv"}},
+        {"SciPy",
+         {{"k", scipy(block.stiffness)}, {"m", scipy(block.mass)}, {"rows.csv", table}},
+         {.stiffness = "k", .mass = "m", .labels = "rows.csv"}},
+        {"Abaqus",
+         {{"STIF", abaqus(block, block.stiffness)}, {"MASS", abaqus(block, block.mass)}},
+         {.files = {"STIF", "MASS"}}},
+        {"Abaqus' substructure", {{"s", user_element(block)}}, {.files = {"s"}}},
+        {"OUTPUT4",
+         {{"j", output4(block.stiffness, "KAAX", Sparse::packed) + output4(block.mass, "MAAX", Sparse::big)},
+          {"rows.csv", table}},
+         {.files = {"j"}, .labels = "rows.csv"}},
+        {"binary OUTPUT4",
+         {{"j", output4_binary(block.stiffness, "KAAX", {.sparse = Sparse::big}) +
+                    output4_binary(block.mass, "MAAX", {.sparse = Sparse::big})},
+          {"rows.csv", table}},
+         {.files = {"j"}, .labels = "rows.csv"}},
+        {"Ansys",
+         {{"k", harwell_boeing(block.stiffness, "Stiffness")},
+          {"m", harwell_boeing(block.mass, "Mass")},
+          {"map", mapping(block)}},
+         {.files = {"k", "m", "map"}}},
+        // nine digits fit into a field of DMIG
+        {"DMIG",
+         {{"j", grids(block) + dmig(block, block.stiffness, "KAAX") + dmig(block, block.mass, "MAAX")}},
+         {.files = {"j"}},
+         0.5e-8}};
+}
+
+// CalculiX's own files, and eight others
+TEST(StructureFormats, OfOneBlockAreTheSamePart) {
+    const ElasticPart block = block_part();
+    for (const WrittenPart& written : written_parts(block)) {
+        const ElasticPart part = part_of(written.texts, written.files);
+        EXPECT_NO_THROW(expect_sound(part)) << written.format;
+        ASSERT_EQ(part.labels, block.labels) << written.format;
+        for (const auto& [got, wanted] :
+             {std::pair(&part.stiffness, &block.stiffness), std::pair(&part.mass, &block.mass)}) {
+            ASSERT_EQ(got->nonZeros(), wanted->nonZeros()) << written.format;
+            for (Eigen::Index column = 0; column < wanted->outerSize(); ++column)
+                for (reduction::SparseMatrix::InnerIterator entry(*wanted, column); entry; ++entry)
+                    ASSERT_LE(std::abs(got->coeff(entry.row(), column) - entry.value()),
+                              written.kept * std::abs(entry.value()))
+                        << written.format;
+        }
+    }
+}
+
 TEST(StructureFormats, LineEndsDoNotMatter) {
     const ElasticPart block = block_part();
     std::string stiffness = matrix_market(block.stiffness, false);

@@ -83,6 +83,13 @@ TEST(CalculixTraps, ContactPairsAreRefused) {
                        "the model has a contact pair (its springs would stand in the stiffness");
 }
 
+TEST(CalculixTraps, MatricesInSystemsOfTransformedNodesAreRefused) {
+    const std::string step = "*STEP\n*FREQUENCY, SOLVER=MATRIXSTORAGE, GLOBAL=NO\n*END STEP\n";
+    expect_job_refused(job("1.1\n2.1\n", two_nodes + "*TRANSFORM, NSET=A\n1,0,0,0,1,0\n" + step),
+                       "the matrices are in the systems of transformed nodes (GLOBAL=NO stores them so");
+    EXPECT_NO_THROW(part_of(job("1.1\n2.1\n", two_nodes + step), {.files = {"j.sti"}}));
+}
+
 TEST(CalculixTraps, TiesAreToldOf) {
     const ElasticPart part = part_of(job("1.1\n2.1\n", two_nodes + "*Tie, NAME=T\nA,B\n"), {.files = {"j.sti"}});
     ASSERT_EQ(part.notes.size(), 1U);
@@ -147,6 +154,20 @@ TEST(MatrixTraps, BothTrianglesMustAgree) {
     EXPECT_NO_THROW(part_of(general("-1.00000000001"), files));
     expect_refused(general("-1.0000001"), files, "the matrix is not symmetric (at row 2, column 1 it holds");
     expect_refused(general("0"), files, "the matrix is not symmetric");
+}
+
+// three programs call their files .mtx
+TEST(MatrixTraps, MtxFilesAreToldByTheirBytes) {
+    const std::string mass = "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 1\n2 2 1\n";
+    for (const std::string& stiffness :
+         {std::string("%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 2\n2 1 -1\n2 2 2\n"),
+          std::string("** ASSEMBLED\n7,1, 7,1, 2.0\n7,2, 7,1, -1.0\n7,2, 7,2, 2.0\n"),
+          std::string("1 1 2.0\n1 2 -1.0\n2 1 -1.0\n2 2 2.0\n")}) {
+        const ElasticPart part =
+            part_of({{"k.mtx", stiffness}, {"m.mtx", mass}}, {.stiffness = "k.mtx", .mass = "m.mtx"});
+        EXPECT_EQ(part.stiffness.coeff(0, 1), -1.0) << stiffness;
+        EXPECT_EQ(part.stiffness.coeff(1, 1), 2.0) << stiffness;
+    }
 }
 
 TEST(MatrixTraps, OtherKindsOfMatrixMarketAreRefused) {
@@ -217,6 +238,18 @@ TEST(AbaqusTraps, HeldRowsAreTakenOutAndInternalNodesKept) {
     EXPECT_EQ(part.notes.at(0), "1 row held by a penalty of 1e30 or more was taken out");
     EXPECT_NO_THROW(named_rows(part, "internal 1.1"));
     EXPECT_TRUE(support::thrown_by([&] { named_rows(part, "1.1"); }).says("is no set, node or row"));
+}
+
+// Abaqus lists one triangle, either of them, or both
+TEST(AbaqusTraps, AnyTriangleIsTheSameMatrix) {
+    const std::string diagonal = "2,1, 2,1, 4.0\n3,1, 3,1, 5.0\n";
+    const std::string mass = "2,1, 2,1, 1.0\n3,1, 3,1, 1.0\n";
+    for (const std::string& across : {std::string("3,1, 2,1, -2.0\n"), std::string("2,1, 3,1, -2.0\n"),
+                                      std::string("2,1, 3,1, -2.0\n3,1, 2,1, -2.0\n")}) {
+        const ElasticPart part = part_of({{"STIF", diagonal + across}, {"MASS", mass}}, {.files = {"STIF", "MASS"}});
+        EXPECT_EQ(part.stiffness.coeff(0, 1), -2.0) << across;
+        EXPECT_EQ(part.stiffness.coeff(1, 0), -2.0) << across;
+    }
 }
 
 TEST(AbaqusTraps, OtherTextsAreRefused) {
@@ -411,6 +444,42 @@ TEST(Output4Traps, BinaryRecordsThatDoNotFitAreRefused) {
     const ElasticPart part =
         part_of({{"j.op4", stiffness + load + mass}, {"t.csv", table}}, {.files = {"j.op4"}, .labels = "t.csv"});
     EXPECT_EQ(part.stiffness.coeff(1, 1), 3.0);
+}
+
+// columns without an entry are absent; strings of one column stand one behind the other
+TEST(Output4Traps, NullColumnsAreAbsent) {
+    const std::string end = "       4       1       1\n 1.0000000000000000E+00\n";
+    const std::string first = "       1       0       4\n       3       1\n 2.0000000000000000E+00\n";
+    const std::string third = "       3       0       4\n       3       3\n 5.0000000000000000E+00\n";
+    const auto whole = [&](const std::string& name) {
+        return "       3      -3       6       2" + name + "    1P,3E23.16\n" + first + third + end;
+    };
+    const ElasticPart part = part_of({{"j.op4", whole("KAAX") + whole("MAAX")}}, {.files = {"j.op4"}});
+    EXPECT_EQ(part.stiffness.coeff(2, 2), 5.0);
+    EXPECT_EQ(part.stiffness.nonZeros(), 2);
+    expect_refused({{"j.op4", whole("KAAX") + whole("MAAX")}}, {.files = {"j.op4"}},
+                   "row 2 has neither stiffness nor mass");
+    expect_refused({{"j.op4", whole("KAAX") + whole("KAAX") + whole("MAAX")}}, {.files = {"j.op4"}},
+                   "there is more than one stiffness");
+}
+
+// any Fortran format may stand in the fourth line; a matrix of no symmetric type lists both triangles
+TEST(AnsysTraps, OtherFormatsAndBothTrianglesAreRead) {
+    const auto matrix = [](const std::string& across) {
+        return "Stiffness matrix\n 10 1 1 2 0\nRUA                 2             2             4       0\n"
+               "(3I6)           (10I8)          (1P,2E12.4)         (1P,2E12.4)\n"
+               "     1     3     5\n       1       2       1       2\n  2.0000E+00 -1.0000E+00\n" +
+               across + "  2.0000E+00\n";
+    };
+    const TextFiles others{{"m", "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 1\n2 2 1\n"},
+                           {"map", " Matrix Eqn  Node  DOF\n 1 7 UX\n 2 7 UY\n"}};
+    TextFiles files = others;
+    files["k"] = matrix(" -1.0000E+00");
+    const ElasticPart part = part_of(files, {.files = {"k", "map"}, .mass = "m"});
+    EXPECT_EQ(part.stiffness.coeff(0, 1), -1.0);
+    EXPECT_EQ(part.stiffness.coeff(1, 1), 2.0);
+    files["k"] = matrix(" -1.5000E+00");
+    expect_refused(files, {.files = {"k", "map"}, .mass = "m"}, "the matrix is not symmetric");
 }
 
 TEST(AnsysTraps, PointersThatDoNotRiseAreRefused) {
