@@ -28,8 +28,8 @@ io::TomlSource load_source(const std::string& path, std::vector<std::string> ove
     return source;
 }
 
-parameters::Case load_case(const CaseOptions& options, io::SystemsTaken taken) {
-    return io::read_case(load_source(options.file, options.overrides), taken);
+parameters::Case load_case(const CaseOptions& options) {
+    return io::read_case(load_source(options.file, options.overrides));
 }
 
 }  // namespace stridor::app

@@ -23,7 +23,7 @@ struct CheckOptions {
 };
 
 void check(const CheckOptions& options) {
-    const parameters::Case c = load_case(options.input, io::SystemsTaken::or_structure);
+    const parameters::Case c = load_case(options.input);
     const integration::Cost cost = integration::cost(c);
     if (c.run.engine != parameters::Engine::exact && c.run.step > cost.step_limit)
         throw integration::beyond_step_limit(c);

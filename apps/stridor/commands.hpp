@@ -59,6 +59,6 @@ void add_no_early_option(CLI::App& command, CaseOptions& options);
 io::TomlSource load_source(const std::string& path, std::vector<std::string> overrides = {});
 
 /// Reads the case the options name.
-parameters::Case load_case(const CaseOptions& options, io::SystemsTaken taken = io::SystemsTaken::joints);
+parameters::Case load_case(const CaseOptions& options);
 
 }  // namespace stridor::app

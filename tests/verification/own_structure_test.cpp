@@ -30,8 +30,7 @@ namespace {
 using integration::Motion;
 
 parameters::Case read_ready(const std::string& name, std::vector<std::string> overrides) {
-    return io::read_case(io::TomlSource{io::ready_file(name), name, std::move(overrides)},
-                         io::SystemsTaken::or_structure);
+    return io::read_case(io::TomlSource{io::ready_file(name), name, std::move(overrides)});
 }
 
 Motion run_with_history(const parameters::Case& c) {
@@ -71,8 +70,8 @@ TEST(OwnStructure, ChainHasTheMatricesOfItsBuilder) {
 TEST(OwnStructure, ChainOfUnequalStartHasTheEventsOfRungeKutta) {
     std::string text = io::ready_file("chain");
     text.insert(text.find("\n[contact]"), "initial_displacement = [0.3, 0, 0, 0]\n");
-    const Motion motion = run_with_history(io::read_case(
-        io::TomlSource{text, "chain", {"run.duration=40", "run.window=39"}}, io::SystemsTaken::or_structure));
+    const Motion motion =
+        run_with_history(io::read_case(io::TomlSource{text, "chain", {"run.duration=40", "run.window=39"}}));
     expect_times(motion.record.histories[0],
                  {2.066157008309, 8.792909821550, 13.115476994928, 22.12023972075, 25.45689449152, 35.42627773191},
                  1e-10);
@@ -158,7 +157,7 @@ std::string strip_case(const Strip& strip, const support::ScratchFolder& folder)
 TEST(OwnStructure, StripOfRubberHasTheMeanSharesOfThePrototype) {
     const Strip strip = read_strip();
     const support::ScratchFolder folder;
-    const parameters::Case c = io::read_case(strip_case(strip, folder), {}, io::SystemsTaken::or_structure);
+    const parameters::Case c = io::read_case(strip_case(strip, folder));
     ASSERT_EQ(c.own_structure->contacts.size(), 5U);
     EXPECT_FALSE(parameters::is_preloaded(*c.own_structure));
     const Motion motion = integration::simulate(c);
@@ -196,7 +195,7 @@ TEST(OwnStructure, LipHasForcesWhereItsMirroredNodesSlipTogether) {
     for (const Friction& each :
          {Friction{0.3, 0.3, 4.0, 0.1}, Friction{0.3, 0.24, 16.0, 0.1}, Friction{0.5, 0.4, 16.0, 0.03},
           Friction{1.1, 0.55, 16.0, 0.1}, Friction{1.1, 1.1, 0.5, 0.1}, Friction{1.1, 1.1, 4.0, 0.1}}) {
-        parameters::Case c = io::read_case(io::TomlSource{text, "lip.toml", {}}, io::SystemsTaken::or_structure);
+        parameters::Case c = io::read_case(io::TomlSource{text, "lip.toml", {}});
         c.contact.static_friction = each.stick;
         c.contact.kinetic_friction = each.slip;
         c.contact.preload = each.preload;

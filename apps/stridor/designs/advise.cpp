@@ -54,7 +54,7 @@ advice::Advice advice_on(const parameters::Case& c, const AdviseCommand& command
 }
 
 void advise(const AdviseCommand& command) {
-    const parameters::Case c = load_case(command.input, io::SystemsTaken::or_structure);
+    const parameters::Case c = load_case(command.input);
     const advice::Advice advice = advice_on(c, command);
     console::print(command.json ? io::advice_json(advice) + "\n" : console::advice_text(advice));
     if (command.json || !console::has_terminal() || !advice.recommended) return;

@@ -34,8 +34,7 @@ struct ChartOptions {
 };
 
 void chart(const ChartOptions& options) {
-    sweep::Study study = io::read_study(load_source(options.input.file, options.input.overrides), options.axes,
-                                        io::SystemsTaken::or_structure);
+    sweep::Study study = io::read_study(load_source(options.input.file, options.input.overrides), options.axes);
     if (options.preview) study = sweep::preview(std::move(study));
     const std::string name =
         std::filesystem::path(options.input.file).stem().string() + (options.preview ? "-preview" : "");

@@ -96,7 +96,7 @@ void write_records(const SimulateOptions& options, const parameters::Case& c, co
 void simulate(const SimulateOptions& options) {
     require_ending("--trace", options.trace, {".csv", ".nc"});
     require_ending("--history", options.history, {".csv"});
-    const parameters::Case c = load_case(options.input, io::SystemsTaken::or_structure);
+    const parameters::Case c = load_case(options.input);
     const record::Request request = request_for(options, c);
     const Interrupt interrupt;
     const integration::Motion motion = integration::simulate(c, request, interrupt.token());

@@ -35,7 +35,7 @@ analysis::StabilityScan scan_over(const parameters::Case& c, const std::string& 
 }
 
 void stability(const StabilityOptions& options) {
-    const parameters::Case c = load_case(options.input, io::SystemsTaken::or_structure);
+    const parameters::Case c = load_case(options.input);
     const analysis::StabilityScan scan = scan_over(c, options.over);
     if (!options.figure.empty()) pictures::draw_stability(scan, options.figure);
     console::print(options.json ? io::stability_json(scan) + "\n" : console::stability_text(scan));

@@ -31,18 +31,21 @@ double detail_of(const std::string& text) {
 }  // namespace
 
 void add_motion_options(CLI::App& command, MotionOptions& options) {
-    command.add_option("--of", options.of, "whose motion stands for the sound of a simulation")
-        ->check(one_of({"joint", "plate"}))
+    command
+        .add_option("--of", options.of,
+                    "whose motion stands for the sound of a simulation: joint (of several contacts the strongest), "
+                    "plate, or a name as for `stridor listen`")
+        ->type_name("joint|plate|NAME")
         ->capture_default_str();
     command.add_option("--quantity", options.quantity, "what of it")
         ->check(one_of({"velocity", "acceleration"}))
         ->capture_default_str();
 }
 
-sound::Pickup pickup_of(const MotionOptions& options) {
+hearing::AskedMotion asked_motion(const MotionOptions& options) {
     const signal::MotionQuantity quantity =
         options.quantity == "velocity" ? signal::MotionQuantity::velocity : signal::MotionQuantity::acceleration;
-    return {options.of == "joint" ? 0U : sound::last_dof, quantity};
+    return {options.of, "", quantity};
 }
 
 void add_compare_options(CLI::App& command, CompareOptions& options) {
@@ -74,7 +77,7 @@ std::vector<ComparedSound> load_sounds(const CompareOptions& options) {
         base::refuse("standard input is asked for twice", "it can be read once", "");
     hearing::ComparisonSettings settings;
     settings.detail = detail_of(options.detail);
-    settings.pickup = pickup_of(options.motion);
+    settings.motion = asked_motion(options.motion);
     std::vector<NamedSound> all;
     for (const std::string& text : options.sounds)
         all.push_back(io::named_sound(text, lookup_in(options.library)));

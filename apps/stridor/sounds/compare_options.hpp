@@ -24,7 +24,7 @@ struct MotionOptions {
 /// Adds `--of` and `--quantity`.
 void add_motion_options(CLI::App& command, MotionOptions& options);
 
-sound::Pickup pickup_of(const MotionOptions& options);
+hearing::AskedMotion asked_motion(const MotionOptions& options);
 
 struct CompareOptions {
     std::vector<std::string> sounds;  // recordings, cases, cells of charts, entries of the library

@@ -39,7 +39,7 @@ hearing::HearingOptions hearing_options(const EvaluateOptions& options) {
     hearing::HearingOptions hearing;
     hearing.perturb_every = options.perturb_every;
     hearing.threads = options.threads;
-    if (options.of == "plate") hearing.settings.sound.pickup.dof = sound::last_dof;
+    hearing.settings.motion.of = options.of;
     for (const std::string& assignment : options.assignments)
         if (parameters::is_sound_threshold(assignment))
             parameters::set_sound_threshold(hearing.settings.thresholds, assignment);
@@ -59,10 +59,7 @@ std::vector<io::HeardChart> charts_of(const EvaluateOptions& options) {
                  [](const std::string& assignment) { return !parameters::is_sound_threshold(assignment); });
     std::vector<io::HeardChart> charts;
     for (const std::string& file : options.files)
-        charts.push_back({file,
-                          sweep::PlaneSet::file,
-                          io::read_study(load_source(file, overrides), {}, io::SystemsTaken::or_structure),
-                          {}});
+        charts.push_back({file, sweep::PlaneSet::file, io::read_study(load_source(file, overrides)), {}});
     if (!charts.empty() || !options.recordings.empty()) return charts;
     for (sweep::ReadyChart& chart : sweep::ready_charts())
         if (options.planes == "all" || options.planes == sweep::plane_set_names[static_cast<std::size_t>(chart.set)])
@@ -147,7 +144,10 @@ void add_evaluate(CLI::App& program) {
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     command
-        ->add_option("--of", options->of, "whose velocity is heard: the joint's along, the plate's across the contact")
+        ->add_option(
+            "--of", options->of,
+            "whose velocity is heard: the joint's along (of several contacts the strongest), the plate's across the "
+            "contact")
         ->check(one_of({"joint", "plate"}))
         ->capture_default_str();
     command

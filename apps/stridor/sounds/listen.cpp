@@ -45,14 +45,16 @@ void listen(ListenOptions options) {
     require_destination(options);
     const io::ListeningChoice choice =
         io::chosen_case(options.texts, load_source(options.input.file, options.input.overrides));
-    const sound::AuralisationSettings settings = io::listening_settings(options.texts, choice.c);
+    const Interrupt interrupt;
+    const hearing::HeardMotion motion =
+        hearing::heard_motion(choice.c, io::asked_motion(options.texts), interrupt.token());
+    const sound::AuralisationSettings settings = io::listening_settings(options.texts, choice.c, motion);
     std::unique_ptr<hearing::RenderedSound> sound;
     {
-        const Interrupt interrupt;
         console::RenderDisplay display(choice.c.run.duration);
         sound = hearing::render(choice.c, settings, interrupt.token(), [&](double time) { display.show(time); });
     }
-    io::SoundInfo info = io::sound_info(options.texts, choice, settings, *sound);
+    io::SoundInfo info = io::sound_info(options.texts, choice, motion, settings, *sound);
     info.file = options.out;
     info.player = options.out.empty() ? console::find_player() : "";
 
@@ -90,8 +92,8 @@ void add_listen(CLI::App& program) {
     command
         ->add_option(
             "--of", options->texts.of,
-            "whose motion: joint (of several the first), plate, or the name of one of several joints; of an own "
-            "structure a contact (joint: the first) or a row")
+            "whose motion: joint (of several contacts the strongest), plate, or the name of one of several joints; of "
+            "an own structure a contact or a row")
         ->type_name("joint|plate|NAME")
         ->capture_default_str();
     command->add_option("--quantity", options->texts.quantity, "what of it")

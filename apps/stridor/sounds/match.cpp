@@ -82,10 +82,11 @@ hearing::SoundSearchResult searched(const MatchOptions& options, const io::Match
 void write_cell(const hearing::SimulatedSound& cell, double rate, const MotionOptions& motion,
                 const std::string& file) {
     sound::AuralisationSettings settings;
-    settings.pickup = pickup_of(motion);
+    const Interrupt interrupt;
+    const hearing::HeardMotion heard = hearing::heard_motion(cell.c, asked_motion(motion), interrupt.token());
+    settings.pickup = heard.pickup;
     settings.rate = rate;
     settings.stretches = cell.stretches;
-    const Interrupt interrupt;
     const std::unique_ptr<hearing::RenderedSound> sound =
         hearing::render(cell.c, settings, interrupt.token(), [](double) {});
     const std::string unit = sound::unit_of(settings.pickup.quantity);
@@ -93,7 +94,7 @@ void write_cell(const hearing::SimulatedSound& cell, double rate, const MotionOp
     recordings::write_wav(file, *sound,
                           {recordings::WavSamples::pcm_24,
                            {{full_scale, unit}},
-                           "simulated by stridor: " + hearing::motion_words(settings.pickup)});
+                           "simulated by stridor: " + hearing::motion_words(heard)});
 }
 
 void write_folder(const MatchOptions& options, const io::MatchReport& report) {
@@ -108,7 +109,7 @@ void write_folder(const MatchOptions& options, const io::MatchReport& report) {
         if (k >= drawn) continue;
         const std::string name = console::match_name(report.study, match);
         sounds.push_back(load_sound({name, fmt::format("match {}", k + 1), "simulation at " + name, cell},
-                                    {pickup_of(options.motion), report.rate}));
+                                    {asked_motion(options.motion), report.rate}));
     }
     pictures::draw_both(pictures::side_by_side(sounds), folder / "match");
 }
@@ -117,17 +118,17 @@ void match(const MatchOptions& options) {
     io::MatchReport report;
     report.chart = options.chart.file;
     report.study = io::read_study(load_source(options.chart.file, options.chart.overrides));
-    const sound::Pickup pickup = pickup_of(options.motion);
+    const hearing::AskedMotion asked = asked_motion(options.motion);
     const hearing::NamedSound named = io::named_recording(options.recording, lookup_in(options.library));
     report.recording = load_sound(named, {{}, std::get<hearing::RecordedSound>(named.source).rate});
     hearing::require_matchable(report.recording);
-    if (options.with_level) hearing::require_comparable_level(report.recording, pickup.quantity);
-    report.motion = hearing::motion_words(pickup);
+    if (options.with_level) hearing::require_comparable_level(report.recording, asked.quantity);
+    report.motion = hearing::motion_words(report.study.base, asked);
     report.rate = hearing::matching_rate(report.recording);
     report.level = options.with_level ? classification::LevelUse::counted : classification::LevelUse::ignored;
     report.extent = options.every ? hearing::SearchExtent::every : hearing::SearchExtent::search;
     hearing::CellListening listening;
-    listening.sound.pickup = pickup;
+    listening.motion = asked;
     listening.sound.rate = report.rate;
     hearing::check_audible(report.study.base, listening.sound);
     report.result = searched(options, report, listening);

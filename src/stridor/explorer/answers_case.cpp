@@ -76,7 +76,7 @@ Json field_object(const parameters::Field& field) {
 }
 
 Json preset_object(const Preset& preset) {
-    const parameters::Case c = io::read_case(io::parse_toml(source_of(preset)), samples_of(preset));
+    const parameters::Case c = io::read_case(io::parse_toml(source_of(preset)), readers_of(preset));
     Json object{{"name", preset.name}, {"title", c.title}, {"case", Json::parse(io::case_json(c))}};
     if (preset.study) object["chart"] = chart_of(*preset.study);
     return object;

@@ -42,7 +42,7 @@ std::vector<std::string> changes(const Case& from, const Case& to) {
 Case read_preset(const Preset& preset, const std::vector<std::string>& set) {
     io::TomlSource source = source_of(preset);
     source.overrides.insert(source.overrides.end(), set.begin(), set.end());
-    return io::read_case(io::parse_toml(source), samples_of(preset));
+    return io::read_case(io::parse_toml(source), readers_of(preset));
 }
 
 }  // namespace

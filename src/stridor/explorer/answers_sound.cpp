@@ -3,6 +3,7 @@
 #include "stridor/classification/sound_rules.hpp"
 #include "stridor/explorer/answers.hpp"
 #include "stridor/explorer/bytes.hpp"
+#include "stridor/hearing/heard_motion.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/recordings/open_signal.hpp"
@@ -23,6 +24,7 @@ constexpr double floor_level = -200.0;    // [dB] what stands for silence, which
 
 struct Listening {
     parameters::Case c;
+    hearing::AskedMotion motion;
     sound::AuralisationSettings settings;
 };
 
@@ -38,16 +40,14 @@ double number_between(const Json& body, const std::string& name, double low, dou
 }
 
 Listening listening_in(const World& world, const Json& body) {
-    Listening listening{case_in(world, body), {}};
+    Listening listening{case_in(world, body), {}, {}};
     const std::string of = text_in(body, "of", "joint");
     const std::string quantity = text_in(body, "quantity", "velocity");
     const std::string direction = text_in(body, "direction", "whole");
     sound::AuralisationSettings& settings = listening.settings;
-    if (of != "joint" && of != "plate") throw none_of("joint, plate", of);
     if (quantity != "velocity" && quantity != "acceleration") throw none_of("velocity, acceleration", quantity);
-    settings.pickup.dof = of == "joint" ? 0 : sound::last_dof;  // along the plate, or across it
-    settings.pickup.quantity =
-        quantity == "velocity" ? signal::MotionQuantity::velocity : signal::MotionQuantity::acceleration;
+    listening.motion = {
+        of, "", quantity == "velocity" ? signal::MotionQuantity::velocity : signal::MotionQuantity::acceleration};
     settings.rate = number_between(body, "rate", 8000.0, 96000.0, settings.rate);
     parameters::Run& run = listening.c.run;
     const double seconds = number_between(body, "seconds", 0.01, longest_sound, run.duration);
@@ -61,6 +61,12 @@ Listening listening_in(const World& world, const Json& body) {
     else if (direction != "whole")
         throw none_of("going, coming, whole", direction);
     return listening;
+}
+
+signal::Signal sound_of(const Listening& listening, const std::stop_token& stop) {
+    sound::AuralisationSettings settings = listening.settings;
+    settings.pickup = hearing::heard_motion(listening.c, listening.motion, stop).pickup;
+    return hearing::sound_of_case(listening.c, settings, stop);
 }
 
 // levels to a tenth of a decibel
@@ -148,7 +154,7 @@ Response analysis_of(signal::Source& source) {
 
 Response sound(const World& world, const Json& body, const std::stop_token& stop) {
     const Listening listening = listening_in(world, body);
-    const signal::Signal sound = hearing::sound_of_case(listening.c, listening.settings, stop);
+    const signal::Signal sound = sound_of(listening, stop);
     double peak = hearing::least_motion;
     for (const double sample : sound.samples)
         peak = std::max(peak, std::abs(sample));
@@ -157,7 +163,7 @@ Response sound(const World& world, const Json& body, const std::stop_token& stop
 
 Response analysis(const World& world, const Json& body, const std::stop_token& stop) {
     const Listening listening = listening_in(world, body);
-    const auto source = signal::source_of({hearing::sound_of_case(listening.c, listening.settings, stop)});
+    const auto source = signal::source_of({sound_of(listening, stop)});
     return analysis_of(*source);
 }
 

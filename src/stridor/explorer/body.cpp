@@ -126,7 +126,7 @@ std::vector<std::string> overrides_in(const Json& body) {
 
 parameters::Case case_in(const World& world, const Json& body) {
     const Preset& preset = preset_in(world, body);
-    parameters::Case c = io::read_case(document_in(preset, body), samples_of(preset));
+    parameters::Case c = io::read_case(document_in(preset, body), readers_of(preset));
     limit_run(c);
     return c;
 }
@@ -135,7 +135,7 @@ sweep::Study study_in(const World& world, const Json& body) {
     const Json& chart = object_in(body, "chart");
     const Preset& preset = preset_in(world, body);
     sweep::Study study;
-    study.base = io::read_base_case(document_in(preset, body), samples_of(preset));
+    study.base = io::read_base_case(document_in(preset, body), readers_of(preset));
     limit_run(study.base);
     study.x = axis_in(chart, "x");
     study.y = axis_in(chart, "y");

@@ -13,17 +13,29 @@
 
 namespace stridor::explorer {
 
+namespace {
+
+Error not_at_hand(const std::string& what) {
+    return {ErrorKind::input,
+            {what + " not at hand", "the explorer opens no files on request",
+             "Start it with the case: stridor explore CASE.toml."}};
+}
+
+}  // namespace
+
 io::TomlSource source_of(const Preset& preset) {
     return {preset.toml, preset.file.empty() ? preset.name : preset.file, preset.overrides};
 }
 
-io::SamplesReader samples_of(const Preset& preset) {
-    return [&preset](const std::string& path) {
-        if (!preset.samples_file.empty() && path == preset.samples_file) return preset.samples;
-        throw Error(ErrorKind::input,
-                    {"the samples of this drive are not at hand", "the explorer opens no files on request",
-                     "Start it with the case: stridor explore CASE.toml."});
-    };
+io::CaseReaders readers_of(const Preset& preset) {
+    return {[&preset](const std::string& path) {
+                if (!preset.samples_file.empty() && path == preset.samples_file) return preset.samples;
+                throw not_at_hand("the samples of this drive are");
+            },
+            [&preset](const io::TomlDocument&) {
+                if (preset.structure) return preset.structure;
+                throw not_at_hand("this structure is");
+            }};
 }
 
 std::vector<Preset> paper_presets() {
@@ -64,7 +76,13 @@ Preset preset_of(const io::TomlSource& source) {
         return preset.samples = recordings::read_sampled_file(path);
     };
     const io::TomlDocument document = io::parse_toml(source);
-    const parameters::Case c = io::read_case(document, keep);  // what is wrong is said here and not in the page
+    // what is wrong is said here and not in the page
+    const parameters::Case c = io::read_case(document, {keep, io::read_own_structure});
+    if (c.own_structure)
+        throw Error(ErrorKind::input,
+                    {"the page shows joints on a plate", "the file has a structure of its own, as [structure]",
+                     "Look at it with `stridor simulate --figure`, `stridor chart` and `stridor report`."},
+                    document.find("structure")->key_place);
     if (document.find("chart") != nullptr)
         preset.study = io::read_study(source);
     else if (parameters::temperature_column(c, "contact.kinetic_friction") != nullptr)

@@ -5,6 +5,7 @@
 #include "stridor/sweep/study.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,7 +21,8 @@ struct Preset {
     std::vector<std::string> overrides{};  // "section.key=value", over the file's values
     std::string samples_file{};            // of its sampled drive, as it was read when the program started
     recordings::SampledMotion samples{};   // what stood in it
-    std::optional<sweep::Study> study{};   // the chart of its file, should it have one
+    std::shared_ptr<const parameters::OwnStructure> structure{};  // its own, as it was read then
+    std::optional<sweep::Study> study{};                          // the chart of its file, should it have one
 };
 
 /// What the explorer's answers are made from; it never changes.
@@ -33,9 +35,9 @@ struct World {
 /// A preset as the text that a case is read from.
 io::TomlSource source_of(const Preset& preset);
 
-/// Gives the samples that came with a preset and opens nothing: whoever reaches the page must not make the program
+/// Gives what came with a preset, and opens nothing: whoever reaches the page must not make the program
 /// open files.
-io::SamplesReader samples_of(const Preset& preset);
+io::CaseReaders readers_of(const Preset& preset);
 
 /// The four cases of Table 1.
 std::vector<Preset> paper_presets();

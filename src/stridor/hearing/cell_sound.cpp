@@ -11,7 +11,10 @@ std::optional<CellSound> sound_of_cell(const sweep::Study& study, std::size_t in
     const sweep::CellPlace place = sweep::place_of(study, index);
     const parameters::Case c = sweep::case_at(study, place);
     const parameters::Direction direction = study.directions[place.direction];
+    const std::optional<HeardMotion> motion = heard_motion(c, listening.motion, stop, workspace);
+    if (!motion) return std::nullopt;
     sound::AuralisationSettings settings = listening.sound;
+    settings.pickup = motion->pickup;
     settings.stretches = heard_stretches(c, direction);
     const std::optional<RunSound> run = sound_of_run(c, settings, stop, workspace);
     if (!run) return std::nullopt;

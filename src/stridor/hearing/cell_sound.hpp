@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/classification/likeness.hpp"
+#include "stridor/hearing/heard_motion.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/sound/auralisation.hpp"
@@ -17,7 +18,8 @@ namespace stridor::hearing {
 
 /// How the cells of a chart are made audible and judged by ear.
 struct CellListening {
-    sound::AuralisationSettings sound{};  // its stretches follow from each cell
+    AskedMotion motion{};
+    sound::AuralisationSettings sound{};  // its pickup and stretches follow from each cell
     parameters::SoundThresholds thresholds{};
 };
 

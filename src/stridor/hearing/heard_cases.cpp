@@ -14,7 +14,7 @@ namespace {
 
 classification::RecordingVerdict verdict_on_whole(const parameters::Case& c, const HearingOptions& options) {
     sound::AuralisationSettings settings;
-    settings.pickup = options.settings.sound.pickup;
+    settings.pickup = heard_motion(c, options.settings.motion, options.stop).pickup;
     settings.rate = options.settings.sound.rate;
     settings.stretches = {{0.0, c.run.duration}};
     const std::unique_ptr<RenderedSound> sound = render(c, settings, options.stop, [](double) {});

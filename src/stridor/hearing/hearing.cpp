@@ -77,7 +77,10 @@ Signal perturbed(Signal sound, const Perturbation& perturbation, std::uint64_t s
 
 std::vector<HeardSound> hear(const Case& c, std::span<const Direction> directions, const HearingSettings& settings,
                              const std::stop_token& stop, integration::Workspace& workspace) {
+    const std::optional<HeardMotion> motion = heard_motion(c, settings.motion, stop, workspace);
+    if (!motion) return {};
     sound::AuralisationSettings sound = settings.sound;
+    sound.pickup = motion->pickup;
     sound.stretches.clear();
     std::vector<std::size_t> ends;  // of each direction's stretches
     for (const Direction direction : directions) {

@@ -2,6 +2,7 @@
 
 #include "stridor/classification/confusion.hpp"
 #include "stridor/classification/sound_verdict.hpp"
+#include "stridor/hearing/heard_motion.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/sound_thresholds.hpp"
 #include "stridor/signal/signal.hpp"
@@ -39,8 +40,9 @@ signal::Signal perturbed(signal::Signal sound, const Perturbation& perturbation,
 
 /// How motions are made audible and judged.
 struct HearingSettings {
-    // the joint's velocity along the plate; its stretches follow from each case. What folds back at this density lies
-    // 92 dB below the tone (docs/methods/auralisation.md).
+    AskedMotion motion{};
+    // its pickup and stretches follow from each case. What folds back at this density lies 92 dB below the tone
+    // (docs/methods/auralisation.md).
     sound::AuralisationSettings sound{.fade = 0.0, .density = 8};
     parameters::SoundThresholds thresholds{};
     std::optional<std::uint64_t> seed{};  // of the noise; nothing: the sounds are not perturbed

@@ -172,10 +172,8 @@ std::string heard_text(const sweep::Study& study, const HearingOptions& options)
         text += "heard." + key + " = " + base::shortest(value) + "\n";
     };
     add("results", sweep::results_version);
-    add("dof", static_cast<double>(settings.sound.pickup.dof));
-    for (const double weight : settings.sound.pickup.weights)
-        add("weight", weight);
-    add("quantity", static_cast<double>(settings.sound.pickup.quantity));
+    text += "heard.of = " + settings.motion.of + " " + settings.motion.component + "\n";
+    add("quantity", static_cast<double>(settings.motion.quantity));
     add("rate", settings.sound.rate);
     add("high_pass", settings.sound.high_pass);
     add("fade", settings.sound.fade);

@@ -3,7 +3,6 @@
 #include "stridor/base/error.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/classification/sound_rules.hpp"
-#include "stridor/hearing/contact_pickup.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/own_structure.hpp"
@@ -16,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -137,27 +137,22 @@ record::ContactHistory heard_history(const record::ContactHistory& run, std::vec
     return heard;
 }
 
-// of an own structure the first contact stands for the joint
-sound::Pickup pickup_in(const parameters::Case& c, const sound::Pickup& pickup) {
-    if (!c.own_structure) return pickup;
-    if (pickup.dof == sound::last_dof)
-        base::refuse("--of plate does not go with a structure of its own", "it has no plate", "Use --of joint.");
-    return contact_pickup(c, 0, ContactDirection::tangent, pickup.quantity);
-}
-
-const char* quantity_word(const sound::Pickup& pickup) {
-    return pickup.quantity == signal::MotionQuantity::velocity ? "velocity" : "acceleration";
-}
-
-std::string motion_words(const parameters::Case& c, const sound::Pickup& pickup) {
-    if (!c.own_structure) return hearing::motion_words(pickup);
-    return parameters::contact_name(c, 0) + " " + quantity_word(pickup) + " along x";
+// of several contacts of an own structure the one that is heard, or else the one that leads
+std::vector<std::size_t> shown_contacts(const parameters::Case& c, const HeardMotion& motion,
+                                        const classification::KnownContact& known) {
+    std::vector<std::size_t> shown(parameters::contact_count(c));
+    std::iota(shown.begin(), shown.end(), std::size_t{0});
+    if (!c.own_structure) return shown;
+    if (motion.contact) return {*motion.contact};
+    const classification::Verdict* loudest = classification::loudest_phase(known);
+    return {loudest != nullptr ? loudest->evidence.contact : 0};
 }
 
 ComparedSound simulate_sound(const SimulatedSound& simulated, const ComparisonSettings& comparison,
                              const std::stop_token& stop) {
     sound::AuralisationSettings settings;
-    settings.pickup = pickup_in(simulated.c, comparison.pickup);
+    const HeardMotion motion = heard_motion(simulated.c, comparison.motion, stop);
+    settings.pickup = motion.pickup;
     settings.rate = std::clamp(comparison.rate, least_motion_rate, most_motion_rate);
     settings.stretches = simulated.stretches;
     if (settings.stretches.empty()) settings.stretches = {{0.0, simulated.c.run.duration}};
@@ -168,7 +163,7 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const ComparisonSe
         sound.profile = {};
         sound.heard = {classification::Category::none, {}, {}, {"nothing moves but by rounding"}};
     }
-    sound.what = motion_words(simulated.c, comparison.pickup);
+    sound.what = motion_words(motion);
     sound.rate = settings.rate;
     sound.length = sound.analysis.duration;
     rendering.sound->rewind();
@@ -176,10 +171,9 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const ComparisonSe
     rendering.sound->rewind();
     set_detail(sound, *rendering.sound, comparison.detail);
     sound.contact.verdicts = classification::classify_phases(rendering.record.phases, simulated.c.verdict);
-    // of an own structure the contact that is heard
-    const std::size_t shown = simulated.c.own_structure ? 1 : rendering.record.histories.size();
-    for (const record::ContactHistory& history : std::span(rendering.record.histories).first(shown))
-        sound.contact.histories.push_back(heard_history(history, settings.stretches, sound.detail.from,
+    for (const std::size_t contact : shown_contacts(simulated.c, motion, sound.contact))
+        sound.contact.histories.push_back(heard_history(rendering.record.histories[contact], settings.stretches,
+                                                        sound.detail.from,
                                                         sound.detail.from + signal::duration(sound.detail.signal)));
     return sound;
 }
@@ -206,12 +200,6 @@ double common_rate(std::span<const NamedSound> sounds) {
 bool is_resampled(const NamedSound& sound, double rate) {
     const auto* recorded = std::get_if<RecordedSound>(&sound.source);
     return recorded != nullptr && recorded->rate != rate;
-}
-
-std::string motion_words(const sound::Pickup& pickup) {
-    const bool is_plate = pickup.dof == sound::last_dof;
-    return std::string(is_plate ? "plate " : "joint ") + quantity_word(pickup) + " along " +
-           (!is_plate && pickup.dof % 2 == 0 ? "x" : "y");
 }
 
 ComparedSound compared(const NamedSound& named, const ComparisonSettings& settings, const std::stop_token& stop) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/classification/compared_sound.hpp"
+#include "stridor/hearing/heard_motion.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/sound/auralisation.hpp"
@@ -44,9 +45,9 @@ void require_comparable(std::size_t sounds);
 
 /// How sounds are compared.
 struct ComparisonSettings {
-    sound::Pickup pickup{};  // which motion of a simulation stands for its sound
-    double rate = 48000.0;   // [Hz] of all sounds
-    double detail = 0.05;    // [s] how long the stretch is that is kept sample by sample
+    AskedMotion motion{};   // which motion of a simulation stands for its sound
+    double rate = 48000.0;  // [Hz] of all sounds
+    double detail = 0.05;   // [s] how long the stretch is that is kept sample by sample
 };
 
 /// The rate of a comparison [Hz]: the lowest of all recordings, since a band that one of them lacks would tell them
@@ -55,9 +56,6 @@ double common_rate(std::span<const NamedSound> sounds);
 
 /// Is a recording of another rate? Then it is resampled.
 bool is_resampled(const NamedSound& sound, double rate);
-
-/// "joint velocity along x"
-std::string motion_words(const sound::Pickup& pickup);
 
 /// Reads or simulates a sound, analyses its loudest channel, and judges it. A simulation is made at 8 kHz to 192 kHz;
 /// one that nowhere moves by more than `least_motion` is silence.

@@ -193,6 +193,7 @@ private:
 std::string listening_text(const sweep::Study& study, const CellListening& listening) {
     // a cell sounds as `hear` hears it, without what is done to its sound there
     HearingOptions options;
+    options.settings.motion = listening.motion;
     options.settings.sound = listening.sound;
     options.settings.thresholds = listening.thresholds;
     options.perturb_every = 0;

@@ -215,10 +215,10 @@ TEST(Hearing, IsKeptUnderAllThatDecidesIt) {
     other.base.contact.static_friction += 0.01;
     EXPECT_NE(heard_text(other, options), plain);
     HearingOptions changed = options;
-    changed.settings.sound.pickup.dof = 2;
+    changed.settings.motion.of = "plate";
     EXPECT_TRUE(is_another(changed));
     changed = options;
-    changed.settings.sound.pickup.quantity = signal::MotionQuantity::acceleration;
+    changed.settings.motion.quantity = signal::MotionQuantity::acceleration;
     EXPECT_TRUE(is_another(changed));
     changed = options;
     changed.settings.sound.rate = 16000.0;

@@ -75,11 +75,5 @@ TEST(Compared, IsSilenceWhereNothingMovesButByRounding) {
     EXPECT_TRUE(is_silent(sound.profile));
 }
 
-TEST(MotionWords, SayWhatMovesAndWhereTo) {
-    EXPECT_EQ(motion_words({0, signal::MotionQuantity::velocity}), "joint velocity along x");
-    EXPECT_EQ(motion_words({1, signal::MotionQuantity::velocity}), "joint velocity along y");
-    EXPECT_EQ(motion_words({sound::last_dof, signal::MotionQuantity::acceleration}), "plate acceleration along y");
-}
-
 }  // namespace
 }  // namespace stridor::hearing

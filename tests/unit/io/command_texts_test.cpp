@@ -26,7 +26,7 @@ using support::thrown_by;
 TEST(ReadyFiles, AreReadAsWhatTheyAre) {
     for (const std::string& name : ready_file_names()) {
         if (name != "schema") {
-            EXPECT_NO_THROW(read_case({ready_file(name), name, {}}, SystemsTaken::or_structure)) << name;
+            EXPECT_NO_THROW(read_case({ready_file(name), name, {}})) << name;
         }
     }
     EXPECT_EQ(ready_file("schema").front(), '{');
@@ -63,14 +63,13 @@ TEST(ListeningTexts, NameOneOfSeveralJoints) {
         texts.of = of;
         texts.component = component;
         const ListeningChoice choice = chosen_case(texts, source);
-        return listening_settings(texts, choice.c).pickup.dof;
+        return hearing::heard_motion(choice.c, asked_motion(texts)).pickup.dof;
     };
-    EXPECT_EQ(dof_of("joint", ""), 0U);
     EXPECT_EQ(dof_of("upper", "y"), 1U);
     EXPECT_EQ(dof_of("lower", ""), 2U);
     EXPECT_EQ(dof_of("lower", "y"), 3U);
     EXPECT_EQ(dof_of("plate", ""), sound::last_dof);
-    EXPECT_TRUE(thrown_by([&] { dof_of("lowr", ""); }).says("joint (the first), plate, upper, lower"));
+    EXPECT_TRUE(thrown_by([&] { dof_of("lowr", ""); }).says("joint (the strongest), plate, upper, lower"));
 }
 
 TEST(ListeningTexts, NameAContactOrARowOfAnOwnStructure) {
@@ -80,9 +79,9 @@ TEST(ListeningTexts, NameAContactOrARowOfAnOwnStructure) {
         texts.of = of;
         texts.component = component;
         const ListeningChoice choice = chosen_case(texts, source);
-        return listening_settings(texts, choice.c).pickup;
+        return hearing::heard_motion(choice.c, asked_motion(texts)).pickup;
     };
-    const parameters::Case c = read_case(source, SystemsTaken::or_structure);
+    const parameters::Case c = read_case(source);
     const std::vector<parameters::OwnContact>& contacts = c.own_structure->contacts;
     ASSERT_EQ(contacts.size(), 2U);
     EXPECT_EQ(heard("joint", "").weights, contacts[0].tangent);
@@ -100,14 +99,15 @@ TEST(ListeningTexts, BecomeSettings) {
     ListeningTexts texts;
     texts.seconds = "0.4 s";
     const ListeningChoice choice = chosen_case(texts, source);
-    const sound::AuralisationSettings settings = listening_settings(texts, choice.c);
+    const hearing::HeardMotion motion = hearing::heard_motion(choice.c, asked_motion(texts));
+    const sound::AuralisationSettings settings = listening_settings(texts, choice.c, motion);
     ASSERT_EQ(settings.stretches.size(), 1U);
     EXPECT_EQ(settings.stretches.front().to, 0.4);
     EXPECT_EQ(settings.rate, 48000.0);
     texts.seconds = "2.5";
     EXPECT_EQ(chosen_case(texts, source).c.run.duration, 2.5);
     texts.rate = "48";
-    EXPECT_TRUE(thrown_by([&] { listening_settings(texts, choice.c); }).says("from 8 kHz to 192 kHz"));
+    EXPECT_TRUE(thrown_by([&] { listening_settings(texts, choice.c, motion); }).says("from 8 kHz to 192 kHz"));
 }
 
 TEST(ListeningTexts, TakeTheDirectionOfTheirCell) {

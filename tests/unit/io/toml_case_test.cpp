@@ -289,7 +289,7 @@ TEST(TomlCase, ReachesAFileThroughItsReaderAlone) {
                 asked = name;
                 return recordings::SampledMotion{{0.0, 2.0}, {0.1, -0.1}};
             };
-            EXPECT_NO_THROW(read_case(parse_toml({text, "case.toml", {}}), reader)) << text;
+            EXPECT_NO_THROW(read_case(parse_toml({text, "case.toml", {}}), {reader})) << text;
             EXPECT_EQ(asked, path) << text;
             EXPECT_FALSE(canary.was_opened()) << text;
         }
@@ -307,7 +307,7 @@ TEST(TomlCase, OpensNothingWhateverByteStandsAroundAKey) {
                 std::string odd = key;
                 odd.insert(at, 1, static_cast<char>(byte));
                 try {
-                    read_case(parse_toml({replaced(plain, key, odd), "case.toml", {}}), none);
+                    read_case(parse_toml({replaced(plain, key, odd), "case.toml", {}}), {none});
                     ADD_FAILURE() << odd;
                 } catch (const std::exception&) {
                 }

@@ -6,6 +6,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/storage/atomic_file.hpp"
+#include "support/canary.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ std::string whole_case(const std::string& structure) {
 }
 
 Case read_structure_text(const std::string& text, std::vector<std::string> overrides = {}) {
-    return read_case(TomlSource{text, "case.toml", std::move(overrides)}, SystemsTaken::or_structure);
+    return read_case(TomlSource{text, "case.toml", std::move(overrides)});
 }
 
 std::string structure_refusal(const std::string& text, std::vector<std::string> overrides = {}) {
@@ -87,7 +88,7 @@ TEST(TomlStructure, HasItsMatricesInFilesBesideIt) {
         "# where it rubs\nname,normal,tangent,initial_gap [mm],preload_share\ntip,u2,-u1,0,1\n"
         "toe,u1,u2,1,\n");
     put("case.toml", whole_case("[structure]\nmass = \"m.csv\"\nstiffness = \"k.csv\"\ncontacts = \"contacts.csv\"\n"));
-    const Case c = read_case((folder / "case.toml").string(), {}, SystemsTaken::or_structure);
+    const Case c = read_case((folder / "case.toml").string());
     EXPECT_EQ(c.own_structure->stiffness, (std::vector<double>{3, -1, -1, 4}));
     ASSERT_EQ(c.own_structure->contacts.size(), 2U);
     EXPECT_EQ(c.own_structure->contacts[1].initial_gap, 1e-3);
@@ -97,7 +98,7 @@ TEST(TomlStructure, HasItsMatricesInFilesBesideIt) {
     put("rows.csv", "node,component,x,y,z,set\n7,x,0,0,0,TIP\n7,z,0,0,0,TIP\n");
     put("case.toml", whole_case("[structure]\nmass = \"m.mtx\"\nstiffness = \"k.mtx\"\nlabels = \"rows.csv\"\n"
                                 "[[structure.contact]]\nset = \"TIP\"\nnormal = \"z\"\ntangent = \"-x\"\n"));
-    const Case labelled = read_case((folder / "case.toml").string(), {}, SystemsTaken::or_structure);
+    const Case labelled = read_case((folder / "case.toml").string());
     EXPECT_EQ(labelled.own_structure->row, (std::vector<std::string>{"7.1", "7.3"}));
     EXPECT_EQ(labelled.own_structure->contacts[0].name, "7");
     // the same structure but for its second contact
@@ -120,7 +121,7 @@ TEST(TomlStructure, PairsNodesOfTwoSetsThatAreNearest) {
         whole_case("[structure]\nmass = \"unit.mtx\"\nstiffness = \"unit.mtx\"\nlabels = \"rows.csv\"\n"
                    "[[structure.contact]]\nname = \"seal\"\nset = \"LIP\"\nagainst = \"PANE\"\nnormal = \"z\"\n"
                    "tangent = [2, 0, 0]\npreload_share = 1\n"));
-    const Case c = read_case((folder / "case.toml").string(), {}, SystemsTaken::or_structure);
+    const Case c = read_case((folder / "case.toml").string());
     ASSERT_EQ(c.own_structure->contacts.size(), 2U);
     EXPECT_EQ(c.own_structure->contacts[0].name, "seal 1");
     EXPECT_EQ(c.own_structure->contacts[0].normal, (std::vector<double>{0, 1, 0, 0, 0, 0, 0, -1}));
@@ -211,10 +212,24 @@ TEST(TomlStructure, ThatIsWrongIsRefusedWithOneSentence) {
                              "does not start sliding");
 }
 
-TEST(TomlStructure, IsRefusedWhereOnlyJointsAreKnown) {
-    const auto error = error_of([] { read_case(TomlSource{ready_file("chain"), "case.toml", {}}); });
-    ASSERT_TRUE(error.has_value());
-    EXPECT_NE(std::string(error->what()).find("this command takes a case with joints"), std::string::npos);
+TEST(TomlStructure, OpensNoFileForSomebodyElse) {
+    support::Canary canary;
+    const std::string rows = "[structure]\nmass = [[1]]\nstiffness = [[1]]\n";
+    for (const std::string& path : {canary.file(), canary.pipe()})
+        for (const char* key : {"file", "labels", "contacts", "mass", "stiffness", "damping"}) {
+            const std::string name = std::string(key) + " = \"" + path + "\"\n";
+            const std::string text = std::string_view(key) == "mass" || std::string_view(key) == "stiffness"
+                                         ? "[structure]\n" + name
+                                         : rows + name;
+            const auto error = error_of([&] { read_case(parse_toml({text, "c.toml", {}}), readers_without_files()); });
+            ASSERT_TRUE(error.has_value()) << text;
+            EXPECT_NE(std::string(error->what()).find("names a file"), std::string::npos) << error->what();
+            EXPECT_FALSE(canary.was_opened()) << text;
+        }
+    EXPECT_NO_THROW(read_case(parse_toml({ready_file("chain"), "chain.toml", {}}), readers_without_files()));
+}
+
+TEST(TomlStructure, LeavesPlatesToJoints) {
     EXPECT_NE(structure_refusal(squeal_toml(), {"structure.stiffness_scale=2"}).find("its joints stand on a plate"),
               std::string::npos);
 }

@@ -251,25 +251,23 @@ y = { parameter = "contact.kinetic_friction", from = 0.2, to = 0.6, points = 2 }
 )";
 }
 
-TEST(TomlStudy, TakesAnOwnStructureWhereItIsAskedFor) {
-    const Study study = read_study(TomlSource{chain_chart(), "c.toml", {}}, {}, SystemsTaken::or_structure);
+TEST(TomlStudy, TakesAnOwnStructure) {
+    const Study study = read_study(TomlSource{chain_chart(), "c.toml", {}});
     const parameters::Case c = sweep::case_at(study, {0, 1, 2});
     EXPECT_EQ(c.structure_scales.stiffness, 2.0);
     EXPECT_EQ(c.contact.kinetic_friction, 0.6);
     const std::string text = sweep::canonical_text(study);
     EXPECT_NE(text.find("structure.content = " + content_hash(*study.base.own_structure)), std::string::npos);
     EXPECT_EQ(text.find("structure.stiffness_scale = "), std::string::npos) << "an axis says it";
-    const Study back = read_study(TomlSource{study_toml(study), "back.toml", {}}, {}, SystemsTaken::or_structure);
+    const Study back = read_study(TomlSource{study_toml(study), "back.toml", {}});
     EXPECT_EQ(sweep::canonical_text(back), text);
-    EXPECT_TRUE(error_of([&] { read_study(TomlSource{chain_chart(), "c.toml", {}}); })) << "refused by name elsewhere";
     EXPECT_TRUE(error_of([&] {
-        read_study(TomlSource{chain_chart(), "c.toml", {}}, {"joint.mass=0.1:0.2", ""}, SystemsTaken::or_structure);
+        read_study(TomlSource{chain_chart(), "c.toml", {}}, {"joint.mass=0.1:0.2", ""});
     })) << "it has no joint";
 }
 
 TEST(TomlStudy, RestsAtWhatAnOwnStructureHas) {
-    const Study study =
-        read_study(TomlSource{chain_chart(), "c.toml", {}}, {"preload=1:2:3", ""}, SystemsTaken::or_structure);
+    const Study study = read_study(TomlSource{chain_chart(), "c.toml", {}}, {"preload=1:2:3", ""});
     EXPECT_EQ(study.y.parameter, "contact.kinetic_friction");
     EXPECT_TRUE(sweep::has_one_axis(study));
 }

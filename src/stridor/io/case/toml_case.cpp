@@ -188,29 +188,20 @@ parameters::Case read_several(const TomlDocument& document, const SamplesReader&
 }
 
 // a structure of its own stands where the joints would
-parameters::Case read_with_structure(const TomlDocument& document, const SamplesReader& samples, ReadAs what) {
+parameters::Case read_with_structure(const TomlDocument& document, const CaseReaders& readers, ReadAs what) {
     Complaints complaints;
     const TomlDocument rest = without_structure(document, complaints);
     Case beginning;
-    if (complaints.keep([&] { beginning.own_structure = read_own_structure(document); }))
-        complaints.keep([&] { beginning = read_one(rest, samples, what, beginning); });
+    if (complaints.keep([&] { beginning.own_structure = readers.structure(document); }))
+        complaints.keep([&] { beginning = read_one(rest, readers.samples, what, beginning); });
     complaints.throw_any();
     return beginning;
 }
 
-void require_joints(const TomlDocument& document, SystemsTaken taken) {
-    if (taken == SystemsTaken::or_structure || !has_own_structure(document)) return;
-    throw Error(ErrorKind::input,
-                {"this command takes a case with joints", "the file has a structure of its own, as [structure]",
-                 "`stridor help` lists which commands take one: simulate, check, chart, advise, evaluate."},
-                document.find("structure")->key_place);
-}
-
-parameters::Case read_system(const TomlDocument& document, const SamplesReader& samples, ReadAs what,
-                             SystemsTaken taken) {
-    require_joints(document, taken);
-    if (has_own_structure(document)) return read_with_structure(document, samples, what);
-    return lists_joints(document) ? read_several(document, samples, what) : read_one(document, samples, what);
+parameters::Case read_system(const TomlDocument& document, const CaseReaders& readers, ReadAs what) {
+    if (has_own_structure(document)) return read_with_structure(document, readers, what);
+    return lists_joints(document) ? read_several(document, readers.samples, what)
+                                  : read_one(document, readers.samples, what);
 }
 
 }  // namespace
@@ -261,20 +252,28 @@ std::vector<base::Complaint> case_warnings(const TomlDocument& document) {
     return warnings;
 }
 
-parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples, SystemsTaken taken) {
-    return read_system(document, samples, ReadAs::base_of_chart, taken);
+CaseReaders readers_without_files() {
+    const SamplesReader none = [](const std::string&) -> recordings::SampledMotion {
+        throw Error(ErrorKind::input,
+                    {"drive.file is not opened here", "a case that came with a recording names no files", ""});
+    };
+    return {none, read_enclosed_structure};
 }
 
-parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples, SystemsTaken taken) {
-    return read_system(document, samples, ReadAs::complete_case, taken);
+parameters::Case read_base_case(const TomlDocument& document, const CaseReaders& readers) {
+    return read_system(document, readers, ReadAs::base_of_chart);
 }
 
-parameters::Case read_case(const TomlSource& source, SystemsTaken taken) {
-    return read_case(parse_toml(source), recordings::read_sampled_file, taken);
+parameters::Case read_case(const TomlDocument& document, const CaseReaders& readers) {
+    return read_system(document, readers, ReadAs::complete_case);
 }
 
-parameters::Case read_case(const std::string& path, std::vector<std::string> overrides, SystemsTaken taken) {
-    return read_case(load_toml(path, std::move(overrides)), taken);
+parameters::Case read_case(const TomlSource& source) {
+    return read_case(parse_toml(source));
+}
+
+parameters::Case read_case(const std::string& path, std::vector<std::string> overrides) {
+    return read_case(load_toml(path, std::move(overrides)));
 }
 
 }  // namespace stridor::io

@@ -1,22 +1,33 @@
 #pragma once
 
 #include "stridor/io/case/toml_document.hpp"
+#include "stridor/io/case/toml_structure.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/recordings/table/sampled_csv.hpp"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace stridor::io {
 
-/// Gives the motion of a sampled drive by the path of its file: the only way by which reading a case reaches another
-/// file. Whoever reads for somebody who may name no files hands over one that opens none.
+/// Gives the motion of a sampled drive by the path of its file. Whoever reads for somebody who may name no files hands
+/// over one that opens none.
 using SamplesReader = std::function<recordings::SampledMotion(const std::string& path)>;
 
-/// What the reader can do with: who knows joints only refuses a case with a structure of its own by name.
-enum class SystemsTaken { joints, or_structure };
+/// Makes the structure of a document that has one of its own, as [structure].
+using StructureReader = std::function<std::shared_ptr<const parameters::OwnStructure>(const TomlDocument&)>;
+
+/// How reading a case reaches what does not stand in its document.
+struct CaseReaders {
+    SamplesReader samples = recordings::read_sampled_file;
+    StructureReader structure = read_own_structure;
+};
+
+/// For a document of somebody who may name no files: a structure whose numbers stand in it.
+CaseReaders readers_without_files();
 
 /// Reads a case: keys come from the field table, numbers are SI (angles in deg), text carries its unit.
 ///
@@ -31,20 +42,17 @@ enum class SystemsTaken { joints, or_structure };
 /// A file with `[[joint]]` tables has several joints on its plate, each with a name and the keys of [joint], and with
 /// those of [contact] in [joint.contact]. One with [structure] has a structure of its own (`read_own_structure`), and
 /// neither [joint] nor [plate]; the files that this names are opened.
-parameters::Case read_case(const TomlSource& source, SystemsTaken taken = SystemsTaken::joints);
+parameters::Case read_case(const TomlSource& source);
 
 /// The same of a document that is parsed already.
-parameters::Case read_case(const TomlDocument& document, const SamplesReader& samples,
-                           SystemsTaken taken = SystemsTaken::joints);
+parameters::Case read_case(const TomlDocument& document, const CaseReaders& readers = {});
 
 /// The same from a file; "-" is standard input.
-parameters::Case read_case(const std::string& path, std::vector<std::string> overrides = {},
-                           SystemsTaken taken = SystemsTaken::joints);
+parameters::Case read_case(const std::string& path, std::vector<std::string> overrides = {});
 
 /// The case a chart starts from, out of a document that is parsed already. Whether its values fit together is left to
 /// the chart, whose axes replace two of them.
-parameters::Case read_base_case(const TomlDocument& document, const SamplesReader& samples,
-                                SystemsTaken taken = SystemsTaken::joints);
+parameters::Case read_base_case(const TomlDocument& document, const CaseReaders& readers = {});
 
 /// What reading a case leaves out and its user should know: keys that mean nothing for the kinds the file chooses, and
 /// have a value that `stridor init` writes (with any other they are errors).

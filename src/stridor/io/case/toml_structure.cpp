@@ -258,4 +258,23 @@ std::shared_ptr<const OwnStructure> read_own_structure(const TomlDocument& docum
     return std::make_shared<const OwnStructure>(std::move(own));
 }
 
+std::shared_ptr<const OwnStructure> read_enclosed_structure(const TomlDocument& document) {
+    const TomlSection section(document, std::string(opening));
+    // a builder has numbers under its keys
+    if (section.has("builder")) return read_own_structure(document);
+    const auto is_matrix = [](std::string_view key) {
+        return std::find(matrix_keys.begin(), matrix_keys.end(), key) != matrix_keys.end();
+    };
+    for (const std::string_view key : {"file", "labels", "contacts", "mass", "stiffness", "damping"}) {
+        const TomlEntry* entry = section.find(key);
+        if (entry == nullptr) continue;
+        if (!is_matrix(key) || !std::holds_alternative<TomlRows>(entry->value))
+            throw Error(ErrorKind::input,
+                        {"structure." + std::string(key) + " names a file",
+                         "of a case that is not your own file none is opened", ""},
+                        entry->value_place);
+    }
+    return read_own_structure(document);
+}
+
 }  // namespace stridor::io

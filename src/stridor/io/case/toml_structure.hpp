@@ -33,4 +33,7 @@ TomlDocument without_structure(const TomlDocument& document, Complaints& complai
 /// and a mass that is not positive definite), and what `contacts_at` and `share_preload` refuse.
 std::shared_ptr<const parameters::OwnStructure> read_own_structure(const TomlDocument& document);
 
+/// The same of a document whose user may name no files: throws `Error` (input) for one that it would open.
+std::shared_ptr<const parameters::OwnStructure> read_enclosed_structure(const TomlDocument& document);
+
 }  // namespace stridor::io

@@ -196,17 +196,16 @@ const TomlEntry* culprit(const TomlDocument& document, const std::string& what) 
 
 }  // namespace
 
-sweep::Study read_study(const TomlSource& source, const AxisTexts& axes, SystemsTaken taken) {
-    return read_study(parse_toml(source), axes, taken);
+sweep::Study read_study(const TomlSource& source, const AxisTexts& axes) {
+    return read_study(parse_toml(source), axes);
 }
 
-sweep::Study read_study(const TomlDocument& document, const AxisTexts& axes, SystemsTaken taken) {
+sweep::Study read_study(const TomlDocument& document, const AxisTexts& axes, const CaseReaders& readers) {
     Complaints complaints;
     sweep::Study study;
     check_chart_keys(document, complaints);
     if (complaints.empty()) complaints.keep([&] { check_chart_complete(document, axes); });
-    const bool has_case =
-        complaints.keep([&] { study.base = read_base_case(document, recordings::read_sampled_file, taken); });
+    const bool has_case = complaints.keep([&] { study.base = read_base_case(document, readers); });
     const bool is_over_x = is_over_x_alone(document, axes);
     const auto axis = [&](const std::string& text, const std::string& name, sweep::Axis& into) {
         if (text.empty()) {

@@ -31,12 +31,10 @@ struct AxisTexts {
 /// parameter, or text with a unit. The case's own sections must be complete, the axes' keys included: they are its base
 /// values. Any of it may be overridden ("chart.x.points=5", "chart.directions=going"). Axes given beside it take the
 /// place of the file's, which then needs no [chart]. Throws what `read_case` throws.
-sweep::Study read_study(const TomlSource& source, const AxisTexts& axes = {},
-                        SystemsTaken taken = SystemsTaken::joints);
+sweep::Study read_study(const TomlSource& source, const AxisTexts& axes = {});
 
 /// The same of a document that is parsed already.
-sweep::Study read_study(const TomlDocument& document, const AxisTexts& axes = {},
-                        SystemsTaken taken = SystemsTaken::joints);
+sweep::Study read_study(const TomlDocument& document, const AxisTexts& axes = {}, const CaseReaders& readers = {});
 
 /// The same from a file; "-" is standard input.
 sweep::Study read_study(const std::string& path, std::vector<std::string> overrides = {});

@@ -54,7 +54,7 @@ std::string case_of_trace(const Metadata& metadata) {
         if (key == "title") source.overrides.push_back("title=" + value);
     }
     try {
-        return case_toml(read_case(source), {Comments::none, ""});
+        return case_toml(read_case(parse_toml(source), readers_without_files()), {Comments::none, ""});
     } catch (const Error&) {
         return "";
     }
@@ -64,7 +64,7 @@ std::string case_of_trace(const Metadata& metadata) {
 void take_case(Entry& entry, const Notes& note) {
     parameters::Case c;
     try {
-        c = read_case(TomlSource{entry.case_text, "the case", {}});
+        c = read_case(parse_toml({entry.case_text, "the case", {}}), readers_without_files());
     } catch (const Error&) {
         note("the case that came with " + entry.file + " cannot be simulated by this program; it is kept");
         return;

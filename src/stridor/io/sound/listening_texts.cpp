@@ -6,7 +6,6 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/base/version.hpp"
-#include "stridor/hearing/contact_pickup.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/chart/toml_study.hpp"
@@ -34,8 +33,6 @@ constexpr double normal_peak = -1.0;  // [dBFS] where the largest sample of a no
 // full scale of an absolute sound: the loudest of Table 1 peaks at a third of it
 constexpr double velocity_full_scale = 10.0;       // [m/s]
 constexpr double acceleration_full_scale = 100e3;  // [m/s^2]
-
-constexpr std::size_t most_named = 12;  // contacts that a message lists
 
 std::optional<Direction> direction_of(const ListeningTexts& texts) {
     if (texts.direction.empty()) return std::nullopt;
@@ -74,75 +71,8 @@ ListeningChoice chosen_cell(const ListeningTexts& texts, TomlSource source) {
 
 // --- what of it
 
-// what is heard, and what it is called
-struct HeardMotion {
-    sound::Pickup pickup;
-    std::string of;
-    std::string component;  // "x", "y"; empty: of a row, which has one direction
-};
-
 MotionQuantity quantity_in(const ListeningTexts& texts) {
     return texts.quantity == "velocity" ? MotionQuantity::velocity : MotionQuantity::acceleration;
-}
-
-// the number of the joint that is heard; nothing for the plate
-std::optional<std::size_t> joint_in(const ListeningTexts& texts, const parameters::Case& c) {
-    if (texts.of == "plate") return std::nullopt;
-    if (texts.of == "joint") return 0;
-    std::vector<std::string> names;
-    for (std::size_t joint = 0; joint < parameters::joint_count(c); ++joint) {
-        names.push_back(parameters::joint_name(c, joint));
-        if (names.back() == texts.of) return joint;
-    }
-    const bool has_several = names.size() > 1;
-    base::refuse(
-        "--of \"" + base::visible(texts.of) + "\" is nothing that moves in this case", "",
-        has_several ? "Listen to joint (the first), plate, " + base::listed(names) + "." : "Listen to joint or plate.");
-}
-
-HeardMotion motion_of_joints(const ListeningTexts& texts, const parameters::Case& c) {
-    const std::optional<std::size_t> joint = joint_in(texts, c);
-    const std::string component = texts.component.empty() ? (joint ? "x" : "y") : texts.component;
-    if (!joint && component == "x")
-        base::refuse("the plate's motion along x is imposed", "it is the drive, without any vibration",
-                     "Listen to --component y of the plate, or to the joint.");
-    const std::size_t dof = joint ? 2 * *joint + (component == "x" ? 0U : 1U) : sound::last_dof;
-    return {{dof, quantity_in(texts)}, joint ? parameters::joint_name(c, *joint) : texts.of, component};
-}
-
-HeardMotion motion_of_contact(const ListeningTexts& texts, const parameters::Case& c, std::size_t contact) {
-    const bool is_along = texts.component != "y";
-    const auto direction = is_along ? hearing::ContactDirection::tangent : hearing::ContactDirection::normal;
-    return {hearing::contact_pickup(c, contact, direction, quantity_in(texts)), parameters::contact_name(c, contact),
-            is_along ? "x" : "y"};
-}
-
-// a contact by its name, else a row; what is asked for without a name is the first contact
-HeardMotion motion_of_own(const ListeningTexts& texts, const parameters::Case& c) {
-    if (texts.of == "joint") return motion_of_contact(texts, c, 0);
-    std::vector<std::string> names;
-    for (std::size_t contact = 0; contact < parameters::contact_count(c); ++contact) {
-        names.push_back(parameters::contact_name(c, contact));
-        if (names.back() == texts.of) return motion_of_contact(texts, c, contact);
-    }
-    const std::vector<std::string>& rows = c.own_structure->row;
-    const auto row = std::find(rows.begin(), rows.end(), texts.of);
-    if (row == rows.end()) {
-        if (names.size() > most_named) {
-            names.resize(most_named);
-            names.emplace_back("...");
-        }
-        base::refuse("--of \"" + base::visible(texts.of) + "\" is no contact and no row of this structure", "",
-                     "Listen to a contact: " + base::listed(names) + "; or to a row, as `--trace` names them.");
-    }
-    if (!texts.component.empty())
-        base::refuse("--component " + texts.component + " does not go with a row", "a row has one direction",
-                     "Leave it out, or listen to a contact.");
-    return {{static_cast<std::size_t>(row - rows.begin()), quantity_in(texts)}, *row, ""};
-}
-
-HeardMotion motion_in(const ListeningTexts& texts, const parameters::Case& c) {
-    return c.own_structure ? motion_of_own(texts, c) : motion_of_joints(texts, c);
 }
 
 // the part of the motion that is heard; all of it if no direction is named
@@ -175,14 +105,18 @@ ListeningChoice chosen_case(ListeningTexts& texts, TomlSource source) {
         texts.cell.empty() ? std::nullopt : sweep::parse_cell(texts.cell).direction;
     if (texts.direction.empty() && of_cell) texts.direction = direction_names[static_cast<std::size_t>(*of_cell)];
     if (!texts.cell.empty()) return chosen_cell(texts, std::move(source));
-    constexpr SystemsTaken taken = SystemsTaken::or_structure;
-    if (!texts.seconds.empty()) set_duration(source, read_case(source, taken), seconds_of(texts));
-    return {read_case(source, taken)};
+    if (!texts.seconds.empty()) set_duration(source, read_case(source), seconds_of(texts));
+    return {read_case(source)};
 }
 
-sound::AuralisationSettings listening_settings(const ListeningTexts& texts, const parameters::Case& c) {
+hearing::AskedMotion asked_motion(const ListeningTexts& texts) {
+    return {texts.of, texts.component, quantity_in(texts)};
+}
+
+sound::AuralisationSettings listening_settings(const ListeningTexts& texts, const parameters::Case& c,
+                                               const hearing::HeardMotion& motion) {
     sound::AuralisationSettings settings;
-    settings.pickup = motion_in(texts, c).pickup;
+    settings.pickup = motion.pickup;
     settings.rate = base::parse_quantity(texts.rate, "Hz");
     settings.high_pass = base::parse_quantity(texts.high_pass, "Hz");
     settings.fade = base::parse_quantity(texts.fade, "s");
@@ -222,11 +156,10 @@ double listening_full_scale(const ListeningTexts& texts, const hearing::Rendered
     return full_scale;
 }
 
-SoundInfo sound_info(const ListeningTexts& texts, const ListeningChoice& choice,
+SoundInfo sound_info(const ListeningTexts& texts, const ListeningChoice& choice, const hearing::HeardMotion& motion,
                      const sound::AuralisationSettings& settings, const hearing::RenderedSound& sound) {
     SoundInfo info;
     info.cell = choice.cell;
-    const HeardMotion motion = motion_in(texts, choice.c);
     info.of = motion.of;
     info.component = motion.component;
     info.quantity = texts.quantity;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/hearing/heard_motion.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/sound/json_listen.hpp"
@@ -14,12 +15,10 @@ namespace stridor::io {
 
 /// The texts of `stridor listen`; quantities carry their units.
 struct ListeningTexts {
-    std::string cell{};       // "x=20 N,y=0.6"; empty: the case itself
-    std::string direction{};  // "going", "coming"; empty: the whole motion
-    bool is_judged = false;   // only the steady part the verdict is made from
-    // "joint", of several the first, of an own structure its first contact; "plate"; or the name of one of several
-    // joints, of a contact or of a row
-    std::string of = "joint";
+    std::string cell{};        // "x=20 N,y=0.6"; empty: the case itself
+    std::string direction{};   // "going", "coming"; empty: the whole motion
+    bool is_judged = false;    // only the steady part the verdict is made from
+    std::string of = "joint";  // as `hearing::AskedMotion` has it
     std::string quantity = "velocity";
     std::string component{};  // empty: x of the joint or contact, y of the plate
     std::string rate = "48000 Hz";
@@ -40,15 +39,19 @@ struct ListeningChoice {
 /// that a cell names is that of the texts unless they have their own. Throws `Error` (input).
 ListeningChoice chosen_case(ListeningTexts& texts, TomlSource source);
 
-/// How its motion becomes a sound. Throws `Error` (input) for what is no sound, or none of this motion.
-sound::AuralisationSettings listening_settings(const ListeningTexts& texts, const parameters::Case& c);
+/// Which motion the texts ask for.
+hearing::AskedMotion asked_motion(const ListeningTexts& texts);
+
+/// How that motion of the case becomes a sound. Throws `Error` (input) for what is no sound, or none of this motion.
+sound::AuralisationSettings listening_settings(const ListeningTexts& texts, const parameters::Case& c,
+                                               const hearing::HeardMotion& motion);
 
 /// What the largest number of the file stands for [m/s or m/s^2]: normalised, the loudest sample lies at -1 dBFS;
 /// absolute, it is 10 m/s or 100 km/s^2, or as the texts say. Throws `Error` (input) where the sound would be clipped.
 double listening_full_scale(const ListeningTexts& texts, const hearing::RenderedSound& sound);
 
 /// What was made of which motion; file and player are left to the caller. Throws as `listening_full_scale` does.
-SoundInfo sound_info(const ListeningTexts& texts, const ListeningChoice& choice,
+SoundInfo sound_info(const ListeningTexts& texts, const ListeningChoice& choice, const hearing::HeardMotion& motion,
                      const sound::AuralisationSettings& settings, const hearing::RenderedSound& sound);
 
 /// Whose motion was made audible: "joint velocity along x".

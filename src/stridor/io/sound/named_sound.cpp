@@ -63,7 +63,7 @@ NamedSound sound_of_entry(const std::string& text, const std::string& number, co
 }
 
 NamedSound sound_of_toml(const std::string& path, const SoundLookup& lookup) {
-    const parameters::Case c = read_case(warned_of(path, lookup), SystemsTaken::or_structure);
+    const parameters::Case c = read_case(warned_of(path, lookup));
     const std::string stem = std::filesystem::path(path).stem().string();
     return {path, stem, "simulation", SimulatedSound{c}};
 }

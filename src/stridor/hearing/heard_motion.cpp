@@ -1,0 +1,143 @@
+#include "stridor/hearing/heard_motion.hpp"
+
+#include "stridor/analysis/evidence.hpp"
+#include "stridor/base/error.hpp"
+#include "stridor/base/escapes.hpp"
+#include "stridor/base/text.hpp"
+#include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
+#include "stridor/sweep/evaluate.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace stridor::hearing {
+
+namespace {
+
+using parameters::Case;
+
+constexpr std::size_t most_named = 12;  // contacts that a message lists
+constexpr double equal = 1.0 + 1e-9;    // [1] of levels that differ by rounding
+
+std::vector<std::string> contact_names(const Case& c) {
+    std::vector<std::string> names;
+    for (std::size_t contact = 0; contact < parameters::contact_count(c); ++contact)
+        names.push_back(parameters::contact_name(c, contact));
+    return names;
+}
+
+std::string listed_names(std::vector<std::string> names) {
+    if (names.size() > most_named) {
+        names.resize(most_named);
+        names.emplace_back("...");
+    }
+    return base::listed(names);
+}
+
+HeardMotion motion_of_contact(const Case& c, std::size_t contact, const AskedMotion& asked) {
+    const bool is_along = asked.component != "y";
+    HeardMotion motion{{0, asked.quantity}, parameters::contact_name(c, contact), is_along ? "x" : "y", contact};
+    if (!c.own_structure) {
+        motion.pickup.dof = 2 * contact + (is_along ? 0U : 1U);
+        return motion;
+    }
+    const parameters::OwnContact& own = c.own_structure->contacts[contact];
+    motion.pickup.weights = is_along ? own.tangent : own.normal;
+    return motion;
+}
+
+HeardMotion motion_of_plate(const AskedMotion& asked) {
+    if (asked.component == "x")
+        base::refuse("the plate's motion along x is imposed", "it is the drive, without any vibration",
+                     "Listen to --component y of the plate, or to the joint.");
+    return {{sound::last_dof, asked.quantity}, "plate", "y", {}};
+}
+
+// none of its contacts: a row of an own structure
+HeardMotion motion_of_row(const Case& c, const AskedMotion& asked) {
+    const std::vector<std::string> names = contact_names(c);
+    const std::string unknown = "\"" + base::visible(asked.of) + "\" is ";
+    if (!c.own_structure)
+        base::refuse(unknown + "nothing that moves in this case", "",
+                     names.size() > 1 ? "Listen to joint (the strongest), plate, " + base::listed(names) + "."
+                                      : "Listen to joint or plate.");
+    const std::vector<std::string>& rows = c.own_structure->row;
+    const auto row = std::find(rows.begin(), rows.end(), asked.of);
+    if (row == rows.end())
+        base::refuse(unknown + "no contact and no row of this structure", "",
+                     "Listen to a contact: " + listed_names(names) + "; or to a row, as `--trace` names them.");
+    if (!asked.component.empty())
+        base::refuse("--component " + asked.component + " does not go with a row", "a row has one direction",
+                     "Leave it out, or listen to a contact.");
+    return {{static_cast<std::size_t>(row - rows.begin()), asked.quantity}, *row, "", {}};
+}
+
+const char* quantity_word(signal::MotionQuantity quantity) {
+    return quantity == signal::MotionQuantity::velocity ? "velocity" : "acceleration";
+}
+
+std::string along(const std::string& component) {
+    return component.empty() ? "" : " along " + component;
+}
+
+bool asks_for_strongest(const AskedMotion& asked) {
+    return asked.of == "joint";
+}
+
+}  // namespace
+
+std::optional<std::size_t> strongest_contact(const Case& c, const std::stop_token& stop,
+                                             integration::Workspace& workspace) {
+    const std::size_t contacts = parameters::contact_count(c);
+    if (contacts == 1) return 0;
+    const std::optional<sweep::Attempt> run = sweep::attempt(c, {}, stop, workspace);
+    if (!run) return std::nullopt;
+    std::size_t strongest = 0;
+    double most = 0.0;  // [m/s]
+    for (std::size_t contact = 0; contact < contacts; ++contact)
+        for (const record::Tally& phase : run->motion.record.phases) {
+            const double rms = analysis::evidence(phase, contact).levels.joint.rms;
+            // false where nothing was judged
+            if (!(rms > most * equal)) continue;
+            most = rms;
+            strongest = contact;
+        }
+    return strongest;
+}
+
+std::optional<HeardMotion> heard_motion(const Case& c, const AskedMotion& asked, const std::stop_token& stop,
+                                        integration::Workspace& workspace) {
+    if (asked.of == "plate" && !c.own_structure) return motion_of_plate(asked);
+    if (asks_for_strongest(asked)) {
+        const std::optional<std::size_t> strongest = strongest_contact(c, stop, workspace);
+        if (!strongest) return std::nullopt;
+        return motion_of_contact(c, *strongest, asked);
+    }
+    const std::vector<std::string> names = contact_names(c);
+    const auto contact = std::find(names.begin(), names.end(), asked.of);
+    if (contact == names.end()) return motion_of_row(c, asked);
+    return motion_of_contact(c, static_cast<std::size_t>(contact - names.begin()), asked);
+}
+
+HeardMotion heard_motion(const Case& c, const AskedMotion& asked, const std::stop_token& stop) {
+    integration::Workspace workspace;
+    std::optional<HeardMotion> motion = heard_motion(c, asked, stop, workspace);
+    if (!motion) throw Error(ErrorKind::interrupted, {"stopped", "half a sound is not kept", ""});
+    return std::move(*motion);
+}
+
+std::string motion_words(const HeardMotion& motion) {
+    return motion.of + " " + quantity_word(motion.pickup.quantity) + along(motion.component);
+}
+
+std::string motion_words(const Case& c, const AskedMotion& asked) {
+    const std::string component = !asked.component.empty() ? asked.component : asked.of == "plate" ? "y" : "x";
+    const std::string what = quantity_word(asked.quantity) + along(component);
+    if (!asks_for_strongest(asked)) return asked.of + " " + what;
+    return parameters::contact_count(c) > 1 ? what + " of the strongest contact"
+                                            : parameters::contact_name(c, 0) + " " + what;
+}
+
+}  // namespace stridor::hearing

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/case.hpp"
+#include "stridor/sound/auralisation.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+/// Which motion of a case stands for its sound.
+namespace stridor::hearing {
+
+/// The motion that is asked for, by names that a user knows.
+struct AskedMotion {
+    // "joint": what rubs, of several contacts the strongest (`strongest_contact`); "plate"; the name of one of several
+    // joints, of a contact or of a row of an own structure
+    std::string of = "joint";
+    std::string component{};  // "x" along the surface, "y" across it; empty: x of what rubs, y of the plate
+    signal::MotionQuantity quantity = signal::MotionQuantity::velocity;
+};
+
+/// A motion of one case, and what it is called.
+struct HeardMotion {
+    sound::Pickup pickup{};
+    std::string of{};
+    std::string component{};               // "x", "y"; empty: of a row, which has one direction
+    std::optional<std::size_t> contact{};  // whose it is, if a contact's
+};
+
+/// The contact whose point has the highest level in any phase, as `stridor simulate` prints it; of equals but for
+/// rounding the first. It takes a run of the case where there are several; the first contact of a run without a result.
+/// Nothing if it was stopped.
+std::optional<std::size_t> strongest_contact(const parameters::Case& c, const std::stop_token& stop,
+                                             integration::Workspace& workspace);
+
+/// The motion of a case that is asked for; nothing if it was stopped. Throws `Error` (input) for a name that nothing
+/// of the case has, and for the plate's motion along x, which is the drive.
+std::optional<HeardMotion> heard_motion(const parameters::Case& c, const AskedMotion& asked,
+                                        const std::stop_token& stop, integration::Workspace& workspace);
+
+/// The same for a caller that cannot go on without it: throws `Error` (interrupted) if it was stopped.
+HeardMotion heard_motion(const parameters::Case& c, const AskedMotion& asked, const std::stop_token& stop = {});
+
+/// "joint velocity along x"
+std::string motion_words(const HeardMotion& motion);
+
+/// The same of what is asked for, whichever contact it will be: "joint velocity along x", of several contacts "velocity
+/// along x of the strongest contact".
+std::string motion_words(const parameters::Case& c, const AskedMotion& asked);
+
+}  // namespace stridor::hearing
