@@ -178,7 +178,7 @@ TEST(TomlStructure, ThatIsWrongIsRefusedWithOneSentence) {
     expect_structure_refused(touching("\"y\"", "[0, 1, 0]"), "the normal has 3 components");
     expect_structure_refused(touching("\"y\"", "\"y -y\""), "the normal is zero");
     expect_structure_refused(touching("name = \"tip\"\n", ""), "this contact has no name");
-    expect_structure_refused(touching("name = \"tip\"", "node = 12"), "\"12:2\" is no set, node or row");
+    expect_structure_refused(touching("name = \"tip\"", "node = 12"), "\"12\" is no set, node or row");
     expect_structure_refused(touching("tangent", "tangents"), "unknown key structure.contact.1.tangents");
     expect_structure_refused(touching("name", "set = \"LIP\"\nname"), "there is no node set \"LIP\"");
     expect_structure_refused(whole_case(m + c + "initial_gap = 1\n"), "nothing presses the structure");
