@@ -92,7 +92,7 @@ _stridor() {
         case ${COMP_WORDS[2]} in
             info) options="--help --stiffness --mass --damping --labels --units --json" ;;
             check) options="--help --stiffness --mass --damping --labels --units --modes --contact --normal --friction --json" ;;
-            reduce) options="--help --stiffness --mass --damping --labels --units --boundary --recover --modes --below --normal --inertia --output --json" ;;
+            reduce) options="--help --stiffness --mass --damping --labels --units --boundary --recover --modes --below --normal --method --inertia --output --json" ;;
         esac
     fi
     if [[ ${COMP_WORDS[1]} == library && $word != -* ]]; then

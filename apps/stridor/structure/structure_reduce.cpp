@@ -5,6 +5,8 @@
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/structure/json_structure.hpp"
 #include "stridor/io/structure/reduced_netcdf.hpp"
+#include "stridor/reduction/craig_bampton.hpp"
+#include "stridor/reduction/macneal.hpp"
 #include "stridor/reduction/reduction_errors.hpp"
 #include "structure/structure.hpp"
 
@@ -25,6 +27,7 @@ struct ReduceOptions {
     int modes = 20;
     std::string below;
     int normal = 0;
+    std::string method = "craig-bampton";
     std::string inertia = "lumped";
     std::string file;
     bool json = false;
@@ -40,18 +43,19 @@ std::string origin_of(const io::PartFiles& files) {
 }
 
 // an error beyond this makes another part of it
-void warn_of_errors(const reduction::ReductionErrors& errors) {
+void warn_of_errors(const reduction::Reduction& reduced, const reduction::ReductionErrors& errors) {
     constexpr double most = 0.01;
     int beyond = 0;
     for (const reduction::StateErrors& state : errors.states)
         beyond +=
             static_cast<int>(std::count_if(state.frequencies.begin(), state.frequencies.end(),
                                            [&](const auto& pair) { return std::abs(relative_error(pair)) > most; }));
-    if (beyond > 0)
-        console::say(
-            fmt::format("stridor: note: {} frequenc{} more than 1 % off. Keep more modes; if --inertia "
-                        "consistent is closer, refine the mesh at the contact.",
-                        beyond, beyond == 1 ? "y is" : "ies are"));
+    if (beyond == 0) return;
+    const bool has_inertia = reduced.inertia != reduction::BoundaryInertia::massless;
+    console::say(fmt::format("stridor: note: {} frequenc{} more than 1 % off. Keep more modes{}", beyond,
+                             beyond == 1 ? "y is" : "ies are",
+                             has_inertia ? "; if --inertia consistent is closer, refine the mesh at the contact."
+                                         : ", or reduce by Craig-Bampton, which is closer with held contacts."));
 }
 
 void reduce(const ReduceOptions& options) {
@@ -63,14 +67,16 @@ void reduce(const ReduceOptions& options) {
         .inertia =
             options.inertia == "lumped" ? reduction::BoundaryInertia::lumped : reduction::BoundaryInertia::consistent,
         .recovered = rows_named(part, options.recovered)};
-    const reduction::Reduction reduced = craig_bampton(part, request);
+    const reduction::CondensedPart condensed(part, request.boundary);
+    const reduction::Reduction reduced =
+        options.method == "macneal" ? macneal(condensed, request) : craig_bampton(condensed, request);
     constexpr Eigen::Index compared = 6;
     const reduction::ReductionErrors errors =
-        reduction_errors(part, request, reduced, contact_states(reduced, options.normal), compared);
+        reduction_errors(condensed, reduced, contact_states(reduced, options.normal), compared);
     io::write_reduced_part(options.file, reduced, origin_of(options.part.files));
     console::print(options.json ? io::reduction_json(reduced, errors) + "\n"
                                 : console::reduction_text(reduced, errors) + options.file + "\n");
-    warn_of_errors(errors);
+    warn_of_errors(reduced, errors);
 }
 
 }  // namespace
@@ -78,7 +84,7 @@ void reduce(const ReduceOptions& options) {
 void add_structure_reduce(CLI::App& structure) {
     auto options = std::make_shared<ReduceOptions>();
     CLI::App* command = structure.add_subcommand(
-        "reduce", "Reduce a part to its contact nodes and modes (Craig-Bampton), and tell the errors.");
+        "reduce", "Reduce a part to its contact nodes and modes (Craig-Bampton or MacNeal), and tell the errors.");
     add_part_options(*command, options->part);
     command
         ->add_option("--boundary", options->boundary,
@@ -89,7 +95,7 @@ void add_structure_reduce(CLI::App& structure) {
     command->add_option("--recover", options->recovered, "further rows whose motion is wanted, likewise")
         ->type_name("ROWS")
         ->take_all();
-    CLI::Option* modes = command->add_option("--modes", options->modes, "modes with the boundary held that are kept")
+    CLI::Option* modes = command->add_option("--modes", options->modes, "modes that are kept")
                              ->check(CLI::Range(0, 5000))
                              ->capture_default_str();
     command->add_option("--below", options->below, "keep all modes below this frequency instead")
@@ -99,6 +105,11 @@ void add_structure_reduce(CLI::App& structure) {
         ->add_option("--normal", options->normal,
                      "component of the contact's normal (1 to 3), to compare sliding as well")
         ->check(CLI::Range(1, 3));
+    command
+        ->add_option("--method", options->method,
+                     "craig-bampton: modes with the boundary held; macneal: free modes, a boundary without mass")
+        ->check(CLI::IsMember({"craig-bampton", "macneal"}))
+        ->capture_default_str();
     command->add_option("--inertia", options->inertia, "mass that a contact meets: lumped or consistent")
         ->check(CLI::IsMember({"lumped", "consistent"}))
         ->capture_default_str();

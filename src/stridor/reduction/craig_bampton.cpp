@@ -12,14 +12,10 @@
 
 #include "stridor/reduction/craig_bampton.hpp"
 
-#include "stridor/base/error.hpp"
 #include "stridor/reduction/lowest_modes.hpp"
-#include "stridor/reduction/sparse_factor.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
+#include <string>
 
 namespace stridor::reduction {
 
@@ -29,90 +25,32 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double is_loose = 1e-13;  // [1] of the diagonal: a pivot of the interior that is rounding
-
-/// Rows in their new order: where each old row went.
-struct Parting {
-    std::vector<Index> boundary;
-    std::vector<Index> interior;
-    std::vector<Index> place;  // within its own list, shape [row]
-    std::vector<char> is_boundary;
-};
-
-Parting part_rows(const ElasticPart& part, const std::vector<Index>& boundary) {
-    if (boundary.empty())
-        base::refuse("the boundary is empty", "a reduced part rubs, is driven or held at its boundary",
-                     "Name a node set or nodes.");
-    Parting parting{boundary, {}, std::vector<Index>(part.labels.size()), std::vector<char>(part.labels.size(), 0)};
-    for (std::size_t k = 0; k < boundary.size(); ++k) {
-        const auto row = static_cast<std::size_t>(boundary[k]);
-        if (parting.is_boundary[row] != 0)
-            base::refuse(fmt::format("row {} stands twice in the boundary", describe(part.labels[row])),
-                         "each of its rows is a coordinate", "");
-        parting.is_boundary[row] = 1;
-        parting.place[row] = static_cast<Index>(k);
-    }
-    for (std::size_t row = 0; row < part.labels.size(); ++row) {
-        if (parting.is_boundary[row] != 0) continue;
-        parting.place[row] = static_cast<Index>(parting.interior.size());
-        parting.interior.push_back(static_cast<Index>(row));
-    }
-    return parting;
+Modes held_modes(const CondensedPart& condensed, const ReductionRequest& request) {
+    const SparseMatrix& stiffness = condensed.inner_stiffness();
+    const SparseMatrix& mass = condensed.inner_mass();
+    if (stiffness.rows() == 0) return {VectorXd(0), MatrixXd(0, 0)};
+    const Index modes = request.below > 0.0 ? modes_below(stiffness, mass, request.below) : request.modes;
+    return lowest_modes(stiffness, mass, modes, condensed.inner_solver(), ModeCount::counted);
 }
 
-// the block of a matrix between boundary (1) or interior (0) rows and columns
-SparseMatrix block(const SparseMatrix& matrix, const Parting& parting, int rows, int columns) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Index column = 0; column < matrix.outerSize(); ++column) {
-        if (parting.is_boundary[static_cast<std::size_t>(column)] != columns) continue;
-        for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
-            if (parting.is_boundary[static_cast<std::size_t>(entry.row())] == rows)
-                entries.emplace_back(parting.place[static_cast<std::size_t>(entry.row())],
-                                     parting.place[static_cast<std::size_t>(column)], entry.value());
-    }
-    const auto size = [&](int kind) {
-        return static_cast<Index>(kind == 1 ? parting.boundary.size() : parting.interior.size());
-    };
-    SparseMatrix found(size(rows), size(columns));
-    found.setFromTriplets(entries.begin(), entries.end());
-    return found;
-}
-
-/// Psi and Phi.
-struct Basis {
-    MatrixXd constraint;  // [1] shape [interior][boundary]
-    Modes modes;
-};
-
-Basis basis_of(const ElasticPart& part, const Parting& parting, const ReductionRequest& request) {
-    const SparseMatrix inner_stiffness = block(part.stiffness, parting, 0, 0);
-    const auto boundary = static_cast<Index>(parting.boundary.size());
-    if (inner_stiffness.rows() == 0) return {MatrixXd(0, boundary), {VectorXd(0), MatrixXd(0, 0)}};
-    const SparseMatrix inner_mass = block(part.mass, parting, 0, 0);
-    const SparseFactor factor(inner_stiffness, inner_mass, 0.0);
-    if (!factor.is_whole() || factor.weakest_pivot() < is_loose || factor.negative_pivots() > 0)
-        base::refuse("the boundary does not hold the part", "with the boundary held still the interior can move freely",
-                     "Add nodes to the boundary, or supports to the model.");
-    const Index modes = request.below > 0.0 ? modes_below(inner_stiffness, inner_mass, request.below) : request.modes;
-    return {factor.solve(MatrixXd(block(part.stiffness, parting, 0, 1))) * -1.0,
-            lowest_modes(inner_stiffness, inner_mass, modes, factor, ModeCount::counted)};
-}
-
-// T' A T of a symmetric matrix
-MatrixXd projected(const SparseMatrix& matrix, const Parting& parting, const Basis& basis) {
-    const auto boundary = static_cast<Index>(parting.boundary.size());
-    const Index modes = basis.modes.squared.size();
-    const SparseMatrix across = block(matrix, parting, 1, 0);  // b, i
-    const SparseMatrix inner = block(matrix, parting, 0, 0);
-    const MatrixXd moved = inner * basis.constraint;
-    MatrixXd all(boundary + modes, boundary + modes);
-    const MatrixXd mixed = across * basis.constraint;
-    all.topLeftCorner(boundary, boundary) =
-        MatrixXd(block(matrix, parting, 1, 1)) + mixed + mixed.transpose() + basis.constraint.transpose() * moved;
-    all.topRightCorner(boundary, modes) =
-        (across + SparseMatrix(moved.transpose().sparseView(0.0, 0.0))) * basis.modes.shapes;
-    all.bottomLeftCorner(modes, boundary) = all.topRightCorner(boundary, modes).transpose();
-    all.bottomRightCorner(modes, modes) = basis.modes.shapes.transpose() * (inner * basis.modes.shapes);
+// T' A T of a symmetric matrix; only a triangle of the large product is worked out
+MatrixXd projected(const SparseMatrix& matrix, const CondensedPart& condensed, const Modes& modes) {
+    const Parting& parting = condensed.parting();
+    const MatrixXd& constraint = condensed.constraint();
+    const Index boundary = constraint.cols();
+    const Index kept = modes.squared.size();
+    const SparseMatrix across = block(matrix, parting, RowKind::boundary, RowKind::interior);
+    const SparseMatrix inner = block(matrix, parting, RowKind::interior, RowKind::interior);
+    const MatrixXd moved = inner * constraint;
+    const MatrixXd mixed = across * constraint;
+    MatrixXd condensed_block = block(matrix, parting, RowKind::boundary, RowKind::boundary);
+    condensed_block += mixed + mixed.transpose();
+    condensed_block.triangularView<Eigen::Lower>() += constraint.transpose() * moved;
+    MatrixXd all(boundary + kept, boundary + kept);
+    all.topLeftCorner(boundary, boundary) = condensed_block.selfadjointView<Eigen::Lower>();
+    all.topRightCorner(boundary, kept) = across * modes.shapes + moved.transpose() * modes.shapes;
+    all.bottomLeftCorner(kept, boundary) = all.topRightCorner(boundary, kept).transpose();
+    all.bottomRightCorner(kept, kept) = modes.shapes.transpose() * (inner * modes.shapes);
     return 0.5 * (all + all.transpose());
 }
 
@@ -140,67 +78,45 @@ void lump(MatrixXd& mass, Index boundary, const std::vector<RowLabel>& labels) {
     mass.topLeftCorner(boundary, boundary).diagonal() += lumped(inertia, labels);
 }
 
-void recover(Reduction& reduction, const ElasticPart& part, const Parting& parting, const Basis& basis,
-             const std::vector<Index>& rows) {
+void recover(Reduction& reduction, const CondensedPart& condensed, const Modes& modes, const std::vector<Index>& rows) {
+    const Parting& parting = condensed.parting();
     reduction.recovery = MatrixXd::Zero(static_cast<Index>(rows.size()), rows_of(reduction.part));
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const auto row = static_cast<std::size_t>(rows[k]);
-        reduction.recovered.push_back(part.labels[row]);
         auto into = reduction.recovery.row(static_cast<Index>(k));
         if (parting.is_boundary[row] != 0)
             into[parting.place[row]] = 1.0;
         else
-            into << basis.constraint.row(parting.place[row]), basis.modes.shapes.row(parting.place[row]);
-    }
-}
-
-// positions and sets of what the reduced part still names
-void keep_geometry(ElasticPart& reduced, const ElasticPart& part, const std::vector<RowLabel>& recovered) {
-    const auto keep = [&](const RowLabel& label) {
-        if (const auto found = part.positions.find(label.node); found != part.positions.end())
-            reduced.positions.insert(*found);
-    };
-    std::for_each(reduced.labels.begin(), reduced.labels.end(), keep);
-    std::for_each(recovered.begin(), recovered.end(), keep);
-    for (const NodeSet& set : part.sets) {
-        NodeSet kept{set.name, {}};
-        for (const std::string& node : set.nodes)
-            if (std::any_of(reduced.labels.begin(), reduced.labels.end(),
-                            [&](const RowLabel& label) { return label.node == node; }))
-                kept.nodes.push_back(node);
-        if (!kept.nodes.empty()) reduced.sets.push_back(std::move(kept));
+            into << condensed.constraint().row(parting.place[row]), modes.shapes.row(parting.place[row]);
     }
 }
 
 }  // namespace
 
-Reduction craig_bampton(const ElasticPart& part, const ReductionRequest& request) {
-    const Parting parting = part_rows(part, request.boundary);
-    const Basis basis = basis_of(part, parting, request);
-    Reduction reduction;
-    reduction.boundary_rows = static_cast<Index>(parting.boundary.size());
+Reduction craig_bampton(const CondensedPart& condensed, const ReductionRequest& request) {
+    const ElasticPart& part = condensed.part();
+    const Modes modes = held_modes(condensed, request);
+    Reduction reduction = opened_reduction(part, request, modes);
+    reduction.method = ReductionMethod::craig_bampton;
     reduction.inertia = request.inertia;
-    for (const Index row : parting.boundary)
-        reduction.part.labels.push_back(part.labels[static_cast<std::size_t>(row)]);
-    for (Index mode = 0; mode < basis.modes.squared.size(); ++mode) {
-        reduction.part.labels.push_back({"mode " + std::to_string(mode + 1), 0});
-        reduction.mode_frequencies.push_back(frequency_of(basis.modes.squared[mode]));
-    }
-    const Index modes = basis.modes.squared.size();
-    const SparseMatrix across = block(part.stiffness, parting, 1, 0);
-    MatrixXd stiffness = MatrixXd::Zero(reduction.boundary_rows + modes, reduction.boundary_rows + modes);
-    stiffness.topLeftCorner(reduction.boundary_rows, reduction.boundary_rows) =
-        MatrixXd(block(part.stiffness, parting, 1, 1)) + across * basis.constraint;
-    stiffness.bottomRightCorner(modes, modes).diagonal() = basis.modes.squared;
-    reduction.part.stiffness = MatrixXd(0.5 * (stiffness + stiffness.transpose())).sparseView(0.0, 0.0);
-    MatrixXd mass = projected(part.mass, parting, basis);
-    mass.bottomRightCorner(modes, modes).setIdentity();
-    if (request.inertia == BoundaryInertia::lumped) lump(mass, reduction.boundary_rows, reduction.part.labels);
+    const Index boundary = reduction.boundary_rows;
+    const Index kept = modes.squared.size();
+    MatrixXd stiffness = MatrixXd::Zero(boundary + kept, boundary + kept);
+    stiffness.topLeftCorner(boundary, boundary) = condensed.stiffness();
+    stiffness.bottomRightCorner(kept, kept).diagonal() = modes.squared;
+    reduction.part.stiffness = stiffness.sparseView(0.0, 0.0);
+    MatrixXd mass = projected(part.mass, condensed, modes);
+    mass.bottomRightCorner(kept, kept).setIdentity();
+    if (request.inertia == BoundaryInertia::lumped) lump(mass, boundary, reduction.part.labels);
     reduction.part.mass = mass.sparseView(0.0, 0.0);
-    if (part.damping.rows() != 0) reduction.part.damping = projected(part.damping, parting, basis).sparseView(0.0, 0.0);
-    recover(reduction, part, parting, basis, request.recovered);
-    keep_geometry(reduction.part, part, reduction.recovered);
+    if (part.damping.rows() != 0)
+        reduction.part.damping = projected(part.damping, condensed, modes).sparseView(0.0, 0.0);
+    recover(reduction, condensed, modes, request.recovered);
     return reduction;
+}
+
+Reduction craig_bampton(const ElasticPart& part, const ReductionRequest& request) {
+    return craig_bampton(CondensedPart(part, request.boundary), request);
 }
 
 }  // namespace stridor::reduction

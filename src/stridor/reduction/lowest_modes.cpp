@@ -1,6 +1,7 @@
 #include "stridor/reduction/lowest_modes.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/reduction/sparse_factor.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Spectra/MatOp/SparseSymMatProd.h>
@@ -49,8 +50,8 @@ class InverseOperator {
 public:
     using Scalar = double;
 
-    InverseOperator(const SparseFactor& factor, const SparseMatrix& mass, const MatrixXd& known)
-        : factor_(factor),
+    InverseOperator(const StaticSolver& solver, const SparseMatrix& mass, const MatrixXd& known)
+        : solver_(solver),
           known_(known),
           mass_known_(mass * known) {}
 
@@ -58,13 +59,13 @@ public:
     Index cols() const { return known_.rows(); }
     void set_shift(double) {}  // the factors have it
     void perform_op(const double* in, double* out) const {
-        VectorXd x = factor_.solve(Eigen::Map<const VectorXd>(in, rows()));
+        VectorXd x = solver_(Eigen::Map<const VectorXd>(in, rows()));
         x -= known_ * (mass_known_.transpose() * x);
         Eigen::Map<VectorXd>(out, rows()) = x;
     }
 
 private:
-    const SparseFactor& factor_;
+    const StaticSolver& solver_;
     const MatrixXd& known_;
     MatrixXd mass_known_;
 };
@@ -98,10 +99,10 @@ struct Shifted {
     SparseFactor factor;
 };
 
-/// Factors of K - sigma M that belong to somebody else.
-struct FactorAt {
+/// What solves with K - sigma M.
+struct SolverAt {
     double sigma = 0.0;  // [rad^2/s^2]
-    const SparseFactor& factor;
+    const StaticSolver& solver;
 };
 
 // zero itself where the structure is held, else a little below the rigid-body modes
@@ -157,11 +158,11 @@ Modes dense_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, doubl
     return modes;
 }
 
-void find_more(Modes& modes, const FactorAt& at, const SparseMatrix& mass, Index more) {
+void find_more(Modes& modes, const SolverAt& at, const SparseMatrix& mass, Index more) {
     using Product = Spectra::SparseSymMatProd<double>;
     if (modes.shapes.rows() == 0) modes.shapes.resize(mass.rows(), 0);
     const MatrixXd known = modes.shapes;
-    InverseOperator inverse(at.factor, mass, known);
+    InverseOperator inverse(at.solver, mass, known);
     Product product(mass);
     const Index rows = mass.rows();
     const Index wanted = std::min(more, rows - 1);
@@ -186,7 +187,7 @@ Index missed(const Modes& modes, const SparseMatrix& stiffness, const SparseMatr
     return factor.negative_pivots() - (modes.squared.array() < below).count();
 }
 
-Modes modes_at(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count, const FactorAt& at,
+Modes modes_at(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count, const SolverAt& at,
                ModeCount mode_count) {
     Modes modes;
     if (stiffness.rows() <= few_rows || 3 * count > stiffness.rows()) {
@@ -213,13 +214,14 @@ Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Inde
     const Index rows = stiffness.rows();
     if (count <= 0 || rows == 0) return {VectorXd(0), MatrixXd(rows, 0)};
     const Shifted at = shifted(stiffness, mass);
-    return modes_at(stiffness, mass, count, {at.sigma, at.factor}, ModeCount::counted);
+    const StaticSolver solver = [&at](const VectorXd& load) { return VectorXd(at.factor.solve(load)); };
+    return modes_at(stiffness, mass, count, {at.sigma, solver}, ModeCount::counted);
 }
 
-Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count, const SparseFactor& factor,
+Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count, const StaticSolver& solver,
                    ModeCount mode_count) {
     if (count <= 0) return {VectorXd(0), MatrixXd(stiffness.rows(), 0)};
-    return modes_at(stiffness, mass, count, {0.0, factor}, mode_count);
+    return modes_at(stiffness, mass, count, {0.0, solver}, mode_count);
 }
 
 Index modes_below(const SparseMatrix& stiffness, const SparseMatrix& mass, double frequency) {

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "stridor/reduction/part.hpp"
-#include "stridor/reduction/sparse_factor.hpp"
+
+#include <functional>
 
 namespace stridor::reduction {
 
@@ -23,9 +24,12 @@ Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Eige
 /// Is it counted that no mode is missed? That costs another factorisation, most of the time of a large part.
 enum class ModeCount { counted, trusted };
 
-/// The same with the factors of K, which is not singular.
+/// The displacements under a load: K^-1 f.
+using StaticSolver = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+
+/// The same with what solves with K, which is positive definite.
 Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Eigen::Index count,
-                   const SparseFactor& factor, ModeCount mode_count);
+                   const StaticSolver& solver, ModeCount mode_count);
 
 /// How many modes lie below a frequency [Hz] (Sylvester's law of inertia).
 Eigen::Index modes_below(const SparseMatrix& stiffness, const SparseMatrix& mass, double frequency);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace stridor::reduction {
 
@@ -48,40 +49,35 @@ std::vector<double> without_rigid_body(const Modes& modes, Index count) {
     return frequencies;
 }
 
-/// A part with some of its rows held, and its factors, which are most of the work.
-struct HeldPart {
-    SparseMatrix stiffness;
-    SparseMatrix mass;
-    SparseFactor factor;
-    bool is_free;  // as it is held, it can still move without a force
-};
-
-HeldPart held_part(const ElasticPart& part, const std::vector<Index>& held) {
-    SparseMatrix stiffness = without(part.stiffness, held);
-    SparseMatrix mass = without(part.mass, held);
-    SparseFactor factor(stiffness, mass, 0.0);
-    const bool is_free = !factor.is_whole() || factor.negative_pivots() > 0 || factor.weakest_pivot() < free_pivot;
-    return {stiffness, mass, std::move(factor), is_free};
-}
-
 // a mode that was missed would stand out: all behind it would seem to be wrong
-std::vector<double> frequencies_of(const HeldPart& part, Index count) {
-    if (part.is_free)
-        return without_rigid_body(lowest_modes(part.stiffness, part.mass, count + most_rigid_modes), count);
-    return without_rigid_body(lowest_modes(part.stiffness, part.mass, count, part.factor, ModeCount::trusted), count);
+std::vector<double> frequencies_of(const ElasticPart& part, const std::vector<Index>& held,
+                                   const std::optional<StaticSolver>& solver, Index count) {
+    const SparseMatrix stiffness = without(part.stiffness, held);
+    const SparseMatrix mass = without(part.mass, held);
+    if (!solver) return without_rigid_body(lowest_modes(stiffness, mass, count + most_rigid_modes), count);
+    return without_rigid_body(lowest_modes(stiffness, mass, count, *solver, ModeCount::trusted), count);
 }
 
-// (K^-1)_bb; nothing where the part is free
-std::optional<MatrixXd> flexibility_of(const HeldPart& part, const std::vector<Index>& boundary) {
-    if (part.is_free) return std::nullopt;
-    const auto size = static_cast<Index>(boundary.size());
-    MatrixXd loads = MatrixXd::Zero(part.stiffness.rows(), size);
-    for (Index k = 0; k < size; ++k)
-        loads(boundary[static_cast<std::size_t>(k)], k) = 1.0;
-    const MatrixXd answers = part.factor.solve(loads);
-    MatrixXd flexibility(size, size);
-    for (Index k = 0; k < size; ++k)
-        flexibility.row(k) = answers.row(boundary[static_cast<std::size_t>(k)]);
+// nothing where the part can move freely
+std::optional<StaticSolver> solver_of(const ElasticPart& part, const std::vector<Index>& held) {
+    const SparseMatrix stiffness = without(part.stiffness, held);
+    const auto factor = std::make_shared<const SparseFactor>(stiffness, without(part.mass, held), 0.0);
+    if (!factor->is_whole() || factor->negative_pivots() > 0 || factor->weakest_pivot() < free_pivot)
+        return std::nullopt;
+    return [factor](const Eigen::VectorXd& load) { return Eigen::VectorXd(factor->solve(load)); };
+}
+
+// (K^-1)_bb
+MatrixXd flexibility_of(const CondensedPart& part) {
+    const MatrixXd error = part.stiffness_error();
+    const MatrixXd stiffness = part.stiffness() + 0.5 * (error + error.transpose());
+    return stiffness.ldlt().solve(MatrixXd::Identity(stiffness.rows(), stiffness.cols()));
+}
+
+MatrixXd flexibility_of(const Reduction& reduction, const StaticSolver& solver) {
+    MatrixXd flexibility(reduction.boundary_rows, reduction.boundary_rows);
+    for (Index k = 0; k < flexibility.cols(); ++k)
+        flexibility.col(k) = solver(Eigen::VectorXd::Unit(rows_of(reduction.part), k)).head(reduction.boundary_rows);
     return flexibility;
 }
 
@@ -115,28 +111,24 @@ std::vector<HeldRows> contact_states(const Reduction& reduction, int normal) {
     return states;
 }
 
-ReductionErrors reduction_errors(const ElasticPart& full, const ReductionRequest& request, const Reduction& reduction,
+ReductionErrors reduction_errors(const CondensedPart& full, const Reduction& reduction,
                                  const std::vector<HeldRows>& states, Index count) {
     ReductionErrors errors;
-    std::vector<Index> boundary(static_cast<std::size_t>(reduction.boundary_rows));
-    for (std::size_t k = 0; k < boundary.size(); ++k)
-        boundary[k] = static_cast<Index>(k);
     for (const HeldRows& state : states) {
         std::vector<Index> held;
         for (const Index row : state.held)
-            held.push_back(request.boundary[static_cast<std::size_t>(row)]);
-        const HeldPart exact = held_part(full, held);
-        const HeldPart reduced = held_part(reduction.part, state.held);
-        const std::vector<double> wanted = frequencies_of(exact, count);
-        const std::vector<double> got = frequencies_of(reduced, count);
+            held.push_back(full.parting().boundary[static_cast<std::size_t>(row)]);
+        const auto exact = full.solver(state.held);
+        const auto reduced = solver_of(reduction.part, state.held);
+        const std::vector<double> wanted = frequencies_of(full.part(), held, exact, count);
+        const std::vector<double> got = frequencies_of(reduction.part, state.held, reduced, count);
         StateErrors& errors_of_state = errors.states.emplace_back(StateErrors{state.name, {}});
         for (std::size_t k = 0; k < std::min(wanted.size(), got.size()); ++k)
             errors_of_state.frequencies.push_back({wanted[k], got[k]});
-        if (!held.empty()) continue;
-        const auto flexibility = flexibility_of(exact, request.boundary);
-        const auto its = flexibility_of(reduced, boundary);
-        if (flexibility && its)
-            errors.flexibility = (*flexibility - *its).cwiseAbs().maxCoeff() / flexibility->cwiseAbs().maxCoeff();
+        if (!held.empty() || !exact || !reduced) continue;
+        const MatrixXd flexibility = flexibility_of(full);
+        errors.flexibility = (flexibility - flexibility_of(reduction, *reduced)).cwiseAbs().maxCoeff() /
+                             flexibility.cwiseAbs().maxCoeff();
     }
     errors.coupling = coupling_of(reduction);
     return errors;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "stridor/reduction/craig_bampton.hpp"
+#include "stridor/reduction/condensed_part.hpp"
+#include "stridor/reduction/reduction.hpp"
 
 #include <optional>
 #include <string>
@@ -41,8 +42,8 @@ struct ReductionErrors {
 std::vector<HeldRows> contact_states(const Reduction& reduction, int normal);
 
 /// Holds a reduced part against the full one: so many frequencies of each state, and in the state without held rows
-/// the static flexibility.
-ReductionErrors reduction_errors(const ElasticPart& full, const ReductionRequest& request, const Reduction& reduction,
+/// the static flexibility. The full part is solved by its condensed stiffness, whose own rounding is counted in.
+ReductionErrors reduction_errors(const CondensedPart& full, const Reduction& reduction,
                                  const std::vector<HeldRows>& states, Eigen::Index count);
 
 }  // namespace stridor::reduction

@@ -8,6 +8,15 @@
 
 namespace stridor::reduction {
 
+namespace {
+
+// [1] right sides solved in one walk through the factors, which are too large for any cache; each has the bits of being
+// solved alone
+constexpr Eigen::Index at_once = 8;
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, at_once, Eigen::RowMajor>;
+
+}  // namespace
+
 struct SparseFactor::Held {
     Eigen::SimplicialLDLT<SparseMatrix> factor;
 };
@@ -37,7 +46,24 @@ Eigen::Index SparseFactor::negative_pivots() const {
 }
 
 Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& right) const {
-    return held_->factor.solve(right);
+    if (right.cols() == 1 || right.rows() == 0) return held_->factor.solve(right);
+    const SparseMatrix& lower = held_->factor.matrixL().nestedExpression();  // without its diagonal of ones
+    const Eigen::VectorXd inverse = held_->factor.vectorD().cwiseInverse();
+    Eigen::MatrixXd answer(right.rows(), right.cols());
+    for (Eigen::Index from = 0; from < right.cols(); from += at_once) {
+        const Eigen::Index count = std::min(at_once, right.cols() - from);
+        Columns x = Columns::Zero(right.rows(), at_once);
+        x.leftCols(count) = held_->factor.permutationP() * right.middleCols(from, count);
+        for (Eigen::Index column = 0; column < lower.outerSize(); ++column)
+            for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry)
+                x.row(entry.row()) -= entry.value() * x.row(column);
+        x = inverse.asDiagonal() * x;
+        for (Eigen::Index column = lower.outerSize() - 1; column >= 0; --column)
+            for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry)
+                x.row(column) -= entry.value() * x.row(entry.row());
+        answer.middleCols(from, count) = held_->factor.permutationPinv() * x.leftCols(count);
+    }
+    return answer;
 }
 
 }  // namespace stridor::reduction

@@ -27,7 +27,7 @@ public:
     /// is singular.
     double weakest_pivot() const { return weakest_; }
 
-    /// (K - sigma M)^-1 of each column.
+    /// (K - sigma M)^-1 of each column: the same bits, whatever columns stand beside it.
     Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
 private:

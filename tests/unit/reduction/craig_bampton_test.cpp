@@ -43,7 +43,7 @@ TEST(CraigBampton, WithAllModesIsTheFullPart) {
     const Reduction reduction = craig_bampton(part, request);
     EXPECT_EQ(rows_of(reduction.part), rows_of(part));
     EXPECT_NO_THROW(expect_sound(reduction.part));
-    const auto errors = reduction_errors(part, request, reduction, contact_states(reduction, 3), 6);
+    const auto errors = reduction_errors({part, request.boundary}, reduction, contact_states(reduction, 3), 6);
     ASSERT_EQ(errors.states.size(), 2U);
     for (const StateErrors& state : errors.states) {
         EXPECT_EQ(state.frequencies.size(), 6U);
@@ -56,7 +56,8 @@ TEST(CraigBampton, IsExactInStaticsWhateverIsKept) {
     for (const Index modes : {0, 3, 12})
         for (const BoundaryInertia inertia : {BoundaryInertia::consistent, BoundaryInertia::lumped}) {
             const ReductionRequest request = foot(part, modes, inertia);
-            const auto errors = reduction_errors(part, request, craig_bampton(part, request), {{"open", {}}}, 1);
+            const auto errors =
+                reduction_errors({part, request.boundary}, craig_bampton(part, request), {{"open", {}}}, 1);
             ASSERT_TRUE(errors.flexibility);
             EXPECT_LT(*errors.flexibility, 1e-12);
         }
@@ -69,7 +70,7 @@ TEST(CraigBampton, ComesCloserFromAboveWithEachMode) {
     for (const Index modes : {0, 6, 20}) {
         const ReductionRequest request = foot(part, modes);
         const Reduction reduction = craig_bampton(part, request);
-        const auto errors = reduction_errors(part, request, reduction, contact_states(reduction, 3), 3);
+        const auto errors = reduction_errors({part, request.boundary}, reduction, contact_states(reduction, 3), 3);
         for (const FrequencyPair& pair : errors.states.front().frequencies)
             EXPECT_GT(relative_error(pair), -1e-12);
         EXPECT_LT(worst_error(errors.states.front()), 0.5 * before) << modes;
@@ -115,8 +116,8 @@ TEST(CraigBampton, LumpsTheContactInertia) {
     }
     EXPECT_NO_THROW(expect_sound(lumped.part));
     const ReductionRequest request = foot(part, 6);
-    EXPECT_GT(reduction_errors(part, request, consistent, {}, 1).coupling, 0.05);
-    EXPECT_LT(reduction_errors(part, request, lumped, {}, 1).coupling, 1e-12);
+    EXPECT_GT(reduction_errors({part, request.boundary}, consistent, {}, 1).coupling, 0.05);
+    EXPECT_LT(reduction_errors({part, request.boundary}, lumped, {}, 1).coupling, 1e-12);
 }
 
 TEST(CraigBampton, RecoversTheMotionOfOtherRows) {
@@ -164,7 +165,7 @@ TEST(CraigBampton, KeepsAllModesBelowAFrequency) {
 TEST(CraigBampton, OfAFreePartNeedsABoundaryThatHoldsIt) {
     const ElasticPart part = lattice_part({4, 3, 4}, LatticeSupport::free);
     const Reduction reduction = craig_bampton(part, foot(part, 6));
-    EXPECT_FALSE(reduction_errors(part, foot(part, 6), reduction, {{"open", {}}}, 1).flexibility);
+    EXPECT_FALSE(reduction_errors({part, foot(part, 6).boundary}, reduction, {{"open", {}}}, 1).flexibility);
     EXPECT_TRUE(thrown_by([&] {
                     craig_bampton(part, {.boundary = {0, 1, 2}, .modes = 2});
                 }).says("the boundary does not hold the part"));

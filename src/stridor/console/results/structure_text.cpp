@@ -87,12 +87,14 @@ std::string part_contacts_text(const reduction::PartContacts& contacts) {
 std::string reduction_text(const reduction::Reduction& reduction, const reduction::ReductionErrors& errors) {
     const std::vector<double>& modes = reduction.mode_frequencies;
     std::string text = fmt::format("boundary     {} rows\n", reduction.boundary_rows);
+    const bool is_free = reduction.method == reduction::ReductionMethod::macneal;
     text += modes.empty() ? std::string("modes        none\n")
-                          : fmt::format("modes        {} from {:.6g} to {:.6g} Hz with the boundary held\n",
-                                        modes.size(), modes.front(), modes.back());
-    text += fmt::format("inertia      {}: neighbours are coupled by {:.2g} of their own\n",
-                        reduction.inertia == reduction::BoundaryInertia::lumped ? "lumped" : "consistent",
-                        errors.coupling < 1e-9 ? 0.0 : errors.coupling);
+                          : fmt::format("modes        {} from {:.6g} to {:.6g} Hz with the boundary {}\n", modes.size(),
+                                        modes.front(), modes.back(), is_free ? "free" : "held");
+    text += reduction.inertia == reduction::BoundaryInertia::massless
+                ? std::string("inertia      none: the boundary follows at once\n")
+                : fmt::format("inertia      {}: neighbours are coupled by {:.2g} of their own\n",
+                              name_of(reduction.inertia), errors.coupling < 1e-9 ? 0.0 : errors.coupling);
     text += "statics      " + statics_text(errors.flexibility) + "\n";
     text += "\ncontacts     frequency      reduced       error\n";
     for (const reduction::StateErrors& state : errors.states)

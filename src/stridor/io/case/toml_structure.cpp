@@ -158,10 +158,11 @@ void expect_solvable(const ElasticPart& part, const TomlSection& section) {
                     section.place());
     const Eigen::LLT<Eigen::MatrixXd> factor{Eigen::MatrixXd(part.mass)};
     if (factor.info() != Eigen::Success)
-        throw Error(ErrorKind::input,
-                    {"the mass is not positive definite", "some motion of the structure would have no inertia",
-                     "Give each row a mass, or take out those without."},
-                    section.place());
+        throw Error(
+            ErrorKind::input,
+            {"the mass is not positive definite", "some motion of the structure would have no inertia",
+             "Give each row a mass, or take out those without. A finite-element part: reduce it by Craig-Bampton."},
+            section.place());
 }
 
 OwnStructure from_part(const TomlDocument& document, const TomlSection& section) {

@@ -46,7 +46,8 @@ std::string reduction_json(const reduction::Reduction& reduction, const reductio
     Json document = head_of("stridor.reduction/1");
     document["boundary_rows"] = reduction.boundary_rows;
     document["mode_frequencies"] = reduction.mode_frequencies;
-    document["inertia"] = reduction.inertia == reduction::BoundaryInertia::lumped ? "lumped" : "consistent";
+    document["method"] = name_of(reduction.method);
+    document["inertia"] = name_of(reduction.inertia);
     document["coupling"] = errors.coupling;
     document["flexibility_error"] = errors.flexibility ? Json(*errors.flexibility) : Json();
     Json states = Json::object();

@@ -57,9 +57,9 @@ std::optional<WordOrder> word_order(std::string_view beginning) {
 }
 
 /// A Fortran record, taken word by word.
-class BinaryRecord {
+class FortranRecord {
 public:
-    BinaryRecord(std::string bytes, WordOrder order, const std::string& file)
+    FortranRecord(std::string bytes, WordOrder order, const std::string& file)
         : bytes_(std::move(bytes)),
           order_(order),
           file_(file) {}
@@ -127,7 +127,7 @@ private:
         return refusal(file_, "matrix " + name_ + ": " + what, why);
     }
 
-    BinaryRecord next_record() {
+    FortranRecord next_record() {
         const auto marker = [&](std::uint64_t at) {
             const std::string bytes = recordings::text_at(bytes_, at, marker_size);
             if (bytes.size() < marker_size)
@@ -145,7 +145,7 @@ private:
 
     ListedMatrix read_matrix() {
         name_.clear();
-        BinaryRecord header = next_record();
+        FortranRecord header = next_record();
         columns_ = header.integer();
         const std::int64_t rows = header.integer();
         const std::int64_t form = header.integer();
@@ -178,7 +178,7 @@ private:
 
     // false at the record that ends the matrix
     bool read_column(ListedMatrix& matrix) {
-        BinaryRecord record = next_record();
+        FortranRecord record = next_record();
         const std::int64_t column = record.integer();
         const std::int64_t first = record.integer();
         const std::int64_t words = record.integer();
@@ -196,7 +196,7 @@ private:
         return true;
     }
 
-    void read_string(ListedMatrix& matrix, BinaryRecord& record, std::int64_t column) {
+    void read_string(ListedMatrix& matrix, FortranRecord& record, std::int64_t column) {
         constexpr std::int64_t pack = 65536;
         Run run{column, 0, 0};
         const std::int64_t word = record.integer();
@@ -212,7 +212,7 @@ private:
         read_run(matrix, record, run);
     }
 
-    void read_run(ListedMatrix& matrix, BinaryRecord& record, const Run& run) const {
+    void read_run(ListedMatrix& matrix, FortranRecord& record, const Run& run) const {
         const bool is_double = type_ == 2 || type_ == 4;
         const std::int64_t words_per_real = is_double && order_.width == 4 ? 2 : 1;
         const std::int64_t words_per_value = type_ > 2 ? 2 * words_per_real : words_per_real;

@@ -28,13 +28,12 @@ namespace {
 using reduction::BoundaryInertia;
 using reduction::ElasticPart;
 using reduction::Reduction;
+using reduction::ReductionMethod;
 using reduction::RowLabel;
 
 constexpr std::array<std::string_view, 7> component_names{"none",       "x",          "y",         "z",
                                                           "rotation_x", "rotation_y", "rotation_z"};
 constexpr std::string_view schema = "stridor.structure/1";
-constexpr std::string_view lumped_word = "lumped";
-constexpr std::string_view consistent_word = "consistent";
 
 std::vector<double> row_major(const Eigen::MatrixXd& matrix) {
     std::vector<double> values;
@@ -86,9 +85,8 @@ void write_reduced_part(const std::string& path, const Reduction& reduction, con
     NetcdfDataset file(path);
     put_origin(file, "structure", "reduced finite-element part");
     file.attribute("origin", origin);
-    file.attribute("method", "Craig-Bampton");
-    file.attribute("contact_inertia",
-                   std::string(reduction.inertia == BoundaryInertia::lumped ? lumped_word : consistent_word));
+    file.attribute("method", std::string(name_of(reduction.method)));
+    file.attribute("contact_inertia", std::string(name_of(reduction.inertia)));
     const int row = file.dimension("row", part.labels.size());
     const int column = file.dimension("column", part.labels.size());
     put_labels(file, "row", row, part.labels);
@@ -102,7 +100,7 @@ void write_reduced_part(const std::string& path, const Reduction& reduction, con
     if (!reduction.mode_frequencies.empty()) {
         const int mode = file.dimension("mode", reduction.mode_frequencies.size());
         file.doubles("mode_frequency", std::array{mode}, reduction.mode_frequencies,
-                     {"Hz", "frequency of the mode with the boundary held", MissingNumbers::no});
+                     {"Hz", "frequency of the mode", MissingNumbers::no});
     }
     put_nodes(file, part);
     if (!reduction.recovered.empty()) {
@@ -194,7 +192,7 @@ private:
 constexpr std::array numeric{"stiffness",      "mass",     "damping",  "row_component",
                              "mode_frequency", "position", "recovery", "recovered_component"};
 constexpr std::array worded{"row_node", "node", "node_sets", "recovered_node"};
-constexpr std::array said{"schema", "contact_inertia"};
+constexpr std::array said{"schema", "contact_inertia", "method"};
 
 // runs where it may do nothing but read its file and answer
 void answer(const Netcdf& library, const base::ConfinedProcess::Channel& channel, std::uint64_t size) {
@@ -340,8 +338,10 @@ Reduction read_reduced_part(const std::string& path) {
     if (reduction.mode_frequencies.size() > rows)
         throw recordings::refusal(path, "it has more modes than rows", "each mode is a row");
     reduction.boundary_rows = static_cast<Eigen::Index>(rows - reduction.mode_frequencies.size());
-    reduction.inertia =
-        found.texts["contact_inertia"] == lumped_word ? BoundaryInertia::lumped : BoundaryInertia::consistent;
+    reduction.inertia = BoundaryInertia::consistent;
+    for (const BoundaryInertia each : {BoundaryInertia::lumped, BoundaryInertia::consistent, BoundaryInertia::massless})
+        if (found.texts["contact_inertia"] == name_of(each)) reduction.inertia = each;
+    if (found.texts["method"] == name_of(ReductionMethod::macneal)) reduction.method = ReductionMethod::macneal;
     reduction.recovered = labels_in(found, "recovered");
     if (!reduction.recovered.empty())
         reduction.recovery = matrix_in(found, "recovery", reduction.recovered.size(), rows, path);

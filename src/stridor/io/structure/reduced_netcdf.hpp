@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/reduction/craig_bampton.hpp"
+#include "stridor/reduction/reduction.hpp"
 
 #include <string>
 #include <string_view>

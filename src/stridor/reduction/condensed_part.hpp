@@ -1,0 +1,67 @@
+#pragma once
+
+#include "stridor/reduction/lowest_modes.hpp"
+#include "stridor/reduction/part.hpp"
+#include "stridor/reduction/sparse_factor.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace stridor::reduction {
+
+/// Rows in their new order: where each old row went.
+struct Parting {
+    std::vector<Eigen::Index> boundary;
+    std::vector<Eigen::Index> interior;
+    std::vector<Eigen::Index> place;  // within its own list, shape [row]
+    std::vector<char> is_boundary;
+};
+
+/// Either kind of rows.
+enum class RowKind { interior, boundary };
+
+/// The block of a matrix between rows and columns of some kind.
+SparseMatrix block(const SparseMatrix& matrix, const Parting& parting, RowKind rows, RowKind columns);
+
+/// A part with its stiffness condensed to a boundary b; i is the interior:
+///
+///     Psi = -K_ii^-1 K_ib,    S = K_bb + K_bi Psi
+///
+/// K_ii is factorised once, which is most of the work of a large part. With S the part is solved with any rows of its
+/// boundary held: u_b = S_ff^-1 (f_b + Psi' f_i), u_i = K_ii^-1 f_i + Psi u_b.
+class CondensedPart {
+public:
+    /// Keeps a reference to the part, which is sound and in SI. Throws `Error` (input) for a boundary that is empty,
+    /// names a row twice, or does not hold the part still (a mechanism would remain inside).
+    CondensedPart(const ElasticPart& part, const std::vector<Eigen::Index>& boundary);
+
+    const ElasticPart& part() const { return part_; }
+    const Parting& parting() const { return parting_; }
+    const SparseMatrix& inner_stiffness() const { return inner_stiffness_; }
+    const SparseMatrix& inner_mass() const { return inner_mass_; }
+    /// [1] Psi, shape [interior][boundary].
+    const Eigen::MatrixXd& constraint() const { return constraint_; }
+    /// [N/m ...] S, symmetric, shape [boundary][boundary].
+    const Eigen::MatrixXd& stiffness() const { return stiffness_; }
+
+    /// K_ii^-1 of a load.
+    StaticSolver inner_solver() const;
+    /// The answer of the part to a load while some rows of the boundary (by their place in it) do not move; both are
+    /// without those rows, in the order of the part. Nothing where it can then move freely.
+    std::optional<StaticSolver> solver(const std::vector<Eigen::Index>& held) const;
+
+    /// How far S is off for all that the factors are [N/m ...]: Psi' (K_ii Psi + K_ib), zero but for rounding.
+    Eigen::MatrixXd stiffness_error() const;
+
+private:
+    const ElasticPart& part_;
+    Parting parting_;
+    SparseMatrix inner_stiffness_;
+    SparseMatrix inner_mass_;
+    std::unique_ptr<SparseFactor> factor_;  // null without an interior
+    Eigen::MatrixXd constraint_;
+    Eigen::MatrixXd stiffness_;
+};
+
+}  // namespace stridor::reduction
