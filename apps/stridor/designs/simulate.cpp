@@ -12,6 +12,7 @@
 #include "stridor/io/simulation/motion_csv.hpp"
 #include "stridor/io/simulation/motion_netcdf.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/many_contacts.hpp"
 #include "stridor/pictures/picture_files.hpp"
 
@@ -83,14 +84,15 @@ void require_ending(const std::string& option, const std::string& file,
                  "Name it " + std::filesystem::path(file).replace_extension(*endings.begin()).string() + "."});
 }
 
-void write_records(const SimulateOptions& options, const parameters::Case& c, const integration::Motion& motion,
+void write_records(const SimulateOptions& options, const parameters::Case& c, integration::Motion& motion,
                    double interval) {
+    if (!options.figure.empty()) pictures::draw(pictures::motion_scene(c, motion.record, options.zoom), options.figure);
+    if (c.own_structure) record::add_points(motion.record.trace, parameters::output_weights(*c.own_structure));
     if (!options.history.empty()) console::write_output(options.history, io::history_csv(c, motion.record.histories));
     if (options.trace.ends_with(".nc"))
         io::write_trace_netcdf(options.trace, c, motion.record);
     else if (!options.trace.empty())
         console::write_output(options.trace, io::trace_csv(c, motion.record.trace, interval));
-    if (!options.figure.empty()) pictures::draw(pictures::motion_scene(c, motion.record, options.zoom), options.figure);
 }
 
 void simulate(const SimulateOptions& options) {
@@ -99,7 +101,7 @@ void simulate(const SimulateOptions& options) {
     const parameters::Case c = load_case(options.input);
     const record::Request request = request_for(options, c);
     const Interrupt interrupt;
-    const integration::Motion motion = integration::simulate(c, request, interrupt.token());
+    integration::Motion motion = integration::simulate(c, request, interrupt.token());
     if (const std::optional<Error> failure = integration::failure(c, motion)) throw Error(*failure);
     const std::vector<Verdict> verdicts = classification::classify_phases(motion.record.phases, c.verdict);
     write_records(options, c, motion, request.trace.interval);

@@ -9,6 +9,7 @@
 #include "stridor/sweep/evaluate.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace {
 
 using parameters::Case;
 
+constexpr std::string_view by_default = "joint";
 constexpr std::size_t most_named = 12;  // contacts that a message lists
 constexpr double equal = 1.0 + 1e-9;    // [1] of levels that differ by rounding
 
@@ -55,6 +57,26 @@ HeardMotion motion_of_plate(const AskedMotion& asked) {
     return {{sound::last_dof, asked.quantity}, "plate", "y", {}};
 }
 
+void expect_one_direction(const AskedMotion& asked, std::string_view of) {
+    if (asked.component.empty()) return;
+    base::refuse("--component " + asked.component + " does not go with " + std::string(of), "it has one direction",
+                 "Leave it out, or listen to a contact.");
+}
+
+const parameters::OwnOutput* find_output(const Case& c, const AskedMotion& asked) {
+    if (!c.own_structure || c.own_structure->outputs.empty()) return nullptr;
+    const std::vector<parameters::OwnOutput>& outputs = c.own_structure->outputs;
+    if (asked.of == by_default) return &outputs.front();
+    const auto found = std::find_if(outputs.begin(), outputs.end(),
+                                    [&](const parameters::OwnOutput& output) { return output.name == asked.of; });
+    return found == outputs.end() ? nullptr : &*found;
+}
+
+HeardMotion motion_of_output(const parameters::OwnOutput& output, const AskedMotion& asked) {
+    expect_one_direction(asked, "an output");
+    return {{0, asked.quantity, output.weights}, output.name, "", {}};
+}
+
 // none of its contacts: a row of an own structure
 HeardMotion motion_of_row(const Case& c, const AskedMotion& asked) {
     const std::vector<std::string> names = contact_names(c);
@@ -66,11 +88,9 @@ HeardMotion motion_of_row(const Case& c, const AskedMotion& asked) {
     const std::vector<std::string>& rows = c.own_structure->row;
     const auto row = std::find(rows.begin(), rows.end(), asked.of);
     if (row == rows.end())
-        base::refuse(unknown + "no contact and no row of this structure", "",
+        base::refuse(unknown + "no contact, output or row of this structure", "",
                      "Listen to a contact: " + listed_names(names) + "; or to a row, as `--trace` names them.");
-    if (!asked.component.empty())
-        base::refuse("--component " + asked.component + " does not go with a row", "a row has one direction",
-                     "Leave it out, or listen to a contact.");
+    expect_one_direction(asked, "a row");
     return {{static_cast<std::size_t>(row - rows.begin()), asked.quantity}, *row, "", {}};
 }
 
@@ -82,22 +102,24 @@ std::string along(const std::string& component) {
     return component.empty() ? "" : " along " + component;
 }
 
-bool asks_for_strongest(const AskedMotion& asked) {
-    return asked.of == "joint";
+// nothing where the strongest of several contacts is asked for
+std::optional<HeardMotion> named_motion(const Case& c, const AskedMotion& asked) {
+    if (asked.of == "plate" && !c.own_structure) return motion_of_plate(asked);
+    if (const parameters::OwnOutput* output = find_output(c, asked)) return motion_of_output(*output, asked);
+    const std::vector<std::string> names = contact_names(c);
+    if (asked.of == by_default) return names.size() > 1 ? std::nullopt : std::optional(motion_of_contact(c, 0, asked));
+    const auto contact = std::find(names.begin(), names.end(), asked.of);
+    if (contact == names.end()) return motion_of_row(c, asked);
+    return motion_of_contact(c, static_cast<std::size_t>(contact - names.begin()), asked);
 }
 
 }  // namespace
 
-std::optional<std::size_t> strongest_contact(const Case& c, const std::stop_token& stop,
-                                             integration::Workspace& workspace) {
-    const std::size_t contacts = parameters::contact_count(c);
-    if (contacts == 1) return 0;
-    const std::optional<sweep::Attempt> run = sweep::attempt(c, {}, stop, workspace);
-    if (!run) return std::nullopt;
+std::size_t strongest_contact(std::span<const record::Tally> phases) {
     std::size_t strongest = 0;
     double most = 0.0;  // [m/s]
-    for (std::size_t contact = 0; contact < contacts; ++contact)
-        for (const record::Tally& phase : run->motion.record.phases) {
+    for (std::size_t contact = 0; !phases.empty() && contact < phases.front().contacts.size(); ++contact)
+        for (const record::Tally& phase : phases) {
             const double rms = analysis::evidence(phase, contact).levels.joint.rms;
             // false where nothing was judged
             if (!(rms > most * equal)) continue;
@@ -107,18 +129,17 @@ std::optional<std::size_t> strongest_contact(const Case& c, const std::stop_toke
     return strongest;
 }
 
+HeardMotion heard_motion(const Case& c, const AskedMotion& asked, std::span<const record::Tally> phases) {
+    const std::optional<HeardMotion> named = named_motion(c, asked);
+    return named ? *named : motion_of_contact(c, strongest_contact(phases), asked);
+}
+
 std::optional<HeardMotion> heard_motion(const Case& c, const AskedMotion& asked, const std::stop_token& stop,
                                         integration::Workspace& workspace) {
-    if (asked.of == "plate" && !c.own_structure) return motion_of_plate(asked);
-    if (asks_for_strongest(asked)) {
-        const std::optional<std::size_t> strongest = strongest_contact(c, stop, workspace);
-        if (!strongest) return std::nullopt;
-        return motion_of_contact(c, *strongest, asked);
-    }
-    const std::vector<std::string> names = contact_names(c);
-    const auto contact = std::find(names.begin(), names.end(), asked.of);
-    if (contact == names.end()) return motion_of_row(c, asked);
-    return motion_of_contact(c, static_cast<std::size_t>(contact - names.begin()), asked);
+    if (std::optional<HeardMotion> named = named_motion(c, asked)) return named;
+    const std::optional<sweep::Attempt> run = sweep::attempt(c, {}, stop, workspace);
+    if (!run) return std::nullopt;
+    return heard_motion(c, asked, run->motion.record.phases);
 }
 
 HeardMotion heard_motion(const Case& c, const AskedMotion& asked, const std::stop_token& stop) {
@@ -133,9 +154,11 @@ std::string motion_words(const HeardMotion& motion) {
 }
 
 std::string motion_words(const Case& c, const AskedMotion& asked) {
+    if (const parameters::OwnOutput* output = find_output(c, asked))
+        return output->name + " " + quantity_word(asked.quantity);
     const std::string component = !asked.component.empty() ? asked.component : asked.of == "plate" ? "y" : "x";
     const std::string what = quantity_word(asked.quantity) + along(component);
-    if (!asks_for_strongest(asked)) return asked.of + " " + what;
+    if (asked.of != by_default) return asked.of + " " + what;
     return parameters::contact_count(c) > 1 ? what + " of the strongest contact"
                                             : parameters::contact_name(c, 0) + " " + what;
 }

@@ -2,10 +2,12 @@
 
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/case.hpp"
+#include "stridor/record/tally.hpp"
 #include "stridor/sound/auralisation.hpp"
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 
@@ -14,8 +16,8 @@ namespace stridor::hearing {
 
 /// The motion that is asked for, by names that a user knows.
 struct AskedMotion {
-    // "joint": what rubs, of several contacts the strongest (`strongest_contact`); "plate"; the name of one of several
-    // joints, of a contact or of a row of an own structure
+    // "joint": what rubs, of several contacts the strongest (`strongest_contact`), of an own structure with outputs the
+    // first of them; "plate"; the name of one of several joints, of a contact, output or row of an own structure
     std::string of = "joint";
     std::string component{};  // "x" along the surface, "y" across it; empty: x of what rubs, y of the plate
     signal::MotionQuantity quantity = signal::MotionQuantity::velocity;
@@ -25,18 +27,20 @@ struct AskedMotion {
 struct HeardMotion {
     sound::Pickup pickup{};
     std::string of{};
-    std::string component{};               // "x", "y"; empty: of a row, which has one direction
+    std::string component{};               // "x", "y"; empty: of an output or row, which has one direction
     std::optional<std::size_t> contact{};  // whose it is, if a contact's
 };
 
 /// The contact whose point has the highest level in any phase, as `stridor simulate` prints it; of equals but for
-/// rounding the first. It takes a run of the case where there are several; the first contact of a run without a result.
-/// Nothing if it was stopped.
-std::optional<std::size_t> strongest_contact(const parameters::Case& c, const std::stop_token& stop,
-                                             integration::Workspace& workspace);
+/// rounding the first, and likewise of a run that left no phases.
+std::size_t strongest_contact(std::span<const record::Tally> phases);
 
-/// The motion of a case that is asked for; nothing if it was stopped. Throws `Error` (input) for a name that nothing
-/// of the case has, and for the plate's motion along x, which is the drive.
+/// The motion of a case that is asked for, by what its run left. Throws `Error` (input) for a name that nothing of the
+/// case has, and for the plate's motion along x, which is the drive.
+HeardMotion heard_motion(const parameters::Case& c, const AskedMotion& asked, std::span<const record::Tally> phases);
+
+/// The same of a case that was not run. Where the strongest of several contacts is asked for it takes a run; nothing if
+/// that was stopped.
 std::optional<HeardMotion> heard_motion(const parameters::Case& c, const AskedMotion& asked,
                                         const std::stop_token& stop, integration::Workspace& workspace);
 

@@ -4,6 +4,7 @@
 #include "stridor/base/text.hpp"
 #include "stridor/hearing/heard_text.hpp"
 #include "stridor/hearing/run_sound.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/sweep/fork_join.hpp"
 #include "stridor/sweep/store.hpp"
 
@@ -174,6 +175,12 @@ std::string heard_text(const sweep::Study& study, const HearingOptions& options)
     add("results", sweep::results_version);
     text += "heard.of = " + settings.motion.of + " " + settings.motion.component + "\n";
     add("quantity", static_cast<double>(settings.motion.quantity));
+    if (study.base.own_structure)
+        for (const parameters::OwnOutput& output : study.base.own_structure->outputs) {
+            text += "heard.output = " + output.name + "\n";
+            for (const double weight : output.weights)
+                add("weight", weight);
+        }
     add("rate", settings.sound.rate);
     add("high_pass", settings.sound.high_pass);
     add("fade", settings.sound.fade);

@@ -58,6 +58,13 @@ std::vector<int> interface_numbers(const OwnStructure& structure) {
     return numbers;
 }
 
+std::vector<std::vector<double>> output_weights(const OwnStructure& structure) {
+    std::vector<std::vector<double>> weights;
+    for (const OwnOutput& output : structure.outputs)
+        weights.push_back(output.weights);
+    return weights;
+}
+
 std::size_t contact_count(const Case& c) {
     return c.own_structure ? c.own_structure->contacts.size() : joint_count(c);
 }

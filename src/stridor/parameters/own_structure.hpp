@@ -29,6 +29,12 @@ struct OwnContact {
     double drive_share = 1.0;                  // [1] of V(t) that the surface has here
 };
 
+/// A point of an own structure whose motion is wanted: it is heard and stands in traces, and changes no result.
+struct OwnOutput {
+    std::string name{};             // "glass"
+    std::vector<double> weights{};  // [1] its motion is weights.u; shape [row]
+};
+
 /// Dampings of an own structure that follow its mass and stiffness; they add up.
 struct FollowingDamping {
     double ratio = 0.0;               // [1] zeta, of each mode of the structure without contacts
@@ -49,6 +55,7 @@ struct OwnStructure {
     std::vector<double> initial_displacement{};  // [m] added to the start; shape [row] or empty
     std::vector<double> initial_velocity{};      // [1] added to the start, per imposed velocity; shape [row] or empty
     std::vector<OwnContact> contacts{};
+    std::vector<OwnOutput> outputs{};
     std::string builder_lines{};  // what a builder made it from, as a case file says it; empty: it was none
 };
 
@@ -60,6 +67,9 @@ std::string content_hash(const OwnStructure& structure);
 
 /// Number of each contact's interface, from 0 in the order of their contacts; shape [contact].
 std::vector<int> interface_numbers(const OwnStructure& structure);
+
+/// Weights of all outputs; shape [output][row].
+std::vector<std::vector<double>> output_weights(const OwnStructure& structure);
 
 /// Contacts of any case.
 std::size_t contact_count(const Case& c);

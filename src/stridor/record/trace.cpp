@@ -2,6 +2,8 @@
 
 #include "stridor/base/check.hpp"
 
+#include <utility>
+
 namespace stridor::record {
 
 namespace {
@@ -36,6 +38,21 @@ void append(Trace& trace, const Sample& sample) {
         contact.friction_force.push_back(sample.contacts[k].friction_force);
         contact.gap.push_back(sample.contacts[k].gap);
         contact.state.push_back(sample.contacts[k].state);
+    }
+}
+
+void add_points(Trace& trace, const std::vector<std::vector<double>>& weights) {
+    if (trace.time.empty()) return;
+    for (auto* rows : {&trace.displacement, &trace.velocity, &trace.acceleration}) {
+        const std::size_t dofs = rows->size();
+        for (const std::vector<double>& point : weights) {
+            STRIDOR_EXPECT(point.size() == dofs);
+            std::vector<double> motion(trace.time.size(), 0.0);
+            for (std::size_t dof = 0; dof < dofs; ++dof)
+                for (std::size_t sample = 0; sample < motion.size() && point[dof] != 0.0; ++sample)
+                    motion[sample] += point[dof] * (*rows)[dof][sample];
+            rows->push_back(std::move(motion));
+        }
     }
 }
 

@@ -53,6 +53,9 @@ Trace empty_trace(int dofs, int contacts = 1);
 /// Adds an instant at the end. It must have as many degrees of freedom and contacts as the trace.
 void append(Trace& trace, const Sample& sample);
 
+/// Adds the motion of points to that of the degrees of freedom, behind it: weights.u for each, shape [point][dof].
+void add_points(Trace& trace, const std::vector<std::vector<double>>& weights);
+
 /// Takes the samples away; the memory stays.
 void clear(Trace& trace);
 

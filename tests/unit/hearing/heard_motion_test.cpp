@@ -39,8 +39,8 @@ Case blocks() {
     c.contact.preload = 2.0;
     c.contact.static_friction = 1.0;
     c.contact.kinetic_friction = 0.5;
-    c.run.duration = 10.0;
-    c.run.window = 10.0;
+    c.run.duration = 4.0;
+    c.run.window = 4.0;
     auto own = std::make_shared<parameters::OwnStructure>();
     own->row = {"x1", "y1", "x2", "y2"};
     own->mass = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -86,7 +86,7 @@ TEST(HeardMotion, TakesTheFirstOfEqualContacts) {
 
 TEST(HeardMotion, IsThatOfAContactOfAnOwnStructure) {
     const Case c = blocks();
-    // the soft spring lets the first one stick for 10 s; the other is let go again and again
+    // the soft spring lets the first one stick for 10 s, and so all the time; the other is let go again and again
     const HeardMotion heard = heard_motion(c, {});
     EXPECT_EQ(heard.of, "fast");
     EXPECT_EQ(heard.pickup.weights, c.own_structure->contacts[1].tangent);
@@ -94,8 +94,31 @@ TEST(HeardMotion, IsThatOfAContactOfAnOwnStructure) {
     EXPECT_EQ(heard_motion(c, {"x2"}).pickup.dof, 2U);
     EXPECT_EQ(motion_words(heard_motion(c, {"x2"})), "x2 velocity");
     EXPECT_EQ(motion_words(c, {}), "velocity along x of the strongest contact");
-    EXPECT_TRUE(thrown_by([&] { heard_motion(c, {"plate"}); }).says("is no contact and no row"));
-    EXPECT_TRUE(thrown_by([&] { heard_motion(c, {"x2", "y"}); }).says("a row has one direction"));
+    EXPECT_TRUE(thrown_by([&] { heard_motion(c, {"plate"}); }).says("is no contact, output or row"));
+    EXPECT_TRUE(thrown_by([&] { heard_motion(c, {"x2", "y"}); }).says("it has one direction"));
+}
+
+TEST(HeardMotion, IsThatOfAnOutputWhereThereIsOne) {
+    Case c = blocks();
+    auto own = std::make_shared<parameters::OwnStructure>(*c.own_structure);
+    own->outputs = {{"mean", {0.5, 0, 0.5, 0}}, {"stretch", {1, 0, -1, 0}}};
+    c.own_structure = own;
+    EXPECT_EQ(heard_motion(c, {}).pickup.weights, own->outputs[0].weights);
+    EXPECT_EQ(motion_words(c, {}), "mean velocity");
+    EXPECT_EQ(heard_motion(c, {"stretch"}).of, "stretch");
+    EXPECT_EQ(heard_motion(c, {"slow"}).contact, std::optional<std::size_t>(0));
+    EXPECT_TRUE(thrown_by([&] { heard_motion(c, {"mean", "x"}); }).says("it has one direction"));
+    // a mean of two motions is heard as the mean of their sounds
+    const auto sound = [&](const std::string& of) {
+        sound::AuralisationSettings settings;
+        settings.rate = 8000.0;
+        settings.pickup = heard_motion(c, {of}).pickup;
+        return sound_of_case(c, settings).samples;
+    };
+    const std::vector<double> mean = sound("mean"), first = sound("x1"), second = sound("x2");
+    ASSERT_EQ(mean.size(), first.size());
+    for (std::size_t k = 0; k < mean.size(); ++k)
+        ASSERT_NEAR(mean[k], 0.5 * (first[k] + second[k]), 1e-12);
 }
 
 TEST(HeardMotion, OfARunWithoutResultIsThatOfTheFirst) {

@@ -90,8 +90,8 @@ TEST(ListeningTexts, NameAContactOrARowOfAnOwnStructure) {
     EXPECT_TRUE(heard(c.own_structure->row[3], "").weights.empty());
     EXPECT_EQ(heard(c.own_structure->row[3], "").dof, 3U);
     EXPECT_TRUE(thrown_by([&] { heard("block3", ""); }).says("Listen to a contact: block1, block2"));
-    EXPECT_TRUE(thrown_by([&] { heard("plate", ""); }).says("is no contact and no row"));
-    EXPECT_TRUE(thrown_by([&] { heard(c.own_structure->row[3], "x"); }).says("a row has one direction"));
+    EXPECT_TRUE(thrown_by([&] { heard("plate", ""); }).says("is no contact, output or row"));
+    EXPECT_TRUE(thrown_by([&] { heard(c.own_structure->row[3], "x"); }).says("it has one direction"));
 }
 
 TEST(ListeningTexts, BecomeSettings) {

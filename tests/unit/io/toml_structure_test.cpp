@@ -2,6 +2,7 @@
 
 #include "io_support.hpp"
 #include "stridor/io/case/ready_files.hpp"
+#include "stridor/io/case/structure_contacts.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
@@ -210,6 +211,57 @@ TEST(TomlStructure, ThatIsWrongIsRefusedWithOneSentence) {
                              "from event to event only");
     expect_structure_refused(replaced(whole_case(m + c), "duration = 3", "duration = 3\ninitial = \"sliding\""),
                              "does not start sliding");
+}
+
+TEST(TomlStructure, NamesOutputs) {
+    const std::string mc = std::string(matrices) + tip_contact;
+    const Case c =
+        read_structure_text(whole_case(mc + "[[structure.output]]\nname = \"far end\"\ndirection = \"y -x\"\n"
+                                            "[[structure.output]]\ndirection = [0.5, 2]\n"));
+    const std::vector<parameters::OwnOutput>& outputs = c.own_structure->outputs;
+    ASSERT_EQ(outputs.size(), 2U);
+    EXPECT_EQ(outputs[0].name, "far end");
+    EXPECT_EQ(outputs[0].weights, (std::vector<double>{-1, 1}));
+    EXPECT_EQ(outputs[1].name, "output2");
+    EXPECT_EQ(outputs[1].weights, (std::vector<double>{0.5, 2}));
+    const Case back = read_structure_text(case_toml(c, {Comments::none, ""}));
+    ASSERT_EQ(back.own_structure->outputs.size(), 2U);
+    EXPECT_EQ(back.own_structure->outputs[1].weights, outputs[1].weights);
+    EXPECT_EQ(content_hash(*c.own_structure), content_hash(*read_structure_text(whole_case(mc)).own_structure))
+        << "an output changes no result";
+    const auto refused = [&](const std::string& output, const std::string& words) {
+        expect_structure_refused(whole_case(mc + "[[structure.output]]\n" + output), words);
+    };
+    refused("direction = \"z\"\n", "is no set, node or row");
+    refused("direction = \"x -x\"\n", "the direction is zero");
+    refused("direction = [1, 2, 3]\n", "3 components");
+    refused("name = \"tip\"\ndirection = \"x\"\n", "a contact has it");
+    refused("direction = \"x\"\n", "a row has it");
+    refused("name = \"a\"\n", "direction");
+    refused("nam = \"a\"\ndirection = \"x\"\n", "unknown key");
+}
+
+TEST(Outputs, StandAtRowsThatAReducedPartRecovers) {
+    reduction::Reduction reduced;
+    reduced.part.labels = {{"5", 1}, {"5", 3}, {"mode 1", 0}};
+    reduced.recovered = {{"9", 1}, {"9", 3}};
+    reduced.recovery = Eigen::MatrixXd(2, 3);
+    reduced.recovery << 0.5, 0.0, 2.0, 0.0, 0.25, -1.0;
+    const auto weights = [&](const NamedOutput& named) { return outputs_at(reduced, {named}, {}).front().weights; };
+    EXPECT_EQ(weights({"", "9", "-x", {}}), (std::vector<double>{-0.5, 0.0, -2.0}));
+    EXPECT_EQ(weights({"", "5", "z", {}}), (std::vector<double>{0.0, 1.0, 0.0}));
+    EXPECT_EQ(weights({"a", "", "9.3 5.1", {}}), (std::vector<double>{1.0, 0.25, -1.0}));
+    EXPECT_EQ(weights({"a", "", std::vector<double>{1, 2, 3}, {}}), (std::vector<double>{1.0, 2.0, 3.0}));
+    EXPECT_EQ(outputs_at(reduced, {{"", "9", "-x", {}}}, {}).front().name, "9.-x");
+    EXPECT_TRUE(error_of([&] { weights({"", "9", "y", {}}); })) << "that row is not recovered";
+}
+
+TEST(TomlStructure, OutputsStandBesideABuilder) {
+    const Case c =
+        read_structure_text(ready_file("chain") + "\n[[structure.output]]\nname = \"apart\"\ndirection = \"x2 -x1\"\n");
+    ASSERT_EQ(c.own_structure->outputs.size(), 1U);
+    const Case back = read_structure_text(case_toml(c, {Comments::none, ""}));
+    EXPECT_EQ(back.own_structure->outputs[0].weights, c.own_structure->outputs[0].weights);
 }
 
 TEST(TomlStructure, OpensNoFileForSomebodyElse) {

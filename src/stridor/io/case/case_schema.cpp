@@ -178,7 +178,7 @@ Json list_of(Json item) {
     return {{"type", "array"}, {"items", std::move(item)}};
 }
 
-// the keys of [structure] and [[structure.contact]], beside the fields; which belong together the reader says
+// the keys of [structure] and its tables, beside the fields; which belong together the reader says
 void add_structure_keys(Json& section) {
     const Json number{{"type", {"number", "string"}}};
     const Json text{{"type", {"string", "number"}}};
@@ -206,6 +206,12 @@ void add_structure_keys(Json& section) {
     contact["properties"]["normal"] = contact["properties"]["tangent"] = direction;
     contact["required"] = {"normal", "tangent"};
     properties["contact"] = list_of(std::move(contact));
+    Json output = section_schema();
+    for (const std::string_view key : structure_keys(StructureKeys::of_output))
+        output["properties"][std::string(key)] = text;
+    output["properties"]["direction"] = direction;
+    output["required"] = {"direction"};
+    properties["output"] = list_of(std::move(output));
 }
 
 // [structure] in the place of [joint] and [plate]

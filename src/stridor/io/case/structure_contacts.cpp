@@ -18,6 +18,7 @@ namespace {
 
 namespace csv = recordings::csv_table;
 using parameters::OwnContact;
+using parameters::OwnOutput;
 using recordings::refusal;
 using reduction::ElasticPart;
 
@@ -65,6 +66,15 @@ public:
     }
 
     std::vector<OwnContact> finish() { return std::move(contacts_); }
+
+    /// The rows of an output.
+    std::vector<double> output_rows(const NamedOutput& named) {
+        place_ = named.place;
+        if (named.node.empty()) return of_rows(named.direction, "direction");
+        std::vector<double> rows(part_.labels.size(), 0.0);
+        put(rows, named.node, in_space(named.direction, "direction"), 1.0);
+        return rows;
+    }
 
 private:
     Error problem(std::string what, std::string why, std::string suggestion = "") const {
@@ -254,6 +264,65 @@ std::vector<OwnContact> contacts_at(const ElasticPart& part, const std::vector<N
     for (const NamedContact& each : named)
         maker.take(each);
     return maker.finish();
+}
+
+namespace {
+
+// "35.z", "x1 -x2"
+std::string output_name(const NamedOutput& named, std::size_t number) {
+    if (!named.name.empty()) return named.name;
+    const auto* direction = std::get_if<std::string>(&named.direction);
+    if (direction == nullptr) return fmt::format("output{}", number);
+    return named.node.empty() ? *direction : named.node + "." + *direction;
+}
+
+// labels of a part with those of further rows behind them
+ElasticPart with_recovered(const reduction::Reduction& reduction) {
+    ElasticPart labelled;
+    labelled.labels = reduction.part.labels;
+    labelled.sets = reduction.part.sets;
+    for (const reduction::RowLabel& label : reduction.recovered)
+        labelled.labels.push_back(label);
+    return labelled;
+}
+
+void expect_own_name(const OwnOutput& output, const std::vector<OwnOutput>& before,
+                     const std::vector<OwnContact>& contacts, const ElasticPart& part, const base::Place& place) {
+    const auto is_called_so = [&](const auto& other) { return other.name == output.name; };
+    const bool is_output = std::any_of(before.begin(), before.end(), is_called_so);
+    const bool is_contact = std::any_of(contacts.begin(), contacts.end(), is_called_so);
+    const bool is_row = std::any_of(part.labels.begin(), part.labels.end(),
+                                    [&](const reduction::RowLabel& label) { return describe(label) == output.name; });
+    if (is_output || is_contact || is_row)
+        throw refusal(place, fmt::format("the name \"{}\" is taken", output.name),
+                      is_output    ? "another output has it"
+                      : is_contact ? "a contact has it"
+                                   : "a row has it",
+                      "Give the output a name of its own.");
+}
+
+}  // namespace
+
+std::vector<OwnOutput> outputs_at(const reduction::Reduction& reduction, const std::vector<NamedOutput>& named,
+                                  const std::vector<OwnContact>& contacts) {
+    const std::size_t rows = reduction.part.labels.size();
+    const ElasticPart labelled = with_recovered(reduction);
+    ContactMaker maker(labelled);
+    std::vector<OwnOutput> outputs;
+    for (NamedOutput each : named) {
+        // a number for each row says nothing of those that are recovered
+        auto* numbers = std::get_if<std::vector<double>>(&each.direction);
+        if (numbers != nullptr && each.node.empty() && numbers->size() == rows) numbers->resize(labelled.labels.size());
+        const std::vector<double> all = maker.output_rows(each);
+        OwnOutput output{output_name(each, outputs.size() + 1), {all.begin(), all.begin() + static_cast<long>(rows)}};
+        for (std::size_t k = rows; k < all.size(); ++k)
+            for (std::size_t row = 0; row < rows; ++row)
+                output.weights[row] +=
+                    all[k] * reduction.recovery(static_cast<Eigen::Index>(k - rows), static_cast<Eigen::Index>(row));
+        expect_own_name(output, outputs, contacts, reduction.part, each.place);
+        outputs.push_back(std::move(output));
+    }
+    return outputs;
 }
 
 void share_preload(std::vector<OwnContact>& contacts, const std::vector<NamedContact>& named,

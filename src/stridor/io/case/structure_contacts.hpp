@@ -2,6 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/reduction/craig_bampton.hpp"
 #include "stridor/reduction/part.hpp"
 
 #include <optional>
@@ -40,6 +41,23 @@ struct NamedContact {
 /// one place, and more than `parameters::most_contacts`.
 std::vector<parameters::OwnContact> contacts_at(const reduction::ElasticPart& part,
                                                 const std::vector<NamedContact>& named);
+
+/// What a file says of a point whose motion is wanted.
+struct NamedOutput {
+    std::string name{};  // empty: made of node and direction
+    std::string node{};  // empty: the direction is of rows
+    NamedDirection direction{};
+    base::Place place{};  // where it stands
+};
+
+/// Outputs at the rows of a part, or at further rows whose motion is `recovery` * u (`reduction::Reduction`), shape
+/// [recovered][row].
+///
+/// Throws `Error` (input) at the place for a node or row that is not there, a direction that is zero or has another
+/// number of components, and a name that another output, a contact or a row has.
+std::vector<parameters::OwnOutput> outputs_at(const reduction::Reduction& reduction,
+                                              const std::vector<NamedOutput>& named,
+                                              const std::vector<parameters::OwnContact>& contacts);
 
 /// Shares of the preload where nobody gave one: equal, of all that are not open. Throws `Error` (input) at `place` for
 /// shares beside a load or negative gaps, and for contacts that touch without load.

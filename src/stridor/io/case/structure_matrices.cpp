@@ -122,7 +122,10 @@ NamedPart of_files(const TomlSection& section) {
         return recordings::text_at(*opened(files.files.front(), section.need("file")).bytes, 0, 8);
     };
     if (is_one && is_netcdf(beginning())) {
-        named.part = read_reduced_part(files.files.front()).part;
+        reduction::Reduction reduction = read_reduced_part(files.files.front());
+        named.part = std::move(reduction.part);
+        named.recovered = std::move(reduction.recovered);
+        named.recovery = std::move(reduction.recovery);
         return named;
     }
     const std::string units = section.text_or("units", "m-kg-s");

@@ -4,7 +4,10 @@
 #include "stridor/io/structure/field_scanner.hpp"
 #include "stridor/reduction/part.hpp"
 
+#include <Eigen/Core>
+
 #include <string>
+#include <vector>
 
 namespace stridor::io {
 
@@ -12,6 +15,8 @@ namespace stridor::io {
 struct NamedPart {
     reduction::ElasticPart part;  // checked (`reduction::expect_sound`), in SI
     std::string origin;
+    std::vector<reduction::RowLabel> recovered{};  // further rows of a reduced part, and their motion
+    Eigen::MatrixXd recovery{};                    // [1] shape [recovered][row]
 };
 
 /// The matrices of [structure] with the labels of their rows: in the file itself (`mass = [[...]]`, `rows`), as CSV or

@@ -197,8 +197,8 @@ TomlValue value_of(const toml::node& node) {
 
 // Keys are three names long at most ("chart.x.from"); what lies deeper hangs on a key that is unknown already.
 constexpr int deepest = 4;
-// what may be there several times: [[joint]], [[structure.contact]]
-constexpr std::array<std::string_view, 2> listed_sections{"joint", "structure.contact"};
+// what may be there several times: [[joint]], [[structure.contact]], [[structure.output]]
+constexpr std::array<std::string_view, 3> listed_sections{"joint", "structure.contact", "structure.output"};
 
 bool is_list_of_tables(const toml::node& node) {
     const toml::array* list = node.as_array();

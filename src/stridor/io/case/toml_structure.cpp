@@ -27,6 +27,7 @@ using reduction::ElasticPart;
 constexpr std::string_view section_name = "structure";
 constexpr std::string_view opening = "structure.";
 constexpr std::string_view contact_opening = "structure.contact.";
+constexpr std::string_view output_opening = "structure.output.";
 
 constexpr std::array<std::string_view, 3> matrix_keys{"mass", "stiffness", "damping"};
 constexpr std::array<std::string_view, 4> number_keys{"damping_ratio", "loss_factor", "rayleigh_mass",
@@ -39,6 +40,7 @@ constexpr std::array<std::string_view, 12> contact_keys{
     "name",          "node",       "set",         "against",         "interface",
     "normal",        "tangent",    "initial_gap", "static_friction", "kinetic_friction",
     "preload_share", "drive_share"};
+constexpr std::array<std::string_view, 3> output_keys{"name", "node", "direction"};
 
 bool stands_below(std::string_view key, std::string_view prefix) {
     return key.size() > prefix.size() && key.starts_with(prefix);
@@ -83,20 +85,26 @@ void check_keys(const TomlDocument& document, const StructureBuilder* builder) {
     for (const TomlEntry& entry : document.entries) {
         if (!stands_below(entry.key, opening) || parameters::find_field(entry.key) != nullptr) continue;
         const bool is_of_contacts = entry.key == "structure.contact" || stands_below(entry.key, contact_opening);
+        const bool is_of_outputs = entry.key == "structure.output" || stands_below(entry.key, output_opening);
         if (is_of_contacts && builder != nullptr) {
             complaints.add({ErrorKind::input,
                             {"[[structure.contact]] stands beside a builder", "a builder makes its own contacts", ""},
                             entry.key_place});
             break;
         }
-        if (!is_of_contacts) {
+        if (!is_of_contacts && !is_of_outputs) {
             refuse_unknown(entry, std::string_view(entry.key).substr(opening.size()), known, complaints);
             continue;
         }
-        const std::string_view inner =
-            std::string_view(entry.key).substr(std::min(contact_opening.size(), entry.key.size()));
+        const std::string_view table = is_of_contacts ? contact_opening : output_opening;
+        const std::string_view inner = std::string_view(entry.key).substr(std::min(table.size(), entry.key.size()));
         const std::size_t point = inner.find('.');
-        if (point != std::string_view::npos) refuse_unknown(entry, inner.substr(point + 1), contact_keys, complaints);
+        if (point == std::string_view::npos) continue;
+        const std::string_view name = inner.substr(point + 1);
+        if (is_of_contacts)
+            refuse_unknown(entry, name, contact_keys, complaints);
+        else
+            refuse_unknown(entry, name, output_keys, complaints);
     }
     complaints.throw_any();
 }
@@ -142,6 +150,17 @@ std::vector<NamedContact> named_contacts(const TomlDocument& document, const Tom
     return named;
 }
 
+std::vector<NamedOutput> named_outputs(const TomlDocument& document) {
+    std::vector<NamedOutput> named;
+    for (int number = 1;; ++number) {
+        const std::string key = std::string(output_opening) + std::to_string(number);
+        if (document.find(key) == nullptr) return named;
+        const TomlSection table(document, key + ".");
+        named.push_back(
+            {table.text_or("name", ""), table.text_or("node", ""), direction_in(table, "direction"), table.place()});
+    }
+}
+
 std::vector<double> dense_numbers(const reduction::SparseMatrix& matrix) {
     const Eigen::MatrixXd dense(matrix);
     const Eigen::MatrixXd both = 0.5 * (dense + dense.transpose());
@@ -183,6 +202,21 @@ OwnStructure from_part(const TomlDocument& document, const TomlSection& section)
     const std::vector<NamedContact> contacts = named_contacts(document, section);
     own.contacts = contacts_at(part, contacts);
     share_preload(own.contacts, contacts, own.load, section.place());
+    reduction::Reduction recovered;
+    recovered.part.labels = part.labels;
+    recovered.part.sets = part.sets;
+    recovered.recovered = named.recovered;
+    recovered.recovery = named.recovery;
+    own.outputs = outputs_at(recovered, named_outputs(document), own.contacts);
+    return own;
+}
+
+OwnStructure from_builder(const StructureBuilder& builder, const TomlDocument& document, const TomlSection& section) {
+    OwnStructure own = built_structure(builder, section);
+    reduction::Reduction rows;
+    for (const std::string& row : own.row)
+        rows.part.labels.push_back({row, 0});
+    own.outputs = outputs_at(rows, named_outputs(document), own.contacts);
     return own;
 }
 
@@ -217,6 +251,8 @@ std::span<const std::string_view> structure_keys(StructureKeys kind) {
             return text_keys;
         case StructureKeys::of_contact:
             return contact_keys;
+        case StructureKeys::of_output:
+            return output_keys;
     }
     return {};
 }
@@ -251,7 +287,7 @@ std::shared_ptr<const OwnStructure> read_own_structure(const TomlDocument& docum
     const TomlSection section(document, std::string(opening));
     const StructureBuilder* builder = builder_of(section);
     check_keys(document, builder);
-    OwnStructure own = builder != nullptr ? built_structure(*builder, section) : from_part(document, section);
+    OwnStructure own = builder != nullptr ? from_builder(*builder, document, section) : from_part(document, section);
     if (section.has("initial_displacement")) {
         own.initial_displacement = section.numbers("initial_displacement", own.row.size());
         expect_closed(own, section);

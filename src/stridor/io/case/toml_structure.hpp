@@ -17,6 +17,7 @@ enum class StructureKeys {
     lists,       // load: a number for each row
     texts,       // file, or a list of them
     of_contact,  // keys of [[structure.contact]]
+    of_output,   // keys of [[structure.output]]
 };
 std::span<const std::string_view> structure_keys(StructureKeys kind);
 

@@ -182,28 +182,29 @@ std::string section_lines(const Case& c, const TomlOptions& options, Sections se
     return text;
 }
 
+std::string numbers_text(std::span<const double> numbers) {
+    std::string items;
+    for (const double number : numbers)
+        items += (items.empty() ? "" : ", ") + number_text(number);
+    return "[" + items + "]";
+}
+
 // a structure of the user's own with all its numbers, whatever it was made from
 std::string matrix_lines(const parameters::OwnStructure& own) {
     const std::size_t rows = own.row.size();
-    const auto list = [](std::span<const double> numbers) {
-        std::string text;
-        for (const double number : numbers)
-            text += (text.empty() ? "" : ", ") + number_text(number);
-        return "[" + text + "]";
-    };
     std::string text;
     const auto matrix = [&](std::string_view key, const std::vector<double>& numbers) {
         if (numbers.empty()) return;
         text += std::string(key) + " = [";
         for (std::size_t row = 0; row < rows; ++row)
-            text += (row > 0 ? ",\n  " : "\n  ") + list(std::span(numbers).subspan(row * rows, rows));
+            text += (row > 0 ? ",\n  " : "\n  ") + numbers_text(std::span(numbers).subspan(row * rows, rows));
         text += "\n]\n";
     };
     const auto number = [&](std::string_view key, double value, std::string_view unit) {
         if (value != 0.0) text += std::string(key) + " = " + quantity_text(value, unit) + "\n";
     };
     const auto vector = [&](std::string_view key, const std::vector<double>& numbers) {
-        if (!numbers.empty()) text += std::string(key) + " = " + list(numbers) + "\n";
+        if (!numbers.empty()) text += std::string(key) + " = " + numbers_text(numbers) + "\n";
     };
     if (!own.builder_lines.empty()) {
         vector("initial_displacement", own.initial_displacement);
@@ -223,17 +224,19 @@ std::string matrix_lines(const parameters::OwnStructure& own) {
     return text;
 }
 
+std::string output_tables(const parameters::OwnStructure& own) {
+    std::string text;
+    for (const parameters::OwnOutput& output : own.outputs)
+        text += "\n[[structure.output]]\nname = " + basic_string(output.name) +
+                "\ndirection = " + numbers_text(output.weights) + "\n";
+    return text;
+}
+
 std::string contact_tables(const parameters::OwnStructure& own) {
     std::string text;
-    const auto list = [](const std::vector<double>& numbers) {
-        std::string items;
-        for (const double number : numbers)
-            items += (items.empty() ? "" : ", ") + number_text(number);
-        return "[" + items + "]";
-    };
     for (const parameters::OwnContact& contact : own.contacts) {
-        text += "\n[[structure.contact]]\nname = " + basic_string(contact.name) + "\nnormal = " + list(contact.normal) +
-                "\ntangent = " + list(contact.tangent) + "\n";
+        text += "\n[[structure.contact]]\nname = " + basic_string(contact.name) +
+                "\nnormal = " + numbers_text(contact.normal) + "\ntangent = " + numbers_text(contact.tangent) + "\n";
         if (contact.initial_gap != 0.0) text += "initial_gap = " + quantity_text(contact.initial_gap, "m") + "\n";
         if (!contact.interface.empty()) text += "interface = " + basic_string(contact.interface) + "\n";
         if (contact.static_friction) text += "static_friction = " + number_text(*contact.static_friction) + "\n";
@@ -262,7 +265,8 @@ std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
     if (c.own_structure) {
         std::string text = section_lines(c, options, Sections::all, heading(options));
         replace_line(text, "[structure]\n", "[structure]\n" + matrix_lines(*c.own_structure));
-        return c.own_structure->builder_lines.empty() ? text + contact_tables(*c.own_structure) : text;
+        if (c.own_structure->builder_lines.empty()) text += contact_tables(*c.own_structure);
+        return text + output_tables(*c.own_structure);
     }
     if (c.further_joints.empty()) return section_lines(c, options, Sections::all, heading(options));
     std::string text = heading(options);

@@ -28,10 +28,16 @@ inline std::vector<std::string> dof_names(const parameters::Case& c) {
     return names;
 }
 
-/// The same, or u1, u2, ... where a record is of another structure.
+/// The same, with the outputs of an own structure where they are in the record, or u1, u2, ... where it is of another
+/// structure.
 inline std::vector<std::string> dof_names(const parameters::Case& c, std::size_t count) {
     std::vector<std::string> names = dof_names(c);
     if (names.size() == count) return names;
+    if (c.own_structure && names.size() + c.own_structure->outputs.size() == count) {
+        for (const parameters::OwnOutput& output : c.own_structure->outputs)
+            names.push_back(output.name);
+        return names;
+    }
     names.clear();
     for (std::size_t k = 1; k <= count; ++k)
         names.push_back("u" + std::to_string(k));
