@@ -21,10 +21,11 @@ Structure bowed_string(const BowedString& string, int modes) {
     Structure structure = structure_of_size(modes + 1);
     ContactPoint& bow = structure.contacts.front();
     structure.mass.setIdentity();
+    const double bridge_damping = 4.0 * string.frequency * string.impedance / string.bridge_resistance;  // [1/s]
     for (int k = 1; k <= modes; ++k) {
         const double omega = 2.0 * pi_of_modes * string.frequency * k;
         structure.stiffness(k - 1, k - 1) = omega * omega;
-        structure.damping(k - 1, k - 1) = 2.0 * string.damping_ratio * omega;
+        structure.damping(k - 1, k - 1) = 2.0 * string.damping_ratio * omega + bridge_damping;
         bow.tangent(k - 1) =
             std::sqrt(2.0 / mass_of(string)) * base::sine_cosine_of_turns(0.5 * k * string.bow_position).sine;
     }
@@ -41,6 +42,13 @@ Eigen::VectorXd helmholtz_motion(const BowedString& string, int modes, double bo
     for (int k = 1; k <= modes; ++k)
         velocity(k - 1) = (k % 2 == 1 ? size : -size) / (pi_of_modes * k);
     return velocity;
+}
+
+double least_bow_force(const BowedString& string, double bow_velocity) {
+    const double b = string.bow_position;
+    return string.impedance * string.impedance * bow_velocity /
+           (2.0 * string.bridge_resistance * b * b *
+            (string.friction.static_coefficient - string.friction.kinetic_coefficient));
 }
 
 double greatest_bow_force(const BowedString& string, double bow_velocity) {

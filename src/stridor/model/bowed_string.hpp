@@ -2,16 +2,19 @@
 
 #include "stridor/model/structure.hpp"
 
+#include <limits>
+
 namespace stridor::model {
 
 /// A string that a bow rubs at one point.
 struct BowedString {
-    double frequency = 200.0;     // [Hz] of its first mode
-    double impedance = 0.35;      // [kg/s] Z, of waves on it
-    double length = 0.5;          // [m] L
-    double damping_ratio = 5e-4;  // [1] zeta, of each mode
-    double bow_position = 0.13;   // [1] b, from the near end, as a share of the length
-    double bow_force = 0.8;       // [N] F
+    double frequency = 200.0;                                            // [Hz] of its first mode
+    double impedance = 0.35;                                             // [kg/s] Z, of waves on it
+    double length = 0.5;                                                 // [m] L
+    double damping_ratio = 5e-4;                                         // [1] zeta, of each mode
+    double bridge_resistance = std::numeric_limits<double>::infinity();  // [kg/s] R, far above Z
+    double bow_position = 0.13;  // [1] b, from the near end, as a share of the length
+    double bow_force = 0.8;      // [N] F
     Coulomb friction{0.8, 0.3};
 };
 
@@ -19,6 +22,9 @@ struct BowedString {
 /// freedom that carries the constant bow force and does not move.
 ///
 ///     ω_k = 2π f k,  φ_k(x) = √(2/(ρ L)) sin(kπ x/L),  ρ = Z/(2 L f)
+///
+/// A bridge that gives way with the resistance R reflects (R - Z)/(R + Z) of a wave. A period costs each mode about the
+/// share 2 Z/R of its amplitude: its damping is 2 ζ ω_k + 4 f Z/R.
 ///
 /// Source: Cremer, The Physics of the Violin (1984), chapter 3.
 Structure bowed_string(const BowedString& string, int modes);
@@ -30,5 +36,9 @@ Eigen::VectorXd helmholtz_motion(const BowedString& string, int modes, double bo
 
 /// Largest bow force [N] of Helmholtz's motion, 2 Z V / (b (mu_s - mu_d)). Schelleng (1973), J. Acoust. Soc. Am. 53.
 double greatest_bow_force(const BowedString& string, double bow_velocity);
+
+/// Least bow force [N] of Helmholtz's motion, Z² V / (2 R b² (mu_s - mu_d)), where all loss is that of the bridge.
+/// Schelleng (1973).
+double least_bow_force(const BowedString& string, double bow_velocity);
 
 }  // namespace stridor::model

@@ -17,7 +17,8 @@ namespace {
 bool is_canonical(const Case& c, const Field& field) {
     const bool names_a_thing = std::holds_alternative<Text>(field.kind);  // a title or a file name changes no result
     const bool follows = temperature_column(c, key_of(field)) != nullptr;
-    return field.belongs(c) && !names_a_thing && !follows && !goes_without_saying(c, field);
+    const bool is_content = is_of_builder(field);  // structure.content says it
+    return field.belongs(c) && !names_a_thing && !is_content && !follows && !goes_without_saying(c, field);
 }
 
 // "joint.lip2.mass = 0.1 kg", "joint.lip2.contact.preload = 20 N"

@@ -26,6 +26,8 @@ constexpr Range not_negative{0.0, infinity, Range::Low::closed};
 constexpr Range share{0.0, 1.0, Range::Low::closed};
 // from absolute zero to where no rubber or plastic is left
 constexpr Range temperatures{-273.15, 2000.0, Range::Low::closed};
+// a bow at the far end would move nothing
+constexpr double most_position = 0.999;
 constexpr Range before_the_end{0.0, 0.99, Range::Low::closed};
 
 constexpr UsualRange between(double from, double to) {
@@ -66,6 +68,30 @@ Choice choice(std::span<const std::string_view> names, Choice::Canonical canonic
             [](Case& c, int index) { (c.*part).*member = static_cast<Enumeration>(index); }, canonical};
 }
 
+// the name of a builder's key as an argument of templates
+template <std::size_t size>
+struct BuilderKeyName {
+    char letters[size];
+    constexpr BuilderKeyName(const char (&text)[size]) { std::copy_n(text, size, letters); }
+    constexpr std::string_view view() const { return {letters, size - 1}; }
+};
+
+// a number from which a builder makes the structure: another one makes it anew
+template <BuilderKeyName key>
+Field builder_field(std::string_view unit, Range range, std::string_view sentence) {
+    return {"structure",
+            key.view(),
+            "",
+            sentence,
+            Quantity{unit, range,
+                     [](const Case& c) {
+                         const double* number = recipe_number(c, key.view());
+                         return number == nullptr ? std::numeric_limits<double>::quiet_NaN() : *number;
+                     },
+                     [](Case& c, double value) { rebuild(c, key.view(), value); }},
+            [](const Case& c) { return recipe_number(c, key.view()) != nullptr; }};
+}
+
 constexpr Text title{[](const Case& c) { return c.title; }, [](Case& c, std::string_view text) { c.title = text; }};
 constexpr Text drive_file{[](const Case& c) { return c.drive.file; },
                           [](Case& c, std::string_view text) { c.drive.file = text; }, Text::Means::file};
@@ -99,6 +125,24 @@ const std::array table{
     Field{"structure", "damping_scale", "", "factor of all damping of the user's own structure",
           quantity<&Case::structure_scales, &StructureScales::damping>("1", not_negative, octaves(0.1, 10.0)),
           has_own_structure},
+
+    builder_field<"mass">("kg", positive, "of each block of a chain"),
+    builder_field<"stiffness">("N/m", positive,
+                               "of the spring that ties a block to the ground, along the belt and across it"),
+    builder_field<"damping_ratio">("1", not_negative, "share of critical damping of each mode"),
+    builder_field<"damping">("N*s/m", not_negative, "beside the spring of a block"),
+    builder_field<"coupling">("N/m", not_negative, "stiffness of the springs between neighbours"),
+    builder_field<"frequency">("Hz", positive, "of the string's first mode"),
+    builder_field<"impedance">("kg/s", positive, "of waves on the string"),
+    builder_field<"length">("m", positive, "of the string, or of the beam, which rubs with its tip"),
+    builder_field<"bridge_resistance">("kg/s", positive, "of the string's end, where waves lose energy"),
+    builder_field<"position">("1", Range{0.0, most_position, Range::Low::open},
+                              "of the bow, as a share of the string's length from the near end"),
+    builder_field<"mass_per_length">("kg/m", positive, "density of the beam times cross section"),
+    builder_field<"bending_stiffness">("N*m^2", positive, "E I"),
+    builder_field<"axial_stiffness">("N", positive, "E A"),
+    builder_field<"incidence_angle">("deg", Range{-360.0, 360.0},
+                                     "from the surface's direction of motion to the beam's axis"),
 
     Field{"contact", "preload", "F", "force that presses joint and plate together at rest",
           quantity<&Case::contact, &Contact::preload>("N", positive, usual_preload), has_preload},
@@ -206,6 +250,10 @@ bool has_key(const Field& field, std::string_view key) {
 
 }  // namespace
 
+bool is_of_builder(const Field& field) {
+    return field.section == "structure" && !field.name.ends_with("_scale");
+}
+
 const Field* find_field(std::string_view key) {
     const auto found =
         std::find_if(table.begin(), table.end(), [&](const Field& field) { return has_key(field, key); });
@@ -298,8 +346,7 @@ Range range_of(const Case& c, const Field& field) {
     return std::get<Quantity>(field.kind).range;
 }
 
-void set_quantity(Case& c, const Field& field, double value) {
-    refuse_follower(c, field);
+void expect_in_range(const Case& c, const Field& field, double value) {
     const auto& quantity = std::get<Quantity>(field.kind);
     const Range range = range_of(c, field);
     if (!std::isfinite(value) || !contains(range, value))
@@ -308,7 +355,12 @@ void set_quantity(Case& c, const Field& field, double value) {
                      "it must be " + (std::isfinite(value) ? range_text(range, quantity.unit) : std::string("finite")) +
                          (is_temperature_of_table(c, field) ? ", where the table ends" : ""),
                      is_temperature_of_table(c, field) ? "Extend the table in [temperature]." : ""});
-    quantity.set(c, value);
+}
+
+void set_quantity(Case& c, const Field& field, double value) {
+    refuse_follower(c, field);
+    expect_in_range(c, field, value);
+    std::get<Quantity>(field.kind).set(c, value);
     if (std::optional<double>* ratio = damping_ratio_of(c, key_of(field))) ratio->reset();
     keep_temperature_table(c);
     keep_damping_ratios(c);

@@ -80,6 +80,9 @@ struct Field {
 /// All fields, sections together, in the order files list them.
 std::span<const Field> fields();
 
+/// Is it a number from which a builder makes a structure? A case file has it among the lines of [structure].
+bool is_of_builder(const Field& field);
+
 /// The field with key "section.name" (or "title"); nothing if there is none.
 const Field* find_field(std::string_view key);
 
@@ -117,6 +120,9 @@ double get_quantity(const Case& c, const Field& field);
 
 /// What a quantity may be in this case: the field's range; for a temperature that has a table, the table's.
 Range range_of(const Case& c, const Field& field);
+
+/// Throws `Error` (input) without a place for a value that a quantity may not be.
+void expect_in_range(const Case& c, const Field& field, double value);
 
 /// Is it a choice that came later, and the first? Then what is kept of a case leaves it out.
 bool goes_without_saying(const Case& c, const Field& field);

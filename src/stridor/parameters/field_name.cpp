@@ -56,6 +56,9 @@ std::vector<const Field*> fields_called(std::string_view name) {
     std::vector<const Field*> called;
     for (const Field& field : fields())
         if (!name.empty() && (short_name(field) == name || field.symbol == name)) called.push_back(&field);
+    // who writes "mass" means no builder's, unless nothing else is called so
+    const auto is_builders = [](const Field* field) { return is_of_builder(*field); };
+    if (!std::all_of(called.begin(), called.end(), is_builders)) std::erase_if(called, is_builders);
     return called;
 }
 

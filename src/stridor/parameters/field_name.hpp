@@ -14,7 +14,8 @@ namespace stridor::parameters {
 /// The last part of a key; of temperature.value, which is the value of its section, "temperature".
 std::string_view short_name(const Field& field);
 
-/// The fields a name may mean: the one with that key, else all whose last part or symbol it is; none if it is unknown.
+/// The fields a name may mean: the one with that key, else all whose last part or symbol it is, those of builders only
+/// where there are no others; none if it is unknown.
 std::vector<const Field*> fields_called(std::string_view name);
 
 /// The field a name means. Throws `Error` (input) without a place for a name that none has, with the most similar key,

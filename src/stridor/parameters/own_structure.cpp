@@ -6,6 +6,7 @@
 #include "stridor/parameters/joints.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace stridor::parameters {
 
@@ -27,6 +28,23 @@ void put(std::string& text, const std::optional<double>& number) {
 bool is_preloaded(const OwnStructure& structure) {
     return std::any_of(structure.contacts.begin(), structure.contacts.end(),
                        [](const OwnContact& contact) { return contact.preload_share > 0.0; });
+}
+
+const double* recipe_number(const Case& c, std::string_view key) {
+    if (!c.own_structure || !c.own_structure->recipe) return nullptr;
+    const auto& numbers = c.own_structure->recipe->numbers;
+    const auto found = numbers.find(key);
+    return found == numbers.end() ? nullptr : &found->second;
+}
+
+void rebuild(Case& c, std::string_view key, double value) {
+    if (recipe_number(c, key) == nullptr) return;
+    Recipe recipe = *c.own_structure->recipe;
+    recipe.numbers.find(key)->second = value;
+    OwnStructure anew = recipe.build(recipe);
+    // what a case file adds to what is built
+    anew.initial_displacement = c.own_structure->initial_displacement;
+    c.own_structure = std::make_shared<const OwnStructure>(std::move(anew));
 }
 
 std::string content_hash(const OwnStructure& structure) {

@@ -3,8 +3,11 @@
 #include "stridor/parameters/case.hpp"
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// A linear structure of the user's own, with the points where it rubs: a chain, a string, a part of a finite-element
@@ -43,6 +46,16 @@ struct FollowingDamping {
     double rayleigh_stiffness = 0.0;  // [s] beta
 };
 
+struct OwnStructure;
+
+/// From what a builder makes a structure: kept, so that it can make it anew with another value.
+struct Recipe {
+    std::string builder{};                                 // "string"
+    std::map<std::string, double, std::less<>> numbers{};  // by key: quantities in their field's unit, and counts
+    std::map<std::string, std::string, std::less<>> words{};
+    OwnStructure (*build)(const Recipe&) = nullptr;  // of the model, which stands after this
+};
+
 /// Matrices, row by row, with what is at their rows. Units are SI; a modal coordinate has one of its own.
 struct OwnStructure {
     std::string origin{};             // what it was made from: "chain of 2 blocks", "block.nc"
@@ -56,11 +69,17 @@ struct OwnStructure {
     std::vector<double> initial_velocity{};      // [1] added to the start, per imposed velocity; shape [row] or empty
     std::vector<OwnContact> contacts{};
     std::vector<OwnOutput> outputs{};
-    std::string builder_lines{};  // what a builder made it from, as a case file says it; empty: it was none
+    std::optional<Recipe> recipe{};  // what a builder made it from; nothing: it was none
 };
 
 /// Is it pressed by contact.preload? Else by a load, or by gaps that are negative.
 bool is_preloaded(const OwnStructure& structure);
+
+/// A number of the recipe of a case's structure; nothing where no builder made it, or not from this.
+const double* recipe_number(const Case& c, std::string_view key);
+
+/// Makes the structure of a case anew, with another number in its recipe; without one of that key it stays.
+void rebuild(Case& c, std::string_view key, double value);
 
 /// What changes a result, as a hash: the same for equal numbers, whatever file they came from.
 std::string content_hash(const OwnStructure& structure);

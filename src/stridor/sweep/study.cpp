@@ -315,6 +315,10 @@ Study preview(Study study) {
 std::string canonical_text(const Study& study) {
     Case c = widest_case(study);
     if (is_constant(study)) c.drive.velocity = std::abs(c.drive.velocity);
+    // the structure's content is that of one cell: what the case says besides changes no cell
+    for (const Axis* axis : {&study.x, &study.y})
+        if (parameters::is_of_builder(*parameters::field_of(axis->parameter)))
+            parameters::set_quantity(c, axis->parameter, axis->from);
     std::string text = parameters::canonical_text(c);
     for (const Axis* axis : {&study.x, &study.y})
         for (const std::string& key : parameters::single_keys(study.base, axis->parameter))

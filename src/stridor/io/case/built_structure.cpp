@@ -1,12 +1,13 @@
 #include "stridor/io/case/built_structure.hpp"
 
+#include "stridor/base/check.hpp"
 #include "stridor/base/field_table.hpp"
-#include "stridor/model/bowed_string.hpp"
-#include "stridor/model/cantilever.hpp"
-#include "stridor/model/chain_on_belt.hpp"
+#include "stridor/model/built_structure.hpp"
+#include "stridor/parameters/field.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -14,114 +15,81 @@ namespace stridor::io {
 
 namespace {
 
-using parameters::OwnStructure;
-
-std::vector<double> row_numbers(const Eigen::MatrixXd& matrix) {
-    return {matrix.data(), matrix.data() + matrix.size()};
-}
-
-// what a builder of the model makes; contact forces at rest and laws are the case's
-OwnStructure own_of(const model::Structure& built, std::string origin, std::vector<std::string> rows,
-                    const std::vector<std::string>& contacts) {
-    OwnStructure structure{.origin = std::move(origin),
-                           .row = std::move(rows),
-                           .mass = row_numbers(built.mass),
-                           .stiffness = row_numbers(built.stiffness),
-                           .damping = row_numbers(built.damping)};
-    for (std::size_t k = 0; k < built.contacts.size(); ++k)
-        structure.contacts.push_back({.name = contacts[k],
-                                      .normal = row_numbers(built.contacts[k].normal),
-                                      .tangent = row_numbers(built.contacts[k].tangent),
-                                      .preload_share = 1.0});
-    return structure;
-}
+using parameters::Recipe;
+using Holds = BuilderKey::Holds;
+using Need = BuilderKey::Need;
 
 constexpr int most_blocks = 100;
 constexpr int most_modes = 1000;
+constexpr std::array<std::string_view, 2> string_starts{"rest", "helmholtz"};
 
-std::vector<std::string> mode_names(int modes, std::string last) {
-    std::vector<std::string> names;
-    for (int k = 1; k <= modes; ++k)
-        names.push_back("mode" + std::to_string(k));
-    names.push_back(std::move(last));
-    return names;
+constexpr BuilderKey required(std::string_view name) {
+    return {.name = name};
+}
+constexpr BuilderKey optional(std::string_view name) {
+    return {.name = name, .need = Need::optional};
+}
+constexpr BuilderKey count(std::string_view name, int most, std::string_view sentence) {
+    return {.name = name, .holds = Holds::count, .most = most, .sentence = sentence};
 }
 
-OwnStructure chain_of(const TomlSection& section) {
-    const int count = section.count("blocks", 1, most_blocks);
-    const model::ChainBlock block{
-        .mass = section.quantity("mass", "kg", Bound::positive),
-        .stiffness = section.quantity("stiffness", "N/m", Bound::positive),
-        .damping = section.find_quantity("damping", "N*s/m", Bound::not_negative).value_or(0.0)};
-    const double coupling = section.find_quantity("coupling", "N/m", Bound::not_negative).value_or(0.0);
-    std::vector<std::string> rows, contacts;
-    for (int k = 1; k <= count; ++k) {
-        rows.push_back("x" + std::to_string(k));
-        rows.push_back("y" + std::to_string(k));
-        contacts.push_back("block" + std::to_string(k));
+constexpr std::array chain_keys{count("blocks", most_blocks, "number of blocks in a row"), required("mass"),
+                                required("stiffness"), optional("damping"), optional("coupling")};
+constexpr std::array string_keys{required("frequency"),
+                                 required("impedance"),
+                                 optional("length"),
+                                 required("damping_ratio"),
+                                 optional("bridge_resistance"),
+                                 required("position"),
+                                 count("modes", most_modes, "number of modes"),
+                                 BuilderKey{.name = "start",
+                                            .holds = Holds::word,
+                                            .need = Need::optional,
+                                            .words = string_starts,
+                                            .sentence = "\"rest\", or \"helmholtz\": in the motion of a bowed string"}};
+constexpr std::array beam_keys{required("length"),
+                               required("mass_per_length"),
+                               required("bending_stiffness"),
+                               required("axial_stiffness"),
+                               required("damping_ratio"),
+                               required("incidence_angle"),
+                               count("modes", most_modes, "number of bending modes; an axial one comes besides")};
+constexpr std::array<StructureBuilder, 3> all_builders{{{"chain", chain_keys, model::built_chain},
+                                                        {"string", string_keys, model::built_string},
+                                                        {"beam", beam_keys, model::built_beam}}};
+
+const parameters::Field& field_of(const BuilderKey& key) {
+    const parameters::Field* field = parameters::find_field("structure." + std::string(key.name));
+    STRIDOR_EXPECT(field != nullptr);
+    return *field;
+}
+
+double quantity_in(const TomlSection& section, const BuilderKey& key) {
+    const parameters::Field& field = field_of(key);
+    const double value = section.quantity(key.name, parameters::unit_of(field), Bound::any);
+    try {
+        parameters::expect_in_range({}, field, value);
+    } catch (const Error& error) {
+        const TomlEntry& entry = section.need(key.name);
+        throw located(error, entry.key, entry.value_place);
     }
-    return own_of(model::chain_on_belt(std::vector(static_cast<std::size_t>(count), block), coupling),
-                  fmt::format("chain of {} blocks on a belt", count), std::move(rows), contacts);
+    return value;
 }
 
-OwnStructure string_of(const TomlSection& section) {
-    model::BowedString string;
-    string.frequency = section.quantity("frequency", "Hz", Bound::positive);
-    string.impedance = section.quantity("impedance", "kg/s", Bound::positive);
-    string.length = section.find_quantity("length", "m", Bound::positive).value_or(string.length);
-    string.damping_ratio = section.quantity("damping_ratio", "1", Bound::not_negative);
-    string.bow_position = section.quantity("position", "1", Bound::positive);
-    if (!(string.bow_position < 1.0))
-        throw Error(ErrorKind::input, {"structure.position is not on the string", "it is a share of its length", ""},
-                    section.need("position").value_place);
-    const int modes = section.count("modes", 1, most_modes);
-    OwnStructure structure = own_of(model::bowed_string(string, modes), fmt::format("string of {} modes", modes),
-                                    mode_names(modes, "bow"), {"bow"});
-    const std::string start = section.text_or("start", "rest");
-    if (start == "helmholtz")
-        structure.initial_velocity = row_numbers(model::helmholtz_motion(string, modes, 1.0));
-    else if (start != "rest")
-        section.refuse_kind(section.need("start"), "\"rest\" or \"helmholtz\"");
-    return structure;
+std::string word_in(const TomlSection& section, const BuilderKey& key) {
+    const std::string word = section.text(key.name);
+    if (std::find(key.words.begin(), key.words.end(), word) != key.words.end()) return word;
+    section.refuse_kind(section.need(key.name), fmt::format("\"{}\"", fmt::join(key.words, "\" or \"")));
 }
 
-OwnStructure beam_of(const TomlSection& section) {
-    const model::Cantilever cantilever{
-        .length = section.quantity("length", "m", Bound::positive),
-        .mass_per_length = section.quantity("mass_per_length", "kg/m", Bound::positive),
-        .bending_stiffness = section.quantity("bending_stiffness", "N*m^2", Bound::positive),
-        .axial_stiffness = section.quantity("axial_stiffness", "N", Bound::positive),
-        .damping_ratio = section.quantity("damping_ratio", "1", Bound::not_negative),
-        .incidence_angle = section.quantity("incidence_angle", "deg", Bound::any)};
-    const int modes = section.count("modes", 1, most_modes);
-    return own_of(model::cantilever(cantilever, modes), fmt::format("beam of {} bending modes", modes),
-                  mode_names(modes, "axial"), {"tip"});
+std::string value_text(const Recipe& recipe, const BuilderKey& key) {
+    if (key.holds == Holds::word) return "\"" + recipe.words.find(key.name)->second + "\"";
+    const double value = recipe.numbers.find(key.name)->second;
+    if (key.holds == Holds::count) return fmt::format("{}", value);
+    const std::string_view unit = parameters::unit_of(field_of(key));
+    const std::string text = base::quantity_text(value, unit);
+    return unit == "1" ? text : "\"" + text + "\"";
 }
-
-constexpr std::array<BuilderKey, 5> chain_keys{
-    {{"blocks", "1", "number of blocks in a row"},
-     {"mass", "kg", "of each block"},
-     {"stiffness", "N/m", "of the spring that ties a block to the ground, along the belt and across it"},
-     {"damping", "N*s/m", "beside that spring"},
-     {"coupling", "N/m", "stiffness of the springs between neighbours"}}};
-constexpr std::array<BuilderKey, 7> string_keys{
-    {{"frequency", "Hz", "of the string's first mode"},
-     {"impedance", "kg/s", "of waves on it"},
-     {"length", "m", "of the string"},
-     {"damping_ratio", "1", "share of critical damping of each mode"},
-     {"position", "1", "of the bow, as a share of the length from the near end"},
-     {"modes", "1", "number of modes"},
-     {"start", "", "\"rest\", or \"helmholtz\": in the motion of a bowed string"}}};
-constexpr std::array<BuilderKey, 7> beam_keys{
-    {{"length", "m", "of the beam, clamped at one end, rubbing with its tip"},
-     {"mass_per_length", "kg/m", "density times cross section"},
-     {"bending_stiffness", "N*m^2", "E I"},
-     {"axial_stiffness", "N", "E A"},
-     {"damping_ratio", "1", "share of critical damping of each mode"},
-     {"incidence_angle", "deg", "from the surface's direction of motion to the beam's axis"},
-     {"modes", "1", "number of bending modes; an axial one comes besides"}}};
-constexpr std::array<StructureBuilder, 3> all_builders{
-    {{"chain", chain_keys, chain_of}, {"string", string_keys, string_of}, {"beam", beam_keys, beam_of}}};
 
 }  // namespace
 
@@ -129,20 +97,31 @@ std::span<const StructureBuilder> structure_builders() {
     return all_builders;
 }
 
-OwnStructure built_structure(const StructureBuilder& builder, const TomlSection& section) {
-    OwnStructure structure = builder.build(section);
-    structure.builder_lines = "builder = \"" + std::string(builder.name) + "\"\n";
+std::string_view sentence_of(const BuilderKey& key) {
+    return key.holds == Holds::quantity ? field_of(key).sentence : key.sentence;
+}
+
+parameters::OwnStructure built_structure(const StructureBuilder& builder, const TomlSection& section) {
+    Recipe recipe{.builder = std::string(builder.name), .build = builder.build};
     for (const BuilderKey& key : builder.keys) {
-        if (!section.has(key.name)) continue;
-        const bool is_text = key.unit.empty();
-        const std::string value = is_text
-                                      ? section.text(key.name)
-                                      : base::quantity_text(section.quantity(key.name, key.unit, Bound::any), key.unit);
-        const bool is_plain = key.unit == "1";
-        structure.builder_lines +=
-            fmt::format("# {}\n{} = {}\n", key.sentence, key.name, is_plain ? value : "\"" + value + "\"");
+        if (key.need == Need::optional && !section.has(key.name)) continue;
+        const std::string name(key.name);
+        if (key.holds == Holds::word) recipe.words[name] = word_in(section, key);
+        if (key.holds == Holds::count) recipe.numbers[name] = section.count(key.name, 1, key.most);
+        if (key.holds == Holds::quantity) recipe.numbers[name] = quantity_in(section, key);
     }
-    return structure;
+    return builder.build(recipe);
+}
+
+std::string recipe_lines(const Recipe& recipe) {
+    const auto* const builder = std::find_if(all_builders.begin(), all_builders.end(),
+                                             [&](const auto& each) { return each.name == recipe.builder; });
+    STRIDOR_EXPECT(builder != all_builders.end());
+    std::string lines = "builder = \"" + recipe.builder + "\"\n";
+    for (const BuilderKey& key : builder->keys)
+        if (recipe.numbers.contains(key.name) || recipe.words.contains(key.name))
+            lines += fmt::format("# {}\n{} = {}\n", sentence_of(key), key.name, value_text(recipe, key));
+    return lines;
 }
 
 }  // namespace stridor::io

@@ -55,7 +55,7 @@ Json field_schema(const parameters::Field& field) {
         if (std::isfinite(quantity->range.high)) schema["maximum"] = quantity->range.high;
         if (quantity->range.zero == parameters::Range::Zero::excluded) schema["not"] = {{"const", 0}};
         const Case defaults;
-        if (!is_required(field)) schema["default"] = quantity->get(defaults);
+        if (!is_required(field) && !parameters::is_of_builder(field)) schema["default"] = quantity->get(defaults);
     } else if (const auto* choice = std::get_if<Choice>(&field.kind)) {
         schema["enum"] = choice->names;
     } else {
@@ -191,7 +191,8 @@ void add_structure_keys(Json& section) {
     for (const StructureBuilder& builder : structure_builders()) {
         builders.push_back(builder.name);
         for (const BuilderKey& key : builder.keys)
-            properties[std::string(key.name)] = {{"description", key.sentence}, {"type", {"number", "string"}}};
+            if (key.holds != BuilderKey::Holds::quantity)
+                properties[std::string(key.name)] = {{"description", sentence_of(key)}, {"type", {"number", "string"}}};
     }
     for (const std::string_view key : structure_keys(StructureKeys::matrices))
         properties[std::string(key)] = matrix;

@@ -46,6 +46,12 @@ bool stands_below(std::string_view key, std::string_view prefix) {
     return key.size() > prefix.size() && key.starts_with(prefix);
 }
 
+// is it read with the fields of the case, not here?
+bool is_read_as_field(std::string_view key) {
+    const parameters::Field* field = parameters::find_field(key);
+    return field != nullptr && !parameters::is_of_builder(*field);
+}
+
 std::vector<std::string_view> joined_keys(std::initializer_list<std::span<const std::string_view>> lists) {
     std::vector<std::string_view> all;
     for (const auto& list : lists)
@@ -83,7 +89,7 @@ void check_keys(const TomlDocument& document, const StructureBuilder* builder) {
     for (std::size_t k = 0; builder != nullptr && k < builder->keys.size(); ++k)
         known.push_back(builder->keys[k].name);
     for (const TomlEntry& entry : document.entries) {
-        if (!stands_below(entry.key, opening) || parameters::find_field(entry.key) != nullptr) continue;
+        if (!stands_below(entry.key, opening) || is_read_as_field(entry.key)) continue;
         const bool is_of_contacts = entry.key == "structure.contact" || stands_below(entry.key, contact_opening);
         const bool is_of_outputs = entry.key == "structure.output" || stands_below(entry.key, output_opening);
         if (is_of_contacts && builder != nullptr) {
@@ -267,7 +273,7 @@ bool has_own_structure(const TomlDocument& document) {
 TomlDocument without_structure(const TomlDocument& document, Complaints& complaints) {
     TomlDocument rest{document.name, {}};
     for (const TomlEntry& entry : document.entries) {
-        if (stands_below(entry.key, opening) && parameters::find_field(entry.key) == nullptr) continue;
+        if (stands_below(entry.key, opening) && !is_read_as_field(entry.key)) continue;
         bool is_of_joint = false;
         for (const std::string_view section : {"joint", "plate", "temperature"}) {
             if (entry.key != section && !stands_below(entry.key, std::string(section) + ".")) continue;

@@ -1,6 +1,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 
 #include "stridor/base/text.hpp"
+#include "stridor/io/case/built_structure.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/temperature_table.hpp"
@@ -139,6 +140,7 @@ std::string table_lines(const Case& c, const TomlOptions& options) {
 // does a file of this case have a line for it, be it as a comment?
 bool has_line(const Case& c, const Field& field, const TomlOptions& options) {
     if (parameters::temperature_column(c, parameters::key_of(field)) != nullptr) return false;
+    if (parameters::is_of_builder(field)) return false;  // said where the builder is
     if (options.comments == Comments::full) return field.belongs(c) || !parameters::home_of(c, field).empty();
     return field.belongs(c) && !parameters::goes_without_saying(c, field);
 }
@@ -206,9 +208,9 @@ std::string matrix_lines(const parameters::OwnStructure& own) {
     const auto vector = [&](std::string_view key, const std::vector<double>& numbers) {
         if (!numbers.empty()) text += std::string(key) + " = " + numbers_text(numbers) + "\n";
     };
-    if (!own.builder_lines.empty()) {
+    if (own.recipe) {
         vector("initial_displacement", own.initial_displacement);
-        return own.builder_lines + text;
+        return recipe_lines(*own.recipe) + text;
     }
     text += "rows = " + list_text(own.row, std::identity{}) + "\n";
     matrix("mass", own.mass);
@@ -265,7 +267,7 @@ std::string case_toml(const parameters::Case& c, const TomlOptions& options) {
     if (c.own_structure) {
         std::string text = section_lines(c, options, Sections::all, heading(options));
         replace_line(text, "[structure]\n", "[structure]\n" + matrix_lines(*c.own_structure));
-        if (c.own_structure->builder_lines.empty()) text += contact_tables(*c.own_structure);
+        if (!c.own_structure->recipe) text += contact_tables(*c.own_structure);
         return text + output_tables(*c.own_structure);
     }
     if (c.further_joints.empty()) return section_lines(c, options, Sections::all, heading(options));
