@@ -102,4 +102,17 @@ inline model::Structure painleve_example(double kinetic_friction) {
     return structure;
 }
 
+/// Code_Aster's SDND106 (V5.01.106): two masses of 5 kg, a spring of 1e4 N/m between, the first pressed on the ground
+/// by 1e4 N, mu_s = 0.3, mu_d = 0.2; a force pulls the second. Along and across of the first, along of the second.
+inline model::Structure two_masses(double pull) {
+    model::Structure structure = model::structure_of_size(3);
+    structure.mass.diagonal() << 5.0, 5.0, 5.0;
+    structure.stiffness << 1e4, 0, -1e4, 0, 0, 0, -1e4, 0, 1e4;
+    structure.load << 0.0, -1e4, pull;
+    structure.contacts.front().normal << 0.0, 1.0, 0.0;
+    structure.contacts.front().tangent << 1.0, 0.0, 0.0;
+    structure.contacts.front().friction = model::Coulomb{0.3, 0.2};
+    return structure;
+}
+
 }  // namespace stridor::support

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "stridor/integration/initial_state.hpp"
-#include "stridor/model/structure.hpp"
+#include "support/meshed_strip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +8,6 @@
 #include <string>
 
 namespace stridor::support {
-
-/// A strip of rubber on a moving surface, and how its motion begins.
-struct RubberStrip {
-    model::Structure structure;
-    integration::InitialState start;
-    double velocity = 0.0;  // [m/s] of the surface
-};
 
 /// From tests/fixtures/structures, whose README.md says what stands in the file.
 inline RubberStrip read_strip(const std::string& path) {

@@ -117,6 +117,36 @@ TEST(Moreau, BalancesItsEnergyInSecondOrder) {
     }
 }
 
+// --- Code_Aster's SDND106: 3000 N pull for 0.2 s
+
+TEST(Moreau, SlipsAndSticksAsCodeAsterSays) {
+    constexpr double step = 1e-5;  // [s]
+    const auto run = [&](double pull, const integration::InitialState& start) {
+        const parameters::Case c = support::watched_case(0.0, {0.21, 0.21});  // the last instant has no sample
+        record::Request request{record::KeepHistory::yes, {}};
+        request.trace = {.from = 0.0, .to = 0.21, .interval = 0.01};
+        return integration::integrate_moreau(support::two_masses(pull), c.drive, start, {step},
+                                             record::Recorder(record::schedule(c), request, 3, 1));
+    };
+    const Motion pulled = run(3000.0, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+    ASSERT_EQ(pulled.record.histories[0].size(), 2U);
+    EXPECT_NEAR(pulled.record.histories[0][1].from, 0.035124073655203626, 2.0 * step);
+    const record::Trace& trace = pulled.record.trace;
+    EXPECT_NEAR(trace.displacement[2][2], 0.1122103126407706, 1e-4 * 0.11);
+    EXPECT_NEAR(trace.displacement[0][15], 1.3533376608928975, 1e-4 * 1.35);
+    EXPECT_NEAR(trace.displacement[2][15], 1.8075324661759522, 1e-4 * 1.81);
+    EXPECT_NEAR(trace.displacement[0][20], 2.593088362758737, 1e-4 * 2.59);
+    EXPECT_NEAR(trace.velocity[0][20], 25.4709724805942, 1e-4 * 25.5);
+    integration::InitialState let_go{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    for (std::size_t dof = 0; dof < 3; ++dof) {
+        let_go.displacement(static_cast<Eigen::Index>(dof)) = trace.displacement[dof][20];
+        let_go.velocity(static_cast<Eigen::Index>(dof)) = trace.velocity[dof][20];
+    }
+    const Motion free = run(0.0, let_go);
+    EXPECT_NEAR(0.2 + free.record.histories[0][1].from, 0.3149232754474865, 2.0 * step);
+    EXPECT_NEAR(free.record.trace.displacement[0][20], 3.9556057734976036, 1e-4 * 3.96);
+}
+
 // --- invariances
 
 TEST(Moreau, HasTheSameBitsInAnyOrderOfContacts) {
