@@ -34,6 +34,8 @@ constexpr double seconds_of_a_hang = 30.0;  // for runs of some hundreds of bloc
 constexpr double most_unexplained = 1e-9;   // [1] of the turnover: the engine's own bound
 constexpr double law_rounding = 1e-8;       // [1] of the terms of a gap, a velocity or a force
 constexpr double sum_rounding = 1e-11;      // [1] of the largest displacement or velocity: what sums over modes leave
+constexpr double term_rounding = 1e-14;     // [1] of the terms of an acceleration
+constexpr double drifting_blocks = 8;       // in a row, before the engine takes rounding out again
 constexpr int samples = 400;                // of a run
 
 Motion run(const WildStructure& wild, parameters::EarlyEnding ending, double interval, std::stop_token stop = {}) {
@@ -58,13 +60,38 @@ struct Sizes {
     Eigen::VectorXd displacement, velocity;  // of the modes, shape [mode]
     double largest_displacement = 0.0;       // [m] of all degrees of freedom
     double largest_velocity = 0.0;           // [m/s] likewise
+    Eigen::VectorXd acceleration;            // of the modes, the sum of its terms' sizes, shape [mode]
     double force = 0.0;                      // [N]
     double surface = 0.0;                    // [m/s]
 };
 
+// what moves each mode, with all signs left out
+Eigen::VectorXd acceleration_sizes(const integration::ModalStructure& modal, const Sizes& sizes,
+                                   const record::Trace& trace) {
+    Eigen::VectorXd size = sizes.displacement;
+    for (Eigen::Index j = 0; j < size.size(); ++j) {
+        const auto mode = static_cast<std::size_t>(j);
+        size(j) = std::abs(modal.square_frequency[mode]) * size(j) + std::abs(modal.load[mode]);
+    }
+    for (std::size_t k = 0; k < modal.contacts.size(); ++k) {
+        const record::ContactTrace& contact = trace.contacts[modal.number[k]];
+        double N = 0.0, T = 0.0;
+        for (std::size_t s = 0; s < trace.time.size(); ++s) {
+            N = std::max(N, contact.normal_force[s]);
+            T = std::max(T, std::abs(contact.friction_force[s]));
+        }
+        for (Eigen::Index j = 0; j < size.size(); ++j) {
+            const auto mode = static_cast<std::size_t>(j);
+            size(j) += N * std::abs(modal.contacts[k].normal[mode]) + T * std::abs(modal.contacts[k].tangent[mode]);
+        }
+    }
+    return size;
+}
+
 Sizes sizes_of(const integration::ModalStructure& modal, const WildStructure& wild, const record::Trace& trace) {
     const auto n = static_cast<Eigen::Index>(modal.modes());
-    Sizes sizes{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+    Sizes sizes;
+    sizes.displacement = sizes.velocity = Eigen::VectorXd::Zero(n);
     Eigen::VectorXd u(n), v(n);
     for (std::size_t s = 0; s < trace.time.size(); ++s) {
         for (Eigen::Index j = 0; j < n; ++j) {
@@ -79,6 +106,7 @@ Sizes sizes_of(const integration::ModalStructure& modal, const WildStructure& wi
         for (const record::ContactTrace& contact : trace.contacts)
             sizes.force = std::max({sizes.force, contact.normal_force[s], std::abs(contact.friction_force[s])});
     }
+    sizes.acceleration = acceleration_sizes(modal, sizes, trace);
     return sizes;
 }
 
@@ -93,10 +121,15 @@ std::string broken_law(const WildStructure& wild, const record::Trace& trace) {
         const record::ContactTrace& sampled = trace.contacts[k];
         const std::vector<double> q(sizes.displacement.data(), sizes.displacement.data() + sizes.displacement.size());
         const std::vector<double> v(sizes.velocity.data(), sizes.velocity.data() + sizes.velocity.size());
+        const std::vector<double> a(sizes.acceleration.data(), sizes.acceleration.data() + sizes.acceleration.size());
+        // forces that cancel leave rounding, which moves a closed contact until it is taken out
+        const double drift = drifting_blocks * 2.0 / modal.fastest;
         const double length =
+            0.5 * term_rounding * drift * drift * integration::dot_of_sizes(modal.contacts[m].normal, a) +
             law_rounding * (integration::dot_of_sizes(modal.contacts[m].normal, q) + contact.initial_gap) +
             sum_rounding * contact.normal.lpNorm<1>() * sizes.largest_displacement;
-        const double speed = law_rounding * (integration::dot_of_sizes(modal.contacts[m].tangent, v) + sizes.surface) +
+        const double speed = term_rounding * drift * integration::dot_of_sizes(modal.contacts[m].tangent, a) +
+                             law_rounding * (integration::dot_of_sizes(modal.contacts[m].tangent, v) + sizes.surface) +
                              sum_rounding * contact.tangent.lpNorm<1>() * sizes.largest_velocity;
         const double force = law_rounding * sizes.force;
         for (std::size_t s = 0; s < trace.time.size(); ++s) {
@@ -142,7 +175,8 @@ bool has_outgrown_numbers(const Motion& motion) {
 // where constraints nearly depend on each other closed gaps drift by more than rounding: KNOWN_ISSUES.md
 const std::string drifts = "drifts: ";
 
-std::string failure_of(const WildStructure& wild, std::array<long, integration::reason_names.size()>& ended) {
+std::string failure_of(std::uint64_t number, std::array<long, integration::reason_names.size()>& ended) {
+    const WildStructure wild = support::wild_structure(number);
     support::Patience patience(seconds_of_a_hang);
     const Motion motion = run(wild, parameters::EarlyEnding::never, wild.duration / samples, patience.token());
     const Reason reason = motion.outcome.reason;
@@ -151,7 +185,11 @@ std::string failure_of(const WildStructure& wild, std::array<long, integration::
     if (reason == Reason::diverged && has_outgrown_numbers(motion)) return {};
     // what the balance does not explain is said of the run, which then has no verdict
     const bool is_refused = reason == Reason::no_forces || reason == Reason::chattering || reason == Reason::unbalanced;
-    if (is_refused) return {};
+    if (is_refused) {
+        std::cout << integration::reason_names[static_cast<std::size_t>(reason)] << " at "
+                  << motion.outcome.time / wild.duration << " of wild structure " << number << "\n";
+        return {};
+    }
     if (!integration::has_result(motion.outcome))
         return std::string(integration::reason_names[static_cast<std::size_t>(reason)]) + " at " +
                std::to_string(motion.outcome.time / wild.duration) + " of the run";
@@ -172,7 +210,7 @@ TEST(StructureFuzz, KeepsTheLawsOfContactInWildStructures) {
     for (std::uint64_t number = runs.first; number < runs.first + runs.count; ++number) {
         std::string failure;
         try {
-            failure = failure_of(support::wild_structure(number), ended);
+            failure = failure_of(number, ended);
         } catch (const Error& error) {
             failure = error.what();
         }
@@ -188,11 +226,34 @@ TEST(StructureFuzz, KeepsTheLawsOfContactInWildStructures) {
     }
     for (std::size_t r = 0; r < ended.size(); ++r)
         if (ended[r] > 0) std::cout << integration::reason_names[r] << ": " << ended[r] << "\n";
-    EXPECT_LE(50 * drifting, static_cast<long>(runs.count) + 50);
+    EXPECT_LE(500 * drifting, static_cast<long>(runs.count) + 500);
+    EXPECT_LE(500 * ended[static_cast<std::size_t>(Reason::unbalanced)], static_cast<long>(runs.count) + 500);
     // a refusal is rare: contacts that friction presses without end, impacts that throw each other for ever
     const long refused =
         ended[static_cast<std::size_t>(Reason::no_forces)] + ended[static_cast<std::size_t>(Reason::chattering)];
-    EXPECT_LT(20 * refused, static_cast<long>(runs.count) + 100);
+    EXPECT_LE(200 * refused, static_cast<long>(runs.count) + 400);
+}
+
+// each broke a law, lost energy or found no forces once, for a reason of its own
+TEST(StructureFuzz, KeepsTheLawsThatItBrokeOnce) {
+    for (const std::uint64_t number : {
+             176U,   // a flight ended by force: it pushed another contact below its surface
+             121U,   // likewise, three contacts
+             396U,   // flights that ended so left no forces
+             511U,   // likewise
+             336U,   // contacts that throw each other off in flights of some millionths of a block
+             148U,   // a friction that begins with the fifth power of time, beyond a limit of zero
+             596U,   // at a corner of the drive: what rounding had moved a stuck contact by was taken for slip
+             481U,   // likewise
+             612U,   // a contact that nothing moves: all terms of its gap are rounding
+             856U,   // many impacts, each putting a contact that touched but for rounding onto the surface
+             1430U,  // likewise, little energy in a stiff structure
+             1222U,  // a slip that is zero beside what accelerations change, and was not beside the velocities
+         }) {
+        std::array<long, integration::reason_names.size()> ended{};
+        EXPECT_EQ(failure_of(number, ended), "") << "wild structure " << number;
+        EXPECT_EQ(ended[static_cast<std::size_t>(Reason::completed)], 1) << "wild structure " << number;
+    }
 }
 
 // what the search by single changes did not find: it had run in circles, or met no impact that it could solve
@@ -206,7 +267,7 @@ TEST(StructureFuzz, FindsTheForcesThatSingleChangesMiss) {
              54U,   // an open contact that an impact elsewhere left below its surface by rounding
          }) {
         std::array<long, integration::reason_names.size()> ended{};
-        EXPECT_EQ(failure_of(support::wild_structure(number), ended), "") << "wild structure " << number;
+        EXPECT_EQ(failure_of(number, ended), "") << "wild structure " << number;
         EXPECT_EQ(ended[static_cast<std::size_t>(Reason::no_forces)], 0) << "wild structure " << number;
     }
 }

@@ -56,6 +56,23 @@ TEST(EventPolynomial, TellsWhereANumberIsNone) {
     EXPECT_EQ(first_zero(c, 0, 1.0), no_polynomial);
 }
 
+TEST(EventPolynomial, LooksBehindCoefficientsThatAreRounding) {
+    std::vector<double> c(25, 0.0);
+    EXPECT_EQ(late_zero(c, 1e-12, 1.0), no_zero);
+    c[1] = -1e-13;
+    EXPECT_EQ(late_zero(c, 1e-12, 1.0), no_zero);
+    // falls from zero on, as the fifth power
+    c[5] = -1.0;
+    const double place = late_zero(c, 1e-12, 1.0);
+    EXPECT_LE(std::pow(place, 5.0), 1e-12);
+    EXPECT_GT(std::pow(2.0 * place, 5.0), 1e-12);
+    EXPECT_EQ(late_zero(c, 1e-12, 1e-3), no_zero);
+    // rises, and falls behind
+    c[5] = 1.0;
+    c[6] = -4.0;
+    EXPECT_NEAR(late_zero(c, 1e-12, 1.0), 0.25, 1e-15);
+}
+
 RC_GTEST_PROP(EventPolynomial, FindsTheFirstOfManyZeros, ()) {
     const auto count = *rc::gen::inRange(1, 7);
     std::vector<double> zeros;

@@ -137,4 +137,25 @@ double first_zero(std::span<const double> whole, int dropped, double reach) {
     return no_zero;
 }
 
+double late_zero(std::span<const double> c, double zero, double reach) {
+    for (std::size_t k = 0; k < c.size(); ++k) {
+        if (!std::isfinite(c[k])) return no_polynomial;
+        if (!(std::abs(c[k]) > zero)) continue;
+        if (c[k] > 0.0) return first_zero(c, static_cast<int>(k), reach);
+        const auto term = [&](double place) {
+            double value = -c[k];
+            for (std::size_t j = 0; j < k; ++j)
+                value *= place;
+            return value;
+        };
+        if (!(term(reach) > zero)) return no_zero;
+        // halves are the same on every machine, and near enough
+        double place = reach;
+        while (place > 0.0 && term(place) > zero)
+            place = k == 0 ? 0.0 : 0.5 * place;
+        return place;
+    }
+    return no_zero;
+}
+
 }  // namespace stridor::integration

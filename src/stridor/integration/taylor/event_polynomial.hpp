@@ -17,6 +17,10 @@ inline constexpr double no_polynomial = -1.0;
 /// Certain: Bernstein's form bounds the polynomial on each part of the interval. Source: as `exact/event_root`.
 double first_zero(std::span<const double> c, int dropped, double reach);
 
+/// The same of a function whose first coefficients are zero but for rounding, which is `zero` in each of them: the
+/// first coefficient above it decides. If that is negative, a place up to which its term stays within `zero`.
+double late_zero(std::span<const double> c, double zero, double reach);
+
 /// Value of a polynomial at x.
 double value_of(std::span<const double> c, double x);
 

@@ -3,25 +3,23 @@
 #include "stridor/integration/contact_impulses.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/contact_sets.hpp"
-
-#include <Eigen/Cholesky>
+#include "stridor/integration/taylor/held_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace stridor::integration {
 
 namespace {
 
 constexpr int settling_order = 6;            // of the series that decide at an event
-constexpr int most_dropped = 4;              // a function that is zero up to there stays zero
 constexpr double function_rounding = 1e-11;  // [1] of the largest coefficient: what is zero
 constexpr double term_rounding = 1e-14;      // [1] of the sum of the terms' sizes, likewise
 constexpr double gap_rounding = 1e-12;       // [1] likewise, of gaps
 // what counts as zero of a friction beyond its limit must count as zero of the slip that it leaves: c_m theta^m there
 // is h W_tt c_m theta^(m+1)/(m+1) here, with m up to the order of the series
 constexpr double slip_per_friction = settling_order + 1;  // [1] of the roundings above
-constexpr double soon = 1e-6;                             // [1] of a block: what ends sooner has ended
 constexpr int most_rounds = 64;                           // of impacts and forces in one event
 constexpr double forward_sign = 1.0;
 
@@ -53,9 +51,10 @@ struct Leading {
     double value = 0.0;
 };
 
-Leading leading(const BlockSeries& c, double zero) {
+Leading leading(const BlockSeries& c, const FunctionZero& zero) {
     for (int k = 0; k <= most_dropped; ++k)
-        if (std::abs(c[static_cast<std::size_t>(k)]) > zero) return {k, c[static_cast<std::size_t>(k)]};
+        if (std::abs(c[static_cast<std::size_t>(k)]) > (k < 2 ? zero.first : zero.later))
+            return {k, c[static_cast<std::size_t>(k)]};
     return {};
 }
 
@@ -67,6 +66,13 @@ double largest(const BlockSeries& c) {
 }
 
 }  // namespace
+
+struct Settling::Lawful {
+    TaylorState state;
+    std::vector<bool> begins;
+    EnergyBalance losses;
+    long completed = 0;
+};
 
 struct Settling::Violation {
     int order = most_dropped + 1;
@@ -105,35 +111,20 @@ Settling::Settling(const ModalStructure& structure, double step)
       orders_(structure.contacts.size()) {}
 
 void Settling::project(TaylorState& state, const SurfaceSeries& surface) const {
-    std::vector<const std::vector<double>*> gaps, slips;
-    std::vector<double> gap_errors, rate_errors, slip_errors;
+    std::vector<HeldSum> gaps, rates;
     for (std::size_t k = 0; k < state.set.size(); ++k) {
         if (state.set[k] == ContactMode::open) continue;
         const ModalContact& c = structure_.contacts[k];
-        gaps.push_back(&c.normal);
-        gap_errors.push_back(gap(c, state.q));
-        rate_errors.push_back(gap_velocity(c, state.v));
-        if (state.set[k] != ContactMode::stick && !begins_[k]) continue;
-        slips.push_back(&c.tangent);
-        slip_errors.push_back(slip_velocity(c, state.v, surface[0]));
+        gaps.push_back({c.normal, c.initial_gap});
+        rates.push_back({c.normal, 0.0});
     }
-    const auto remove = [&](const std::vector<const std::vector<double>*>& rows, const std::vector<double>& errors,
-                            std::vector<double>& x) {
-        if (rows.empty()) return;
-        const auto n = static_cast<Eigen::Index>(rows.size());
-        Eigen::MatrixXd gram(n, n);
-        for (Eigen::Index a = 0; a < n; ++a)
-            for (Eigen::Index b = 0; b <= a; ++b)
-                gram(a, b) = gram(b, a) = dot(*rows[static_cast<std::size_t>(a)], *rows[static_cast<std::size_t>(b)]);
-        const Eigen::VectorXd share = gram.ldlt().solve(Eigen::Map<const Eigen::VectorXd>(errors.data(), n));
-        for (Eigen::Index a = 0; a < n; ++a)
-            for (std::size_t j = 0; j < x.size(); ++j)
-                x[j] -= share(a) * (*rows[static_cast<std::size_t>(a)])[j];
-    };
-    remove(gaps, gap_errors, state.q);
-    gaps.insert(gaps.end(), slips.begin(), slips.end());
-    rate_errors.insert(rate_errors.end(), slip_errors.begin(), slip_errors.end());
-    remove(gaps, rate_errors, state.v);
+    for (std::size_t k = 0; k < state.set.size(); ++k) {
+        const bool is_held = state.set[k] == ContactMode::stick || (begins_[k] && is_slip(state.set[k]));
+        const ModalContact& c = structure_.contacts[k];
+        if (is_held) rates.push_back({c.tangent, -(c.drive_share * surface[0])});
+    }
+    hold_at_zero(gaps, state.q);
+    hold_at_zero(rates, state.v);
 }
 
 // closed contacts have the state that their slip velocity says
@@ -180,23 +171,33 @@ bool Settling::meet(TaylorState& state, const SurfaceSeries& surface, std::size_
     return true;
 }
 
+FunctionZero Settling::zero_of(const TaylorBlock& block, const TaylorState& state, std::size_t contact,
+                               std::size_t function, const BlockSeries& c) const {
+    const ModalContact& law = structure_.contacts[contact];
+    const ContactMode mode = state.set[contact];
+    if (mode == ContactMode::open) {
+        // gap and rate come from the state, what follows from accelerations
+        const double zero = gap_zero(law, state, block.step());
+        return {zero, zero + term_rounding * block.gap_change_scale(contact)};
+    }
+    double zero = function_rounding * largest(c);
+    if (is_slip(mode) && function == 1)
+        zero = slip_per_friction * zero +
+               term_rounding * (block.velocity_scale(contact) + block.velocity_change_scale(contact));
+    else
+        zero += term_rounding * block.force_scale(contact);
+    return {zero, zero};
+}
+
 // compares a contact's functions with the worst so far; notes their orders
 void Settling::look(const TaylorState& state, std::size_t contact, Violation& worst) {
     const ContactMode mode = state.set[contact];
     for (std::size_t f = 0; f < event_functions(mode); ++f) {
         BlockSeries c = event_series(structure_, block_, contact, mode, f, broken_[contact]);
         const double most = largest(c);
-        double zero = function_rounding * most;
-        if (mode == ContactMode::open) {
-            zero = gap_zero(structure_.contacts[contact], state, block_.step());
-            // below the surface by rounding, it touches: its rate says whether it closes
-            c[0] = std::max(0.0, c[0]);
-        } else if (is_slip(mode) && f == 1)
-            zero = slip_per_friction * zero +
-                   term_rounding * (block_.velocity_scale(contact) + block_.velocity_change_scale(contact));
-        else
-            zero += term_rounding * block_.force_scale(contact);
-        const Leading first = leading(c, zero);
+        // below the surface by rounding, it touches: its rate says whether it closes
+        if (mode == ContactMode::open) c[0] = std::max(0.0, c[0]);
+        const Leading first = leading(c, zero_of(block_, state, contact, f, c));
         orders_[contact][f] = first.order;
         if (!(first.value < 0.0)) continue;
         const double size = most > 0.0 ? -first.value / most : 0.0;
@@ -243,10 +244,14 @@ bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
     const ContactSet present = state.set;
     std::vector<std::vector<ContactMode>> possible(p);
     std::vector<bool> is_at_rest(p);
+    block_.choose(ContactSet(p, ContactMode::open));
+    block_.expand(state.q, state.v, surface, 0);
     for (std::size_t k = 0; k < p; ++k) {
         const ModalContact& c = structure_.contacts[k];
         const double w = slip_velocity(c, state.v, surface[0]);
-        is_at_rest[k] = std::abs(w) <= slip_zero(c, state, surface);
+        // what is no slip to `look`, beside all that accelerations change in a block, is none here
+        is_at_rest[k] = std::abs(w) <= slip_zero(c, state, surface) +
+                                           slip_per_friction * function_rounding * block_.velocity_change_scale(k);
         if (present[k] == ContactMode::open &&
             (gap(c, state.q) > gap_zero(c, state, block_.step()) ||
              block_.step() * gap_velocity(c, state.v) > gap_zero(c, state, block_.step())))
@@ -258,6 +263,10 @@ bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
             possible[k] = {slip_mode(model::slip_of(w)), ContactMode::open};
     }
     broken_ = begins_;
+    // all sets are to see the same: no slip at all
+    for (std::size_t k = 0; k < p; ++k)
+        if (is_slip(present[k]) && is_at_rest[k]) begins_[k] = true;
+    if (begins_ != broken_) project(state, surface);
     for (const ContactSet& set : contact_sets(possible, present)) {
         if (!block_.choose(set)) continue;
         state.set = set;
@@ -285,29 +294,44 @@ Settling::Forces Settling::find_forces(TaylorState& state, const SurfaceSeries& 
     return find_any(state, surface) ? Forces::found : forces;
 }
 
-// ends what would end within `soon`; returns whether anything did
+// an impact, and what touches but for rounding put onto the surface: the load's work on that belongs to the impact
+bool Settling::collide(TaylorState& state, const SurfaceSeries& surface, std::size_t fired) {
+    if (!meet(state, surface, fired)) return false;
+    bool is_moved = false;
+    for (std::size_t k = 0; k < state.set.size(); ++k) {
+        const ModalContact& c = structure_.contacts[k];
+        const double terms = dot_of_sizes(c.normal, state.q) + std::abs(c.initial_gap);
+        if (state.set[k] != ContactMode::open && std::abs(gap(c, state.q)) > term_rounding * terms) is_moved = true;
+    }
+    const double before = free_energy(structure_, state);
+    project(state, surface);
+    if (is_moved) losses_.impact_loss += before - free_energy(structure_, state);
+    return true;
+}
+
+// ends what would end within `soon_`; returns whether anything did
 bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
     bool has_ended = false;
     for (std::size_t k = 0; k < state.set.size(); ++k) {
         const ContactMode mode = state.set[k];
-        if (mode == ContactMode::open && state.dropped[k][0] <= 1) {
+        if (mode == ContactMode::open && state.dropped[k][0] == 1) {
             const BlockSeries g = block_.gap(k);
             // c0 + c1 x + c2 x²: the flight's parabola
             const double c0 = std::max(0.0, g[0]);
             if (!(g[2] < 0.0)) continue;
             const double back = (-g[1] - std::sqrt(g[1] * g[1] - 4.0 * g[2] * c0)) / (2.0 * g[2]);
-            if (!(back < soon)) continue;
+            if (!(back < soon_)) continue;
             // closed by force it slips, unless it had no slip velocity
             const ModalContact& c = structure_.contacts[k];
             const double w = slip_velocity(c, state.v, surface[0]);
-            const double near = soon * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
+            const double near = soon_ * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
             state.set[k] = std::abs(w) > near ? slip_mode(model::slip_of(w)) : ContactMode::stick;
             ++completed_;
             has_ended = true;
         } else if (is_slip(mode) && state.dropped[k][1] == 0) {
             const BlockSeries w = block_.slip_velocity(k);
             const double rest = -w[0] / w[1];
-            if (!(rest > 0.0 && rest < soon)) continue;
+            if (!(rest > 0.0 && rest < soon_)) continue;
             state.set[k] = ContactMode::stick;
             has_ended = true;
         }
@@ -321,25 +345,37 @@ bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
 
 Settled Settling::go_on(TaylorState& state, const SurfaceSeries& surface) {
     const std::size_t none = state.set.size();
+    // what obeyed the laws before flights were ended: where nothing does afterwards they go on
+    std::optional<Lawful> lawful;
+    const auto finish = [&](Settled how) {
+        if (how != Settled::done && !lawful) return how;
+        if (how != Settled::done) {
+            state = lawful->state;
+            begins_ = lawful->begins;
+            losses_ = lawful->losses;
+            completed_ = lawful->completed;
+        }
+        project(state, surface);
+        std::fill(begins_.begin(), begins_.end(), false);
+        return Settled::done;
+    };
     for (int round = 0; round < most_rounds; ++round) {
         correct_modes(state, surface);
         switch (find_forces(state, surface)) {
             case Forces::singular:
-                return Settled::singular;
+                return finish(Settled::singular);
             case Forces::inconsistent:
-                return Settled::inconsistent;
+                return finish(Settled::inconsistent);
             case Forces::closing:
-                if (!meet(state, surface, none)) return Settled::inconsistent;
-                project(state, surface);
+                if (!collide(state, surface, none)) return finish(Settled::inconsistent);
                 continue;
             case Forces::found:
+                if (!lawful) lawful = Lawful{state, begins_, losses_, completed_};
                 if (complete(state, surface)) continue;
-                project(state, surface);
-                std::fill(begins_.begin(), begins_.end(), false);
-                return Settled::done;
+                return finish(Settled::done);
         }
     }
-    return Settled::inconsistent;
+    return finish(Settled::inconsistent);
 }
 
 Settled Settling::settle(TaylorState& state, const SurfaceSeries& surface) {
@@ -351,8 +387,7 @@ Settled Settling::settle(TaylorState& state, const SurfaceSeries& surface) {
 Settled Settling::fire(TaylorState& state, const SurfaceSeries& surface, std::size_t contact, std::size_t function) {
     ContactMode& mode = state.set[contact];
     if (mode == ContactMode::open) {
-        if (!meet(state, surface, contact)) return Settled::inconsistent;
-        project(state, surface);
+        if (!collide(state, surface, contact)) return Settled::inconsistent;
         return go_on(state, surface);
     }
     const bool is_stuck = mode == ContactMode::stick;

@@ -11,6 +11,7 @@
 namespace stridor::integration {
 
 inline constexpr std::size_t most_functions = 3;
+inline constexpr int most_dropped = 4;  // an event looks at no higher coefficients
 
 /// Functions of a contact that stay positive as long as its state lasts: open, g; slip, N and sigma w; stick, N and the
 /// friction that is left each way, mu N - T backward and mu N + T forward.
@@ -25,6 +26,12 @@ struct TaylorState {
     ContactSet set;         // shape [contact]
     // of each event function the number of first coefficients that are zero: the event it began with
     std::vector<std::array<int, most_functions>> dropped;  // shape [contact]
+};
+
+/// What counts as zero of the coefficients of an event function: the first two, and those behind them.
+struct FunctionZero {
+    double first = 0.0;
+    double later = 0.0;
 };
 
 /// How an event ended.
@@ -57,6 +64,13 @@ public:
     /// Takes rounding out of closed gaps, their rates, and the slip of stuck contacts, at right angles under the mass.
     void project(TaylorState& state, const SurfaceSeries& surface) const;
 
+    /// What is zero of the coefficients c of an event function, of a block that was expanded from the state.
+    FunctionZero zero_of(const TaylorBlock& block, const TaylorState& state, std::size_t contact, std::size_t function,
+                         const BlockSeries& c) const;
+
+    /// From now on flights and slips that would end within this share of a block are ended at once.
+    void end_within(double share) { soon_ = share; }
+
     /// What impacts have taken and brought so far [J].
     const EnergyBalance& losses() const { return losses_; }
 
@@ -66,8 +80,10 @@ public:
 private:
     enum class Forces { found, closing, singular, inconsistent };
     struct Violation;
+    struct Lawful;
 
     bool meet(TaylorState& state, const SurfaceSeries& surface, std::size_t fired);
+    bool collide(TaylorState& state, const SurfaceSeries& surface, std::size_t fired);
     Forces find_forces(TaylorState& state, const SurfaceSeries& surface);
     Forces change_one_by_one(TaylorState& state, const SurfaceSeries& surface);
     bool find_any(TaylorState& state, const SurfaceSeries& surface);
@@ -81,6 +97,7 @@ private:
     std::vector<bool> broken_;  // limits that fell during this event
     std::vector<bool> begins_;  // slips that this event has begun: w = 0
     std::vector<std::array<int, most_functions>> orders_;
+    double soon_ = 1e-6;  // [1] of a block
     EnergyBalance losses_;
     long completed_ = 0;
 };

@@ -32,6 +32,10 @@ constexpr long blocks_between_projections = 8;
 // so many events within this share of a block are a pile-up that double precision cannot resolve
 constexpr int most_events_at_once = 1000;
 constexpr double pile_up_window = 1e-3;
+// flights and slips that would end within this share of a block have ended; a longer one each time that a crowd of
+// events came within one block, so that contacts which throw each other off come to an end
+constexpr std::array ended_share{1e-6, 1e-5, 1e-4, 1e-3};
+constexpr std::size_t crowd = 200;  // events
 constexpr double most_unexplained_share = 1e-9;
 constexpr int longest_period = 512;  // events
 
@@ -107,8 +111,10 @@ TaylorRun::Firing TaylorRun::first_firing(double reach) {
         for (std::size_t f = 0; f < event_functions(mode); ++f) {
             const BlockSeries c = event_series(structure_, block_, k, mode, f);
             const int dropped = is_fresh_ ? state_.dropped[k][f] : 0;
-            if (dropped > 4) continue;
-            const double theta = first_zero(c, dropped, std::min(reach, first.theta));
+            const double within = std::min(reach, first.theta);
+            const double theta = dropped > most_dropped
+                                     ? late_zero(c, settling_.zero_of(block_, state_, k, f, c).later, within)
+                                     : first_zero(c, dropped, within);
             if (theta == no_polynomial) return {0.0, k, f, true};
             if (theta < first.theta) first = {theta, k, f, false};
         }
@@ -142,6 +148,11 @@ void TaylorRun::tell() {
 }
 
 std::optional<Outcome> TaylorRun::fire(const Firing& firing) {
+    if (time_ - crowd_begin_ > step_) {
+        crowd_begin_ = time_;
+        crowd_events_ = 0;
+    }
+    settling_.end_within(ended_share[std::min(crowd_events_++ / crowd, ended_share.size() - 1)]);
     surface_ = surface(time_);
     if (settling_.fire(state_, surface_, firing.contact, firing.function) != Settled::done)
         return Outcome{Reason::no_forces, time_};
@@ -218,6 +229,8 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
         if (!pass_boundary()) break;
         if (!has_corners) continue;
         surface_ = surface(time_);
+        // what rounding has moved a stuck contact by is no slip
+        settling_.project(state_, surface_);
         if (settling_.settle(state_, surface_) != Settled::done) return {Reason::no_forces, time_};
         is_fresh_ = true;
         tell();

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_prepared = 4096;  // sets: beyond it they are prepared anew
 constexpr double least_pivot_share = 1e-13;  // of the largest: rows with less depend on each other
+constexpr double exact_pivot_share = 1e-4;   // likewise: with less the inverse alone is not exact enough
 // a last term above this share of the first is not rounding
 constexpr double series_rounding = 1e-17;
 
@@ -28,6 +29,7 @@ TaylorBlock::TaylorBlock(const ModalStructure& structure, double step)
       acceleration_(modes_),
       right_(2 * structure.contacts.size()),
       force_(2 * structure.contacts.size()),
+      left_over_(2 * structure.contacts.size()),
       normal_(structure.contacts.size()),
       friction_(structure.contacts.size()) {}
 
@@ -66,6 +68,10 @@ TaylorBlock::Rows TaylorBlock::prepare(const ContactSet& set) const {
     if (rows.is_singular) return rows;
     const RowMajor inverse = factor.inverse();
     rows.inverse.assign(inverse.data(), inverse.data() + inverse.size());
+    const Eigen::VectorXd pivots = factor.matrixLU().diagonal().cwiseAbs();
+    if (pivots.minCoeff() > exact_pivot_share * pivots.maxCoeff()) return rows;
+    const RowMajor exact = seen;
+    rows.seen.assign(exact.data(), exact.data() + exact.size());
     return rows;
 }
 
@@ -102,6 +108,15 @@ void TaylorBlock::free_acceleration(int m, Count modes) {
             a[j] += structure_.load[j];
 }
 
+// one step of iterative refinement: the forces leave no more than rounding of their own
+void TaylorBlock::refine_forces() {
+    const std::size_t rows = rows_->normal.size() + rows_->tangent.size();
+    for (std::size_t r = 0; r < rows; ++r)
+        left_over_[r] = right_[r] - dot({rows_->seen.data() + r * rows, rows}, force_);
+    for (std::size_t r = 0; r < rows; ++r)
+        force_[r] += dot({rows_->inverse.data() + r * rows, rows}, left_over_);
+}
+
 // `modes` is their number, known when this is compiled or not: loops over a few modes are unrolled then. The operations
 // and their order are the same.
 template <typename Count>
@@ -124,6 +139,7 @@ void TaylorBlock::expand_modes(const SurfaceSeries& surface, Count modes) {
                          surface[static_cast<std::size_t>(m) + 1];
         for (std::size_t r = 0; r < rows; ++r)
             force_[r] = dot({rows_->inverse.data() + r * rows, rows}, right_);
+        if (!rows_->seen.empty()) refine_forces();
         for (std::size_t r = 0; r < rows; ++r) {
             const double* push = rows_->push.data() + r * modes;
             const double force = force_[r];
@@ -210,6 +226,20 @@ double TaylorBlock::velocity_change_scale(std::size_t contact) const {
     const auto own = static_cast<Eigen::Index>(2 * contact + 1);
     return step_ * (dot_of_sizes(structure_.contacts[contact].tangent, acceleration_sizes()) +
                     structure_.compliance(own, own) * force_scale(contact));
+}
+
+double TaylorBlock::gap_change_scale(std::size_t contact) const {
+    std::vector<double> size = acceleration_sizes();
+    const std::size_t closed = rows_->normal.size();
+    for (std::size_t r = 0; r < closed + rows_->tangent.size(); ++r) {
+        const BlockSeries& series = r < closed ? normal_[rows_->normal[r]] : friction_[rows_->tangent[r - closed]];
+        double force = 0.0;
+        for (int m = 0; m <= order_; ++m)
+            force = std::max(force, std::abs(series[static_cast<std::size_t>(m)]));
+        for (std::size_t j = 0; j < modes_; ++j)
+            size[j] += force * std::abs(rows_->push[r * modes_ + j]);
+    }
+    return step_ * step_ * dot_of_sizes(structure_.contacts[contact].normal, size);
 }
 
 // (R'B)^-1 R' a likewise

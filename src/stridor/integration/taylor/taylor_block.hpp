@@ -63,6 +63,9 @@ public:
     /// The same in what accelerations change the slip velocity over a block [m/s].
     double velocity_change_scale(std::size_t contact) const;
 
+    /// The same in what accelerations, those by contact forces too, change the gap over a block [m].
+    double gap_change_scale(std::size_t contact) const;
+
     /// State at a place in [0, 1]; shape [mode].
     void displacement_at(double theta, std::span<double> q) const;
     void velocity_at(double theta, std::span<double> v) const;
@@ -83,6 +86,7 @@ private:
         std::vector<double> constraint;    // R', shape [row][mode]
         std::vector<double> push;          // B', shape [row][mode]
         std::vector<double> inverse;       // (R'B)^-1, shape [row][row]
+        std::vector<double> seen;          // R'B where its inverse is far from exact, else empty; likewise
     };
 
     Rows prepare(const ContactSet& set) const;
@@ -91,6 +95,7 @@ private:
     }
     template <typename Count>
     void free_acceleration(int m, Count modes);
+    void refine_forces();
     template <typename Count>
     void expand_modes(const SurfaceSeries& surface, Count modes);
     std::vector<double> acceleration_sizes() const;
@@ -106,6 +111,7 @@ private:
     std::vector<double> q_, v_;          // shape [order + 2][mode]
     std::vector<double> acceleration_;   // of one coefficient, shape [mode]
     std::vector<double> right_, force_;  // of one coefficient, shape [row]
+    std::vector<double> left_over_;
     std::vector<BlockSeries> normal_, friction_;
 };
 

@@ -101,6 +101,8 @@ private:
     ModalTravel travel_;
     double window_begin_ = 0.0;  // [s] of the search for pile-ups
     int window_events_ = 0;
+    double crowd_begin_ = 0.0;  // [s] of the events that are counted together
+    std::size_t crowd_events_ = 0;
     std::vector<double> scratch_;
     std::vector<double> velocities_;       // [1/s] shape [place][mode]
     std::vector<BlockPlaces> tangential_;  // [N] shape [contact]

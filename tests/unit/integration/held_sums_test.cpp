@@ -1,0 +1,44 @@
+#include "stridor/integration/taylor/held_sums.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace stridor::integration {
+namespace {
+
+double sum(const HeldSum& held, const std::vector<double>& x) {
+    double value = held.offset;
+    for (std::size_t j = 0; j < x.size(); ++j)
+        value += held.row[j] * x[j];
+    return value;
+}
+
+TEST(HeldSums, MovesAtRightAngles) {
+    const std::vector<double> row{3.0, 4.0, 0.0};
+    std::vector<double> x{1.0, 1.0, 7.0};
+    hold_at_zero({{row, 3.0}}, x);
+    // the sum was 10: 10/25 of the row
+    EXPECT_NEAR(x[0], 1.0 - 0.4 * 3.0, 1e-15);
+    EXPECT_NEAR(x[1], 1.0 - 0.4 * 4.0, 1e-15);
+    EXPECT_EQ(x[2], 7.0);
+}
+
+TEST(HeldSums, LeavesRoundingWhereRowsNearlyDependOnEachOther) {
+    const std::vector<double> a{1.0, 0.0, 0.3}, b{1.0, 1e-5, 0.3}, c{0.1, 1.0, -0.7};
+    std::vector<double> x{0.9, -0.4, 0.2};
+    const std::vector<HeldSum> sums{{a, 0.1}, {b, -0.2}, {c, 0.0}};
+    hold_at_zero(sums, x);
+    for (const HeldSum& held : sums)
+        EXPECT_LT(std::abs(sum(held, x)), 1e-10);  // x is 3e4: eps of that, some terms
+}
+
+TEST(HeldSums, HoldsNothingWithoutSums) {
+    std::vector<double> x{1.0};
+    hold_at_zero({}, x);
+    EXPECT_EQ(x[0], 1.0);
+}
+
+}  // namespace
+}  // namespace stridor::integration
