@@ -1,16 +1,22 @@
 #include "stridor/report/design_report.hpp"
 
 #include "stridor/base/version.hpp"
+#include "stridor/classification/interface_rules.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/picture.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
+#include "stridor/pictures/many_contacts.hpp"
 #include "stridor/pictures/noise_chart.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 #include "stridor/pictures/parts/design_mark.hpp"
+#include "stridor/pictures/picture_files.hpp"
 #include "stridor/pictures/stability.hpp"
 #include "stridor/pictures/time_history.hpp"
 #include "stridor/report/sketch.hpp"
+#include "stridor/report/structure_sketch.hpp"
 #include "stridor/report/verdict_words.hpp"
 
 #include <fmt/format.h>
@@ -34,9 +40,10 @@ std::string phase_name(const Verdict& verdict) {
 }
 
 Section verdict_section(const DesignResults& results) {
+    const bool is_own = results.design.own_structure != nullptr;
     Section section{"Verdict"};
     section.table.columns = {"direction",  "category",   "slip",      "stick",
-                             "separation", "regularity", "frequency", "joint level"};
+                             "separation", "regularity", "frequency", is_own ? "level" : "joint level"};
     for (const Verdict& verdict : results.verdicts) {
         const analysis::Evidence& e = verdict.evidence;
         section.table.rows.push_back(
@@ -51,7 +58,41 @@ Section verdict_section(const DesignResults& results) {
         section.paragraphs.push_back(why + ".");
     }
     section.paragraphs.emplace_back("The shares in the table are of the whole window, reversals included. " +
-                                    std::string(analysis::level_note));
+                                    std::string(is_own ? analysis::contact_level_note : analysis::level_note));
+    return section;
+}
+
+// the friction that a contact rubs with, and what presses it
+parameters::Contact laws_of(const parameters::Case& c, std::size_t contact) {
+    return c.own_structure ? parameters::contact_of(c, contact) : parameters::alone(c, contact).contact;
+}
+
+// of several contacts each by itself, in each phase
+Section contacts_section(const DesignResults& results) {
+    const parameters::Case& c = results.design;
+    Section section{"Each contact"};
+    section.table.columns = {"contact",    "direction", "category", "slip",      "stick",
+                             "separation", "level",     "preload",  "mu_d, mu_s"};
+    for (const record::Tally& phase : results.motion.record.phases) {
+        const classification::PhaseVerdicts all = classification::classify_all(phase, c.verdict);
+        for (std::size_t k = 0; k < all.contacts.size(); ++k) {
+            const analysis::Evidence e = analysis::evidence(phase, k);
+            const parameters::Contact laws = laws_of(c, k);
+            section.table.rows.push_back(
+                {parameters::contact_name(c, k),
+                 std::string(record::phase_names[static_cast<std::size_t>(phase.phase)]),
+                 all.contacts[k] ? std::string(classification::name(all.contacts[k]->category)) : "unloaded",
+                 number_or_dash(100.0 * e.rates.slip, "{:.1f} %"), number_or_dash(100.0 * e.rates.stick, "{:.1f} %"),
+                 number_or_dash(100.0 * e.rates.separation, "{:.1f} %"),
+                 number_or_dash(e.levels.joint.decibels, "{:.1f} dB"), fmt::format("{:.4g} N", laws.preload),
+                 fmt::format("{:g}, {:g}", laws.kinetic_friction, laws.static_friction)});
+        }
+        for (const classification::InterfaceVerdict& interface : all.interfaces)
+            section.paragraphs.push_back(fmt::format(
+                "Of {} contacts as a whole {} leads, with most friction power of the noisy ones.{}",
+                interface.figures.contacts.size(), parameters::contact_name(c, interface.whole.evidence.contact),
+                interface.differs ? " The contacts differ." : ""));
+    }
     return section;
 }
 
@@ -64,12 +105,14 @@ std::string heard_words(const DesignSound& sound) {
     return "By ear: " + std::string(classification::name(sound.heard.category)) + why + ".";
 }
 
-Section sound_section(const std::vector<DesignSound>& sounds) {
+Section sound_section(const DesignResults& results) {
     Section section{"What it sounds like"};
+    const bool has_several = parameters::contact_count(results.design) > 1 || results.design.own_structure;
     section.paragraphs.emplace_back(
-        "The motion of the joint along the plate, made audible. Each sound is as loud as its file allows, whatever its "
-        "level; the part itself radiates in its own way.");
-    for (const DesignSound& sound : sounds) {
+        (has_several ? "The motion made audible: " + results.heard + ". "
+                     : std::string("The motion of the joint along the plate, made audible. ")) +
+        "Each sound is as loud as its file allows, whatever its level; the part itself radiates in its own way.");
+    for (const DesignSound& sound : results.sounds) {
         const std::string label(parameters::direction_names[static_cast<std::size_t>(sound.direction)]);
         if (sound.wav.empty())
             section.paragraphs.push_back(label + ": " + heard_words(sound));
@@ -80,6 +123,12 @@ Section sound_section(const std::vector<DesignSound>& sounds) {
 }
 
 Section motion_section(const DesignResults& results) {
+    if (pictures::shows_many_contacts(results.design))
+        return {
+            "Motion",
+            {},
+            drawing::render(pictures::motion_scene(results.design, results.motion.record, ""), drawing::Format::svg),
+            "Shares of the contact states and mean normal forces of all contacts, and their states over time."};
     constexpr double zoom = 0.02;  // [s]
     pictures::TimeHistoryOptions options;
     options.zoom = pictures::busiest_stretch(results.design, results.motion.record.histories, zoom);
@@ -194,6 +243,43 @@ Section parameter_section(const parameters::Case& c) {
     return section;
 }
 
+// everything follows from its values; matrices of a large structure stay where they are
+Section file_section(const parameters::Case& c) {
+    constexpr std::size_t longest = 1'000'000;  // [byte]
+    Section section{"The case as a file"};
+    std::string text = io::case_toml(c, {io::Comments::none, {}});
+    if (text.size() > longest) {
+        section.paragraphs.push_back(
+            fmt::format("Its matrices are too large to stand here: {}, structure.content = {}.",
+                        c.own_structure->origin, parameters::content_hash(*c.own_structure)));
+        return section;
+    }
+    section.paragraphs.emplace_back("Everything above follows from these values.");
+    section.file = {"case.toml", std::move(text)};
+    return section;
+}
+
+std::string sketch_caption(const parameters::Case& c) {
+    if (c.own_structure)
+        return "The model: " + c.own_structure->origin +
+               ", a linear structure with its contacts, on a surface that moves under it.";
+    if (!c.further_joints.empty())
+        return "The model: joints, pressed on one plate that moves under them, held at angles by springs and dampers.";
+    return "The model: a joint, pressed on a plate that moves under it, held at an angle by springs and dampers.";
+}
+
+std::string foot(const parameters::Case& c) {
+    const bool has_several = parameters::contact_count(c) > 1;
+    const std::string model =
+        c.own_structure ? "a linear structure with " + std::string(has_several ? "points" : "one point") + " of contact"
+        : has_several   ? "joints on one plate, one point of contact each"
+                        : "one joint, one plate, one point of contact";
+    return "A category names a pattern of vibration of a " + std::string(c.own_structure ? "" : "small ") + "model (" +
+           model + "), not a sound pressure in a car. What the model does not hold, such as wear, temperature, " +
+           (has_several || c.own_structure ? "" : "several contacts ") +
+           "and the radiation of sound, is not in this verdict either.";
+}
+
 std::vector<Badge> badges(const std::vector<Verdict>& verdicts) {
     std::vector<Badge> badges;
     for (const Verdict& verdict : verdicts) {
@@ -221,15 +307,12 @@ Report design_report(const DesignResults& results) {
     report.lead.push_back(summary(results.verdicts));
     for (const Verdict& verdict : results.verdicts)
         report.lead.push_back(plain_words(verdict));
-    report.sketch = sketch_svg(results.design);
-    const bool has_several = !results.design.further_joints.empty();
-    report.sketch_caption =
-        has_several
-            ? "The model: joints, pressed on one plate that moves under them, held at angles by springs and dampers."
-            : "The model: a joint, pressed on a plate that moves under it, held at an angle by springs and dampers.";
+    report.sketch = results.design.own_structure ? structure_sketch_svg(results.design) : sketch_svg(results.design);
+    report.sketch_caption = sketch_caption(results.design);
     report.sections.push_back(verdict_section(results));
+    if (parameters::contact_count(results.design) > 1) report.sections.push_back(contacts_section(results));
     if (!results.sounds.empty())
-        report.sections.push_back(sound_section(results.sounds));
+        report.sections.push_back(sound_section(results));
     else if (!results.without_sound.empty())
         report.sections.push_back({"What it sounds like", {results.without_sound}});
     if (results.chart) report.sections.push_back(chart_section(*results.chart));
@@ -238,21 +321,14 @@ Report design_report(const DesignResults& results) {
             report.sections.push_back(std::move(section));
     else if (!results.without_advice.empty())
         report.sections.push_back({"What to change", {results.without_advice}});
-    if (!results.motion.record.trace.time.empty()) report.sections.push_back(motion_section(results));
+    const bool has_motion = !results.motion.record.trace.time.empty() || pictures::shows_many_contacts(results.design);
+    if (has_motion) report.sections.push_back(motion_section(results));
     if (results.stability && !results.stability->key.empty())
         report.sections.push_back(stability_section(*results.stability));
     report.sections.push_back(parameter_section(results.design));
-    Section file{"The case as a file"};
-    file.paragraphs.emplace_back("Everything above follows from these values.");
-    file.file = {"case.toml", io::case_toml(results.design, {io::Comments::none, {}})};
-    report.sections.push_back(std::move(file));
+    report.sections.push_back(file_section(results.design));
     report.sections.push_back(origin_section(results));
-    report.foot = std::string("A category names a pattern of vibration of a small model (") +
-                  (has_several ? "joints on one plate, one point of contact each"
-                               : "one joint, one plate, one point of contact") +
-                  "), not a sound pressure in a car. What the model does not hold, such as wear, temperature, " +
-                  (has_several ? "" : "several contacts ") +
-                  "and the radiation of sound, is not in this verdict either.";
+    report.foot = foot(results.design);
     return report;
 }
 

@@ -2,8 +2,10 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/classification/contact_rules.hpp"
+#include "stridor/hearing/heard_motion.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/temperature_table.hpp"
+#include "stridor/pictures/many_contacts.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/keeper.hpp"
@@ -40,9 +42,11 @@ std::vector<sound::Stretch> first_of(std::vector<sound::Stretch> stretches, doub
     return stretches;
 }
 
-std::optional<DesignSound> sound_of(const Case& c, Direction direction, const std::stop_token& stop) {
+std::optional<DesignSound> sound_of(const Case& c, const sound::Pickup& pickup, Direction direction,
+                                    const std::stop_token& stop) {
     constexpr double shortest = 0.05;  // [s] what is shorter is a click
     sound::AuralisationSettings settings;
+    settings.pickup = pickup;
     settings.stretches = first_of(hearing::heard_stretches(c, direction), longest_sound);
     if (settings.stretches.empty()) return std::nullopt;
     integration::Workspace workspace;
@@ -60,8 +64,10 @@ std::optional<DesignSound> sound_of(const Case& c, Direction direction, const st
 
 integration::Motion motion_of(const Case& design, const std::stop_token& stop) {
     record::Request request{record::KeepHistory::yes, {}};
-    request.trace.to = design.run.duration;
-    request.trace.interval = design.run.duration / trace_samples;
+    if (!pictures::shows_many_contacts(design)) {
+        request.trace.to = design.run.duration;
+        request.trace.interval = design.run.duration / trace_samples;
+    }
     integration::Workspace workspace;
     std::optional<sweep::Attempt> run = sweep::attempt(design, request, stop, workspace);
     if (!run)
@@ -92,8 +98,10 @@ DesignResults basic_results(const Case& design, const std::stop_token& stop) {
     results.motion = motion_of(design, stop);
     results.verdicts = classification::classify_phases(results.motion.record.phases, design.verdict);
     try {
+        const hearing::HeardMotion heard = hearing::heard_motion(design, {}, results.motion.record.phases);
+        results.heard = hearing::motion_words(heard);
         for (const Direction direction : directions_of(design))
-            if (std::optional<DesignSound> sound = sound_of(design, direction, stop))
+            if (std::optional<DesignSound> sound = sound_of(design, heard.pickup, direction, stop))
                 results.sounds.push_back(std::move(*sound));
     } catch (const Error& error) {
         // steps too long to be heard are no reason to go without the rest

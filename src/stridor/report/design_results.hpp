@@ -15,7 +15,7 @@
 
 namespace stridor::report {
 
-/// What one direction sounds like.
+/// What one direction sounds like, of the motion that stands for the sound of the case (`hearing::heard_motion`).
 struct DesignSound {
     parameters::Direction direction = parameters::Direction::going;
     classification::RecordingVerdict heard{};  // by ear
@@ -28,6 +28,7 @@ struct DesignResults {
     std::string command{};                            // that makes the report, or prints the verdict, again
     integration::Motion motion{};                     // with trace and history for the picture
     std::vector<classification::Verdict> verdicts{};  // by phase
+    std::string heard{};                              // "joint velocity along x"
     std::vector<DesignSound> sounds{};                // by direction
     std::string without_sound{};                      // why there is none
     std::optional<sweep::SweepResult> chart{};

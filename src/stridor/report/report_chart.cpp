@@ -2,6 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <fmt/format.h>
@@ -23,8 +24,11 @@ bool has_chart_axes(const io::TomlSource& source) {
 sweep::Study chart_to_report(const io::TomlSource& source, const parameters::Case& c, io::AxisTexts axes, int points) {
     const bool is_own = axes.x.empty() && axes.y.empty() && !has_chart_axes(source);
     if (is_own) {
-        axes.x = fmt::format("contact.preload={}:{}:{}:log", base::shortest(0.1 * c.contact.preload),
-                             base::shortest(10.0 * c.contact.preload), points);
+        // what a load or gaps press has no preload
+        axes.x = parameters::belongs(c, "contact.preload")
+                     ? fmt::format("contact.preload={}:{}:{}:log", base::shortest(0.1 * c.contact.preload),
+                                   base::shortest(10.0 * c.contact.preload), points)
+                     : fmt::format("structure.stiffness_scale=0.1:10:{}:log", points);
         const std::vector<double>& at = c.temperature.at;
         axes.y =
             parameters::temperature_column(c, "contact.kinetic_friction") == nullptr

@@ -14,13 +14,13 @@ using classification::Verdict;
 std::string_view phase_words(record::Phase phase) {
     switch (phase) {
         case record::Phase::going:
-            return "While the plate is going (V > 0)";
+            return "While the surface is going (V > 0)";
         case record::Phase::coming:
-            return "While the plate is coming (V < 0)";
+            return "While the surface is coming (V < 0)";
         case record::Phase::all:
             break;
     }
-    return "While the plate moves";
+    return "While the surface moves";
 }
 
 std::string share(double rate) {
@@ -38,7 +38,7 @@ std::string what_happens(const Verdict& verdict) {
     switch (verdict.category) {
         case Category::none:
             return verdict.quiet == classification::Quiet::sticks
-                       ? "the contact stays quiet: it sticks, and the plate carries the joint along"
+                       ? "the contact stays quiet: it sticks, and is carried along"
                        : "the contact stays quiet: it slides steadily";
         case Category::squeal:
             return "the contact squeals: it changes between slip, stick and separation with great regularity" +
