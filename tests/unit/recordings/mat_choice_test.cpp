@@ -5,10 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace stridor::recordings::mat {
 namespace {
+
+using support::error_of;
+using support::expect_error;
 
 Variable single(const std::string& name, double value) {
     return {name, MatKind::doubles, 1, 1, value};
