@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace stridor::integration {
 
@@ -206,9 +207,39 @@ void Settling::look(const TaylorState& state, std::size_t contact, Violation& wo
     }
 }
 
+// would the contact, which slips, obey the law of a stick beside what the others do?
+bool Settling::could_stick(TaylorState& state, const SurfaceSeries& surface, std::size_t contact) {
+    const ContactMode slip = std::exchange(state.set[contact], ContactMode::stick);
+    broken_[contact] = false;
+    Violation worst;
+    const bool is_determined = block_.choose(state.set);
+    if (is_determined) {
+        block_.expand(state.q, state.v, surface, settling_order);
+        look(state, contact, worst);
+    }
+    state.set[contact] = slip;
+    broken_[contact] = true;
+    return is_determined && worst.order > most_dropped;
+}
+
+// a slip that has begun before others changed: it sticks if it can now; returns whether one does
+bool Settling::stick_again(TaylorState& state, const SurfaceSeries& surface, std::vector<bool>& has_tried) {
+    for (std::size_t k = 0; k < state.set.size(); ++k) {
+        if (!is_slip(state.set[k]) || !begins_[k] || has_tried[k] || !could_stick(state, surface, k)) continue;
+        state.set[k] = ContactMode::stick;
+        broken_[k] = begins_[k] = false;
+        has_tried[k] = true;
+        return true;
+    }
+    block_.choose(state.set);
+    block_.expand(state.q, state.v, surface, settling_order);
+    return false;
+}
+
 // changes the worst violated contact until none is, beginning with the present set
 Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSeries& surface) {
     broken_ = begins_;
+    std::vector<bool> has_tried(state.set.size());
     const std::size_t most_changes = 40 + 20 * state.set.size();
     for (std::size_t change = 0; change < most_changes; ++change) {
         if (!block_.choose(state.set)) return Forces::singular;
@@ -218,6 +249,7 @@ Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSe
             look(state, k, worst);
         if (worst.order > most_dropped) {
             state.dropped = orders_;
+            if (change > 0 && stick_again(state, surface, has_tried)) continue;
             return Forces::found;
         }
         ContactMode& mode = state.set[worst.contact];
@@ -280,6 +312,7 @@ bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
             begins_[k] = is_at_rest[k] && is_slip(set[k]);
         return true;
     }
+    state.set = present;
     return false;
 }
 

@@ -46,11 +46,11 @@ enum class Settled {
 /// 1. Gaps that close: impulses of all touching contacts at once (`contact_impulses`).
 /// 2. Forces and accelerations: each event function must begin positive, that is its first coefficient which is not
 ///    zero. The worst violated contact, of the lowest order, changes; a limit of friction once broken is that of the
-///    slip until the event has ended. From 1 again if a gap closes. Single changes run in a circle where a contact
-///    that stuck would be pulled open and one that was open would fall: then all sets are tried, those with the fewest
-///    changes first.
-/// 3. Flights and slips that would end within a millionth of a block are ended at once: pile-ups of impacts have a
-///    limit, and this is it.
+///    slip until the others have changed, too: then it sticks once more if it can. From 1 again if a gap closes.
+///    Single changes run in a circle where a contact that stuck would be pulled open and one that was open would fall:
+///    then all sets are tried, those with the fewest changes first.
+/// 3. Flights that begin and slips which would end within a millionth of a block are ended at once: pile-ups of impacts
+///    have a limit, and this is it. Where no forces belong to it they go on.
 class Settling {
 public:
     Settling(const ModalStructure& structure, double step);
@@ -86,6 +86,8 @@ private:
     bool collide(TaylorState& state, const SurfaceSeries& surface, std::size_t fired);
     Forces find_forces(TaylorState& state, const SurfaceSeries& surface);
     Forces change_one_by_one(TaylorState& state, const SurfaceSeries& surface);
+    bool could_stick(TaylorState& state, const SurfaceSeries& surface, std::size_t contact);
+    bool stick_again(TaylorState& state, const SurfaceSeries& surface, std::vector<bool>& has_tried);
     bool find_any(TaylorState& state, const SurfaceSeries& surface);
     bool complete(TaylorState& state, const SurfaceSeries& surface);
     void correct_modes(TaylorState& state, const SurfaceSeries& surface) const;
