@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <string>
 
 using stridor::support::Finished;
@@ -43,6 +44,37 @@ TEST(Structure, ReducesAndReadsWhatItWrote) {
     const auto again = json_of(check.out);
     EXPECT_EQ(again["rows"], 48);
     EXPECT_NEAR(again["frequencies"][0].get<double>(), document["states"]["open"][0]["reduced"].get<double>(), 1e-8);
+}
+
+TEST(Structure, TellsWhatItsContactsDoWhereNoForcesObeyTheLaws) {
+    const ScratchFolder folder;
+    std::ofstream(folder.path() / "painleve.toml") << R"([structure]
+rows = ["x", "y"]
+mass = [[1, 0.8], [0.8, 1]]
+stiffness = [[100, 0], [0, 100]]
+damping = [[0.1, 0], [0, 0.1]]
+[[structure.contact]]
+name = "foot"
+normal = "y"
+tangent = "x"
+[contact]
+preload = "1 N"
+static_friction = 1.5
+kinetic_friction = 1.3
+[drive]
+kind = "constant"
+velocity = "0.1 m/s"
+[run]
+initial = "rest"
+)";
+    const Finished refused = run({"simulate", "painleve.toml", "--json"}, folder.path());
+    EXPECT_EQ(refused.exit_code, 3);
+    EXPECT_NE(refused.err.find("no forces obey all laws of contact at 0 s of 1 s; foot slips"), std::string::npos)
+        << refused.err;
+    const auto outcome = json_of(refused.out)["outcome"];
+    EXPECT_EQ(outcome["reason"], "no_forces");
+    EXPECT_EQ(outcome["contacts"][0]["name"], "foot");
+    EXPECT_EQ(outcome["contacts"][0]["state"], "slip");
 }
 
 TEST(Structure, IsInSiWhateverItsUnits) {

@@ -248,6 +248,7 @@ TEST(ManyContacts, RefusePainlevesConfigurationWhereItOccurs) {
     const Motion refused = painleve_run(1.3, 0.1);
     EXPECT_EQ(refused.outcome.reason, Reason::no_forces);
     EXPECT_EQ(refused.outcome.time, 0.0);
+    EXPECT_EQ(refused.last_set, std::vector{model::ContactState::slip});
     const Motion sliding = painleve_run(1.3, -0.1);
     EXPECT_EQ(sliding.outcome.reason, Reason::completed);
     EXPECT_EQ(shares(sliding).front()[slip], 1.0);

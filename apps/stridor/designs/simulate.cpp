@@ -102,7 +102,12 @@ void simulate(const SimulateOptions& options) {
     const record::Request request = request_for(options, c);
     const Interrupt interrupt;
     integration::Motion motion = integration::simulate(c, request, interrupt.token());
-    if (const std::optional<Error> failure = integration::failure(c, motion)) throw Error(*failure);
+    if (const std::optional<Error> failure = integration::failure(c, motion)) {
+        // where a motion has no end, its document says what the contacts did there
+        if (options.json && failure->kind() == ErrorKind::numerical)
+            console::print(io::simulation_json(c, motion, integration::cost(c), {}) + "\n");
+        throw Error(*failure);
+    }
     const std::vector<Verdict> verdicts = classification::classify_phases(motion.record.phases, c.verdict);
     write_records(options, c, motion, request.trace.interval);
     console::print(options.json ? io::simulation_json(c, motion, integration::cost(c), verdicts) + "\n"

@@ -2,10 +2,14 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/own_structure.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 
 namespace stridor::integration {
 
@@ -22,6 +26,25 @@ Error beyond_step_limit(const parameters::Case& c) {
              fmt::format("Use at most {:.1g} s; 1e-06 s or less for rates you quote.", 0.1 * limit)}};
 }
 
+namespace {
+
+constexpr std::size_t most_named = 12;  // contacts in one sentence
+
+// what each contact did where the motion ended: "; lip1 sticks, lip2 is open"
+std::string last_set(const parameters::Case& c, const Motion& motion) {
+    constexpr std::array<std::string_view, model::contact_states> does{"slips", "sticks", "is open"};
+    const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(most_named, motion.last_set.size()); ++k)
+        text += fmt::format("{} {} {}", k == 0 ? ";" : ",", has_names ? parameters::contact_name(c, k) : "the contact",
+                            does[model::index_of(motion.last_set[k])]);
+    if (motion.last_set.size() > most_named)
+        text += fmt::format(", and {} contacts more", motion.last_set.size() - most_named);
+    return text;
+}
+
+}  // namespace
+
 std::optional<Error> failure(const parameters::Case& c, const Motion& motion) {
     const std::string at = fmt::format("{:.6g} s of {:g} s", motion.outcome.time, c.run.duration);
     switch (motion.outcome.reason) {
@@ -35,7 +58,7 @@ std::optional<Error> failure(const parameters::Case& c, const Motion& motion) {
         case Reason::step_limit:
             return beyond_step_limit(c);
         case Reason::chattering:
-            return Error(ErrorKind::numerical, {"events pile up without end at " + at,
+            return Error(ErrorKind::numerical, {"events pile up without end at " + at + last_set(c, motion),
                                                 "double precision cannot tell them apart, so the motion stops there",
                                                 "Change a parameter a little, or try run.engine = \"beta_2\"."});
         case Reason::unbalanced:
@@ -45,7 +68,7 @@ std::optional<Error> failure(const parameters::Case& c, const Motion& motion) {
                                                 "Check the units of the case, or use a smaller run.step with beta_2."});
         case Reason::no_forces:
             return Error(ErrorKind::numerical,
-                         {"no forces obey all laws of contact at " + at,
+                         {"no forces obey all laws of contact at " + at + last_set(c, motion),
                           "friction presses a contact that slips together without end: a Painleve configuration",
                           "Use less friction, or a structure that gives way more along its normals."});
         case Reason::cancelled:

@@ -2,9 +2,11 @@
 
 #include "stridor/integration/energy_balance.hpp"
 #include "stridor/integration/outcome.hpp"
+#include "stridor/model/contact_state.hpp"
 #include "stridor/record/recorder.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace stridor::integration {
 
@@ -30,6 +32,8 @@ struct Motion {
     record::Record record;
     std::optional<Silence> silence = std::nullopt;   // why it ended early, if it settled
     std::optional<LimitCycle> cycle = std::nullopt;  // likewise
+    // of a run of the Taylor engine without a result: what each contact did where it ended, shape [contact]
+    std::vector<model::ContactState> last_set{};
 };
 
 }  // namespace stridor::integration

@@ -1,9 +1,11 @@
 #include "stridor/integration/failure.hpp"
 
 #include "stridor/integration/simulate.hpp"
+#include "stridor/parameters/own_structure.hpp"
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <set>
 #include <string>
 
@@ -41,6 +43,27 @@ TEST(Failure, SaysWhereTheMotionEnded) {
               "the motion left double precision at 0.25 s of 1 s");
     EXPECT_EQ(failure(Case{}, ended(Reason::diverged))->kind(), ErrorKind::numerical);
     EXPECT_EQ(failure(Case{}, ended(Reason::cancelled))->kind(), ErrorKind::interrupted);
+}
+
+TEST(Failure, SaysWhatEachContactDidWhereNoForcesObeyTheLaws) {
+    Motion motion = ended(Reason::no_forces);
+    motion.last_set = {model::ContactState::slip};
+    EXPECT_EQ(failure(Case{}, motion)->problem().what,
+              "no forces obey all laws of contact at 0.25 s of 1 s; the contact slips");
+    auto own = std::make_shared<parameters::OwnStructure>();
+    own->contacts.resize(14);
+    for (std::size_t k = 0; k < own->contacts.size(); ++k)
+        own->contacts[k].name = std::string(1, static_cast<char>('a' + k));
+    Case c;
+    c.own_structure = own;
+    motion.last_set = {model::ContactState::stick, model::ContactState::separation};
+    EXPECT_EQ(failure(c, motion)->problem().what,
+              "no forces obey all laws of contact at 0.25 s of 1 s; a sticks, b is open");
+    motion.outcome.reason = Reason::chattering;
+    motion.last_set.resize(14, model::ContactState::slip);
+    EXPECT_EQ(failure(c, motion)->problem().what,
+              "events pile up without end at 0.25 s of 1 s; a sticks, b is open, c slips, d slips, e slips, f slips, g "
+              "slips, h slips, i slips, j slips, k slips, l slips, and 2 contacts more");
 }
 
 TEST(Failure, NamesAStepThatIsStable) {

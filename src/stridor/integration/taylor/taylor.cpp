@@ -245,7 +245,12 @@ Motion TaylorRun::run(const std::stop_token& stop) {
     const bool is_filled = outcome.reason == Reason::settled;
     const EnergyBalance balance = is_filled ? final_balance_ : energy();
     record::Record record = recorder_.finish(is_filled ? spans().back().to : outcome.time, outlooks(outcome));
-    return {weighed(outcome, balance, most_unexplained_share), balance, std::move(record), silence_, cycle_};
+    Motion motion{weighed(outcome, balance, most_unexplained_share), balance, std::move(record), silence_, cycle_};
+    if (has_result(motion.outcome)) return motion;
+    motion.last_set.resize(state_.set.size());
+    for (std::size_t k = 0; k < state_.set.size(); ++k)
+        motion.last_set[structure_.number[k]] = contact_of(state_.set[k]);
+    return motion;
 }
 
 Motion integrate_taylor(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,

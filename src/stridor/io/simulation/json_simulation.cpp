@@ -190,7 +190,7 @@ Json stability_units() {
             {"directions.modes.frequency", "Hz"}, {"directions.boundaries.frequency", "Hz"}};
 }
 
-Json outcome_object(const integration::Motion& motion) {
+Json outcome_object(const Case& c, const integration::Motion& motion) {
     Json object{{"reason", name_of(integration::reason_names, motion.outcome.reason)}, {"time", motion.outcome.time}};
     if (motion.silence)
         object["silence"] = {{"time", motion.silence->time},
@@ -201,6 +201,10 @@ Json outcome_object(const integration::Motion& motion) {
                                  {"period", motion.cycle->period},
                                  {"residual", motion.cycle->residual},
                                  {"events", motion.cycle->events}};
+    const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
+    for (std::size_t k = 0; has_names && k < motion.last_set.size(); ++k)
+        object["contacts"].push_back({{"name", parameters::contact_name(c, k)},
+                                      {"state", name_of(model::contact_state_names, motion.last_set[k])}});
     if (motion.record.phases.empty()) return object;
     const record::Ending& ending = motion.record.phases.front().contacts.front().ending;
     object["ending"] = {{"state", name_of(model::contact_state_names, ending.state)},
@@ -230,7 +234,7 @@ std::string simulation_json(const parameters::Case& c, const integration::Motion
                             std::span<const classification::Verdict> verdicts) {
     Json document = opening("simulation", c);
     document["engine"] = engine_object(c, cost);
-    document["outcome"] = outcome_object(motion);
+    document["outcome"] = outcome_object(c, motion);
     document["energy"] = energy_object(motion.energy);
     document["phases"] = Json::array();
     for (std::size_t k = 0; k < verdicts.size(); ++k) {
