@@ -1,6 +1,6 @@
-// What contacts do at an event, held against all that they could do: of all sets of states exactly one obeys the laws of
-// contact and lets what has no slip velocity stick if it can. It is the one that the Taylor engine finds, which searches
-// by single changes. The forces of each set are solved here anew, in the rows of the structure.
+// What contacts do at an event, held against all that they could do: of all sets of states exactly one obeys the laws
+// of contact and lets what has no slip velocity stick if it can. It is the one that the Taylor engine finds, which
+// searches by single changes. The forces of each set are solved here anew, in the rows of the structure.
 
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/contact_sets.hpp"
