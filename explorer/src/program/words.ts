@@ -4,6 +4,10 @@
 export const directions = ["going", "coming"] as const;
 export type Direction = (typeof directions)[number];
 
+/** The kinds of drive whose velocity is one for ever, and has a sign. */
+export const steadyDrives = ["constant"] as const;
+export type SteadyDrive = (typeof steadyDrives)[number];
+
 /** What of a run a verdict is about. */
 export const phases = ["all", "going", "coming"] as const;
 export type Phase = (typeof phases)[number];

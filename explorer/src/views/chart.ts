@@ -20,7 +20,7 @@ import {
 import { holds, nearest, widened, zoomed } from "../draw/scale.ts";
 import { surface, type Surface } from "../draw/surface.ts";
 import { onTheme, palette } from "../draw/theme.ts";
-import { chartKinds, type Direction } from "../program/words.ts";
+import { chartKinds, steadyDrives, type Direction } from "../program/words.ts";
 import { chartDesign, withValues, type Axis, type State } from "../state/state.ts";
 import type { Step, Store } from "../state/store.ts";
 import { AxisControls } from "./axis_controls.ts";
@@ -351,9 +351,9 @@ export class Chart {
     this.store_.update({ design: withValues(state.design, values), direction }, step);
   }
 
-  /** Of a constant drive, the velocity that moves the plate in this direction. */
+  /** Of a steady drive, the velocity that moves the plate in this direction. */
   private turned_(direction: Direction): Record<string, string> {
-    if (valueIn(this.resolved_, "drive.kind") !== "constant") return {};
+    if (!steadyDrives.some((kind) => kind === valueIn(this.resolved_, "drive.kind"))) return {};
     const speed = Math.abs(quantityOf(this.store_.state, this.resolved_, "drive.velocity"));
     return { "drive.velocity": exact(direction === "going" ? speed : -speed) };
   }

@@ -129,6 +129,17 @@ WordList chart_kinds() {
     return kinds;
 }
 
+// whose velocity is one for ever, and has a sign
+WordList steady_drives() {
+    WordList names;
+    for (std::size_t kind = 0; kind < parameters::drive_names.size(); ++kind) {
+        parameters::Drive drive;
+        drive.kind = static_cast<parameters::DriveKind>(kind);
+        if (parameters::is_steady(drive)) names.emplace_back(parameters::drive_names[kind]);
+    }
+    return names;
+}
+
 WordList figure_names() {
     WordList names;
     for (const sweep::CellFigure& figure : sweep::cell_figures())
@@ -139,6 +150,8 @@ WordList figure_names() {
 std::string words() {
     return opening("The words of answers and requests.", "words") +
            words_as_type("The way the plate moves.", "directions", "Direction", words_of(parameters::direction_names)) +
+           words_as_type("The kinds of drive whose velocity is one for ever, and has a sign.", "steadyDrives",
+                         "SteadyDrive", steady_drives()) +
            words_as_type("What of a run a verdict is about.", "phases", "Phase", words_of(record::phase_names)) +
            words_as_type("How the values of an axis are spaced.", "scales", "Scale",
                          words_of(parameters::scale_names)) +
