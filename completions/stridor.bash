@@ -23,7 +23,7 @@ _stridor() {
         init) options="--help --output --force" ;;
         check) options="--help --set --json" ;;
         simulate) options="--help --set --no-early --json --trace --trace-from --trace-to --trace-interval --history --figure --zoom" ;;
-        stability) options="--help --set --over --figure --json" ;;
+        stability) options="--help --set --over --figure --modes --json" ;;
         advise) options="--help --set --over --tolerance --samples --seed --threads --json" ;;
         chart) options="--help --set --no-early --x --y --out --threads --preview --json" ;;
         report) options="--help --set --no-early --output --x --y --points --no-chart --no-advice --threads" ;;
@@ -44,13 +44,14 @@ _stridor() {
     esac
     if [[ ${COMP_WORDS[1]} == figure ]]; then
         if ((COMP_CWORD == 2)); then
-            COMPREPLY=($(compgen -W "paper friction-law contact-states compare --help" -- "$word"))
+            COMPREPLY=($(compgen -W "paper friction-law contact-states mode-shapes compare --help" -- "$word"))
             return
         fi
         case ${COMP_WORDS[2]} in
             paper) options="--help --out --threads" ;;
             friction-law) options="--help --set --output" ;;
             contact-states) options="--help --set --output" ;;
+            mode-shapes) options="--help --set --output" ;;
             compare) options="--help --label --library --of --quantity --detail --output" ;;
         esac
     fi

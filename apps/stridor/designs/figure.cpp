@@ -13,6 +13,7 @@
 #include "stridor/pictures/contact_states.hpp"
 #include "stridor/pictures/friction_law.hpp"
 #include "stridor/pictures/many_contacts.hpp"
+#include "stridor/pictures/mode_shapes.hpp"
 #include "stridor/pictures/noise_chart.hpp"
 #include "stridor/pictures/picture_files.hpp"
 #include "stridor/pictures/rate_map.hpp"
@@ -25,6 +26,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace stridor::app {
 
@@ -145,6 +147,12 @@ void draw_states(const OneFigureOptions& options) {
         options.output);
 }
 
+void draw_modes(const OneFigureOptions& options) {
+    const Case c = load_case(options.input);
+    pictures::draw(pictures::mode_shapes(analysis::with_modes(analysis::scan_stability(c, std::nullopt))),
+                   options.output);
+}
+
 }  // namespace
 
 void add_figure(CLI::App& program) {
@@ -167,6 +175,12 @@ void add_figure(CLI::App& program) {
     add_one(*figure, "contact-states", "Contact states over time (Figure 7).", states)->callback([states] {
         draw_states(*states);
     });
+    auto modes = std::make_shared<OneFigureOptions>();
+    add_one(
+        *figure, "mode-shapes",
+        "Modes of steady sliding: motion of the contacts, what each adds to the growth, free modes they are made of.",
+        modes)
+        ->callback([modes] { draw_modes(*modes); });
     add_figure_compare(*figure);
     figure->footer(
         "A time history (Figure 5) is drawn by `stridor simulate CASE --figure`, a chart (Figures 6, 8) by `stridor "

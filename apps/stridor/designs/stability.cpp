@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace stridor::app {
 
@@ -22,6 +23,7 @@ struct StabilityOptions {
     CaseOptions input;
     std::string over;  // "key=from:to[:points]"
     std::string figure;
+    bool has_modes = false;
     bool json = false;
 };
 
@@ -36,7 +38,8 @@ analysis::StabilityScan scan_over(const parameters::Case& c, const std::string& 
 
 void stability(const StabilityOptions& options) {
     const parameters::Case c = load_case(options.input);
-    const analysis::StabilityScan scan = scan_over(c, options.over);
+    analysis::StabilityScan scan = scan_over(c, options.over);
+    if (options.has_modes) scan = analysis::with_modes(std::move(scan));
     if (!options.figure.empty()) pictures::draw_stability(scan, options.figure);
     console::print(options.json ? io::stability_json(scan) + "\n" : console::stability_text(scan));
 }
@@ -57,6 +60,8 @@ void add_stability(CLI::App& program) {
                      "draw frequencies and growth rates to FILE.png, FILE.svg or FILE.pdf (needs --over)")
         ->type_name("FILE")
         ->needs("--over");
+    command->add_flag("--modes", options->has_modes,
+                      "say what the modes that grow are made of, and which contact feeds them");
     command->add_flag("--json", options->json, "print one JSON document (schema stridor.stability/1)");
     command->footer(
         "The linear analysis says where steady sliding cannot last; a sliding contact that is stable may still be "

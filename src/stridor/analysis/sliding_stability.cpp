@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace stridor::analysis {
 
@@ -35,9 +36,9 @@ MatrixXd forceless(const SlidingMotion& motion, const MatrixXd& right) {
 
 }  // namespace
 
-std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion) {
+FirstOrderMotion first_order(const SlidingMotion& motion) {
     const Eigen::Index free = motion.mass.rows() - motion.normals.cols();
-    if (free == 0) return {};
+    if (free == 0) return {MatrixXd(0, 0), MatrixXd(motion.mass.rows(), 0)};
     const MatrixXd right =
         motion.normals.cols() == 0 ? MatrixXd::Identity(free, free) : model::orthogonal_complement(motion.normals);
     const MatrixXd left = motion.normals.cols() == 0 ? right : forceless(motion, right);
@@ -46,11 +47,17 @@ std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion) {
     const MatrixXd stiffness = mass.solve(reduced(motion.stiffness));
     // positions in units of velocity: the solver's error is a share of the largest entry
     const double rate = std::max(std::sqrt(stiffness.cwiseAbs().rowwise().sum().maxCoeff()), smallest_rate);
-    MatrixXd first_order = MatrixXd::Zero(2 * free, 2 * free);
-    first_order.topRightCorner(free, free) = rate * MatrixXd::Identity(free, free);
-    first_order.bottomLeftCorner(free, free) = -stiffness / rate;
-    first_order.bottomRightCorner(free, free) = -mass.solve(reduced(motion.damping));
-    const Eigen::EigenSolver<MatrixXd> solver(first_order, false);
+    MatrixXd matrix = MatrixXd::Zero(2 * free, 2 * free);
+    matrix.topRightCorner(free, free) = rate * MatrixXd::Identity(free, free);
+    matrix.bottomLeftCorner(free, free) = -stiffness / rate;
+    matrix.bottomRightCorner(free, free) = -mass.solve(reduced(motion.damping));
+    return {std::move(matrix), right};
+}
+
+std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion) {
+    const MatrixXd matrix = first_order(motion).matrix;
+    if (matrix.rows() == 0) return {};
+    const Eigen::EigenSolver<MatrixXd> solver(matrix, false);
     return {solver.eigenvalues().begin(), solver.eigenvalues().end()};
 }
 
@@ -75,22 +82,28 @@ SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenva
     return result;
 }
 
-SlidingStability sliding_stability(const model::Structure& structure, parameters::Direction direction) {
-    const std::vector<double> ratios =
+SteadySliding steady_sliding(const model::Structure& structure, parameters::Direction direction) {
+    std::vector<double> ratios =
         model::sliding_ratios(structure, direction == parameters::Direction::going ? 1.0 : -1.0);
-    const model::ClosedContacts found = model::closed_contacts(structure, ratios);
+    model::ClosedContacts found = model::closed_contacts(structure, ratios);
     const Eigen::Index dofs = model::dofs_of(structure);
     const auto count = static_cast<Eigen::Index>(found.closed.size());
     SlidingMotion motion{structure.mass, structure.damping, structure.stiffness, MatrixXd(dofs, count),
                          MatrixXd(dofs, count)};
-    double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index k = 0; k < count; ++k) {
         const std::size_t number = found.closed[static_cast<std::size_t>(k)];
         const model::ContactPoint& contact = structure.contacts[number];
         motion.normals.col(k) = contact.normal;
         motion.forces.col(k) = contact.normal + ratios[number] * contact.tangent;
-        least = std::min(least, found.equilibrium.normal_forces(static_cast<Eigen::Index>(number)));
     }
+    return {std::move(found), std::move(ratios), std::move(motion)};
+}
+
+SlidingStability sliding_stability(const model::Structure& structure, parameters::Direction direction) {
+    const auto [found, ratios, motion] = steady_sliding(structure, direction);
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t number : found.closed)
+        least = std::min(least, found.equilibrium.normal_forces(static_cast<Eigen::Index>(number)));
     SlidingStability stability = classify_modes(eigenvalues(motion), least);
     for (std::size_t number = 0; number < structure.contacts.size(); ++number)
         if (std::find(found.closed.begin(), found.closed.end(), number) == found.closed.end())

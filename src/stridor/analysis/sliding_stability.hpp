@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/model/equilibrium.hpp"
 #include "stridor/model/structure.hpp"
 #include "stridor/parameters/case.hpp"
 
@@ -64,6 +65,22 @@ struct SlidingMotion {
 
 /// Its eigenvalues [1/s], 2 (dofs - contacts) of them, complex ones in conjugate pairs.
 std::vector<std::complex<double>> eigenvalues(const SlidingMotion& motion);
+
+/// The same as first-order motion z' = A z: z holds the positions in the directions Q, in units of a velocity, then the
+/// velocities.
+struct FirstOrderMotion {
+    Eigen::MatrixXd matrix;      // [1/s] A
+    Eigen::MatrixXd directions;  // [1] Q, shape [dof][dofs - contacts]
+};
+FirstOrderMotion first_order(const SlidingMotion& motion);
+
+/// Steady sliding of a structure in one direction, with what lies near it.
+struct SteadySliding {
+    model::ClosedContacts found;
+    std::vector<double> ratios;  // [1] T/N, shape [contact]
+    SlidingMotion motion;        // of the closed contacts
+};
+SteadySliding steady_sliding(const model::Structure& structure, parameters::Direction direction);
 
 /// Stability of sliding of all closed contacts in one direction. The limit of the stick plays no part. Costs some
 /// 25 (2 dofs)³ operations. Several contacts may lift off; a single one is closed or locked.

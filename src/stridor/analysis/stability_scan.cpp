@@ -53,4 +53,14 @@ StabilityScan scan_stability(const parameters::Case& c, const std::optional<Scan
     return scan;
 }
 
+StabilityScan with_modes(StabilityScan scan) {
+    for (DirectionScan& direction : scan.directions) {
+        direction.modes = SlidingModes{};
+        // without steady sliding there is nothing to disturb
+        if (direction.here.kind == StabilityKind::locked) continue;
+        direction.modes = sliding_modes(model::structure_of(scan.base), direction.direction);
+    }
+    return scan;
+}
+
 }  // namespace stridor::analysis

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/analysis/sliding_modes.hpp"
 #include "stridor/analysis/sliding_stability.hpp"
 #include "stridor/analysis/stability_path.hpp"
 #include "stridor/parameters/case.hpp"
@@ -25,7 +26,8 @@ struct ScanRange {
 struct DirectionScan {
     parameters::Direction direction = parameters::Direction::going;
     SlidingStability here;
-    StabilityPath path;  // empty without a parameter
+    StabilityPath path;                   // empty without a parameter
+    std::optional<SlidingModes> modes{};  // of the case, where they were asked for
 };
 
 /// Stability of a case.
@@ -41,5 +43,8 @@ struct StabilityScan {
 /// Static friction plays no part in it, so mu_d may be followed beyond mu_s. Throws `Error` (input) for a key that is
 /// no quantity, for ends that lie outside its range or do not rise, and for too few or too many points.
 StabilityScan scan_stability(const parameters::Case& c, const std::optional<ScanRange>& range);
+
+/// The same scan with what the modes of the case are made of (`sliding_modes`); none of a direction in which it locks.
+StabilityScan with_modes(StabilityScan scan);
 
 }  // namespace stridor::analysis

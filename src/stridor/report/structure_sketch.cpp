@@ -66,7 +66,8 @@ std::string contacts_drawing(const parameters::Case& c) {
         const double x = next();
         const std::string name = base::markup_text(shortened(parameters::contact_name(c, drawn[k])));
         // names of neighbours stand on two lines
-        text += foot_at(x) + text_at(x, surface + (k % 2 == 0 ? 36.0 : 50.0), name, " style=\"font-size:10px\"");
+        text += foot_at(x) + text_at(x, surface + (k % 2 == 0 || drawn.size() <= 4 ? 36.0 : 50.0), name,
+                                     " style=\"font-size:10px\"");
     }
     return text;
 }

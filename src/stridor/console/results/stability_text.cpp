@@ -8,7 +8,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
+#include <string>
 #include <vector>
 
 namespace stridor::console {
@@ -81,10 +84,53 @@ std::string boundary_lines(const analysis::StabilityScan& scan, const analysis::
     return text;
 }
 
+constexpr std::size_t most_free_modes = 3;  // that a mode is said to be made of
+constexpr std::size_t most_feeding = 8;     // contacts that are named, those that add or take most
+
+std::string feeding_text(const parameters::Case& c, const analysis::SlidingMode& mode) {
+    std::vector<std::size_t> contacts(mode.contact_growth.size());
+    std::iota(contacts.begin(), contacts.end(), std::size_t{0});
+    std::stable_sort(contacts.begin(), contacts.end(), [&](std::size_t a, std::size_t b) {
+        return std::abs(mode.contact_growth[a]) > std::abs(mode.contact_growth[b]);
+    });
+    std::string text;
+    double rest = 0.0;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        if (k >= most_feeding)
+            rest += mode.contact_growth[contacts[k]];
+        else
+            text += fmt::format("{} {:+.3f}, ", base::visible(parameters::contact_name(c, contacts[k])),
+                                mode.contact_growth[contacts[k]]);
+    }
+    if (contacts.size() > most_feeding) text += fmt::format("{} more {:+.3f}, ", contacts.size() - most_feeding, rest);
+    return text + fmt::format("damping {:+.3f} 1/s", mode.damping_growth);
+}
+
+// what the modes that grow are made of, and what feeds them
+std::string contributions_text(const parameters::Case& c, const analysis::DirectionScan& direction) {
+    const analysis::SlidingModes& modes = *direction.modes;
+    constexpr double two_pi = 6.283185307179586476925;
+    std::string text;
+    for (const analysis::SlidingMode& mode : modes.modes) {
+        text += fmt::format("\n{:<8}{:9.2f} Hz {:+10.3f} 1/s\n",
+                            parameters::direction_names[static_cast<std::size_t>(direction.direction)],
+                            mode.eigenvalue.imag() / two_pi, mode.eigenvalue.real());
+        const std::vector<std::size_t> numbers = analysis::by_share(mode);
+        for (std::size_t k = 0; k < std::min(most_free_modes, numbers.size()); ++k)
+            text += fmt::format("        free mode {:<4}{:9.2f} Hz  energy {:5.1f} %  MAC {:.3f}\n", numbers[k] + 1,
+                                modes.free_frequencies[numbers[k]], 100.0 * mode.energy_shares[numbers[k]],
+                                mode.mac[numbers[k]]);
+        text += "        growth by " + feeding_text(c, mode) + "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string stability_text(const analysis::StabilityScan& scan) {
     std::string text = header(scan);
+    for (const analysis::DirectionScan& direction : scan.directions)
+        if (direction.modes) text += contributions_text(scan.base, direction);
     if (scan.key.empty()) return text;
     text += "\n";
     for (const analysis::DirectionScan& direction : scan.directions)

@@ -3,8 +3,10 @@
 #include "stridor/analysis/evidence_figures.hpp"
 #include "stridor/classification/interface_rules.hpp"
 #include "stridor/io/json_parts.hpp"
+#include "stridor/io/simulation/dof_names.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -163,9 +165,48 @@ Json stability_object(const parameters::Case& c, const analysis::SlidingStabilit
     return object;
 }
 
+constexpr double two_pi = 6.283185307179586476925;
+constexpr double least_share = 1e-3;  // [1] of a free mode that is listed
+
+// the free modes that make most of it first
+Json free_modes_array(const analysis::SlidingModes& modes, const analysis::SlidingMode& mode) {
+    Json array = Json::array();
+    for (const std::size_t number : analysis::by_share(mode)) {
+        if (mode.energy_shares[number] < least_share) break;
+        array.push_back({{"number", number + 1},
+                         {"frequency", modes.free_frequencies[number]},
+                         {"energy_share", mode.energy_shares[number]},
+                         {"mac", mode.mac[number]}});
+    }
+    return array;
+}
+
+Json contributions_object(const parameters::Case& c, const analysis::SlidingModes& modes,
+                          const analysis::SlidingMode& mode) {
+    Json contacts = Json::array(), shape = Json::array();
+    for (std::size_t k = 0; k < mode.contact_growth.size(); ++k)
+        contacts.push_back({{"name", parameters::contact_name(c, k)}, {"growth", mode.contact_growth[k]}});
+    const std::vector<std::string> rows = dof_names(c, static_cast<std::size_t>(mode.shape.size()));
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const std::complex<double> motion = mode.shape(static_cast<Eigen::Index>(row));
+        shape.push_back({{"name", rows[row]}, {"real", motion.real()}, {"imaginary", motion.imag()}});
+    }
+    return {{"growth", mode.eigenvalue.real()},
+            {"frequency", mode.eigenvalue.imag() / two_pi},
+            {"contacts", std::move(contacts)},
+            {"damping_growth", mode.damping_growth},
+            {"free_modes", free_modes_array(modes, mode)},
+            {"shape", std::move(shape)}};
+}
+
 Json direction_object(const parameters::Case& c, const analysis::DirectionScan& direction) {
     Json object{{"direction", name_of(parameters::direction_names, direction.direction)}};
     object.update(stability_object(c, direction.here));
+    if (direction.modes) {
+        object["contributions"] = Json::array();
+        for (const analysis::SlidingMode& mode : direction.modes->modes)
+            object["contributions"].push_back(contributions_object(c, *direction.modes, mode));
+    }
     Json points = Json::array();
     for (const analysis::StabilityPoint& point : direction.path.points) {
         Json entry{{"value", point.value}};
@@ -188,6 +229,18 @@ Json stability_units() {
     return {{"directions.growth", "1/s"},         {"directions.frequency", "Hz"},
             {"directions.normal_force", "N"},     {"directions.modes.growth", "1/s"},
             {"directions.modes.frequency", "Hz"}, {"directions.boundaries.frequency", "Hz"}};
+}
+
+// what `--modes` adds
+Json contribution_units() {
+    return {{"directions.contributions.growth", "1/s"},
+            {"directions.contributions.frequency", "Hz"},
+            {"directions.contributions.contacts.growth", "1/s"},
+            {"directions.contributions.damping_growth", "1/s"},
+            {"directions.contributions.free_modes.frequency", "Hz"},
+            {"directions.contributions.free_modes.energy_share", "1"},
+            {"directions.contributions.free_modes.mac", "1"},
+            {"directions.contributions.shape", "1"}};
 }
 
 Json outcome_object(const Case& c, const integration::Motion& motion) {
@@ -255,6 +308,7 @@ std::string stability_json(const analysis::StabilityScan& scan) {
         document["directions"].push_back(direction_object(scan.base, direction));
     Json units = case_units(scan.base);
     units.update(stability_units());
+    if (!scan.directions.empty() && scan.directions.front().modes) units.update(contribution_units());
     document["units"] = std::move(units);
     return base::text_of(document);
 }
