@@ -165,6 +165,30 @@ TEST(StabilityJson, HoldsDirectionsModesAndBoundaries) {
     EXPECT_EQ(coming["boundaries"][0]["above"], "flutter");
 }
 
+TEST(StabilityJson, HoldsWhatModesAreMadeOfWhereItIsAskedFor) {
+    const parameters::Case c = parameters::paper_case(parameters::PaperCase::squeal);
+    const analysis::StabilityScan plain = analysis::scan_stability(c, std::nullopt);
+    EXPECT_FALSE(Json::parse(stability_json(plain))["directions"][0].contains("contributions"));
+    const Json document = Json::parse(stability_json(analysis::with_modes(plain)));
+    const Json& going = document["directions"][0];
+    ASSERT_EQ(going["contributions"].size(), 1U) << "one mode grows";
+    const Json& mode = going["contributions"][0];
+    EXPECT_NEAR(mode["growth"].get<double>(), going["growth"].get<double>(), 1e-6);
+    EXPECT_EQ(mode["contacts"][0]["name"], "joint");
+    EXPECT_NEAR(mode["contacts"][0]["growth"].get<double>() + mode["damping_growth"].get<double>(),
+                mode["growth"].get<double>(), 1e-6);
+    EXPECT_GT(mode["free_modes"][0]["energy_share"], mode["free_modes"][1]["energy_share"]);
+    EXPECT_EQ(mode["shape"].size(), 3U);
+    EXPECT_EQ(mode["shape"][2]["name"], "y2");
+    EXPECT_EQ(document["units"]["directions.contributions.growth"], "1/s");
+    // sliding that locks has no modes to tell of
+    parameters::Case locked = c;
+    locked.contact.static_friction = locked.contact.kinetic_friction = 4.5;
+    const Json none = Json::parse(stability_json(analysis::with_modes(analysis::scan_stability(locked, std::nullopt))));
+    EXPECT_EQ(none["directions"][0]["kind"], "locked");
+    EXPECT_TRUE(none["directions"][0]["contributions"].empty());
+}
+
 TEST(ChartJson, HoldsAnArrayPerFigure) {
     const sweep::SweepResult chart = small_chart();
     const Json document = Json::parse(chart_json(chart));
