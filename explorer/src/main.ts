@@ -10,6 +10,7 @@ import { button, h } from "./draw/dom.ts";
 import { onTheme, setTheme } from "./draw/theme.ts";
 import { Clock } from "./state/clock.ts";
 import { themes, type Design, type State } from "./state/state.ts";
+import { Shown } from "./state/shown.ts";
 import { Store, type Step } from "./state/store.ts";
 import { Chart } from "./views/chart.ts";
 import { Mechanism } from "./views/mechanism.ts";
@@ -65,8 +66,9 @@ class Page {
     this.verdict_ = new VerdictBar((direction) => store.update({ direction }, "replace"));
     this.parameters_ = new Parameters(store, start_, (error) => this.complain_(error));
     this.chart_ = new Chart(store, start_, (error) => this.complain_(error));
-    this.mechanism_ = new Mechanism(this.clock_);
-    const first = { response: new Response(store, this.motions_, this.clock_) };
+    const shown = new Shown();
+    this.mechanism_ = new Mechanism(this.clock_, shown);
+    const first = { response: new Response(store, this.motions_, this.clock_, shown) };
     this.views_ = new Views(
       store,
       first,

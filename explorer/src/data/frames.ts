@@ -49,9 +49,9 @@ export interface Motion {
   contacts: Stays[];
 }
 
-/** The contact that views of one contact show: the first. */
-export function shownContact(motion: Motion): Stays {
-  return motion.contacts[0] ?? { name: "", from: new Float64Array([0]), state: [] };
+/** The contact that views of one contact show; the first where the motion has no such one. */
+export function shownContact(motion: Motion, contact = 0): Stays {
+  return motion.contacts[contact] ?? motion.contacts[0] ?? { name: "", from: new Float64Array([0]), state: [] };
 }
 
 function aligned(offset: number): number {

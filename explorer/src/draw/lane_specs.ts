@@ -47,9 +47,10 @@ export function contactColumn(motion: Motion, column: string, contact: number): 
   return motion.contacts.length > 1 ? `${column}_${contact + 1}` : column;
 }
 
-/** The column of a joint's place or velocity along x or y: those of several joints bear their names. */
+/** The column of a joint's place or velocity along x or y: those of several joints bear their names, but the first. */
 export function jointColumn(motion: Motion, place: "x" | "y", contact: number): string {
-  return motion.contacts.length > 1 ? `${place}_${motion.contacts[contact]?.name}` : `${place}1`;
+  const named = `${place}_${motion.contacts[contact]?.name}`;
+  return motion.contacts.length > 1 && motion.columns.has(named) ? named : `${place}1`;
 }
 
 /** The wanted lanes of a motion: with several contacts each lane stands once for each, with the joint's name. */
@@ -65,10 +66,10 @@ export function lanesOf(motion: Motion, wanted: ReadonlySet<string>): LaneSpec[]
   );
 }
 
-/** A column of one contact's motion in a motion of several. */
-function columnOf(motion: Motion, column: string, contact: number): string {
-  if (column === "surface_velocity") return column;
-  if (column === "y2") return "y_plate";
+/** A column of one contact's motion, called as in a motion of one, in a motion of any number. */
+export function columnOf(motion: Motion, column: string, contact: number): string {
+  if (column === "surface_velocity" || motion.contacts.length < 2) return column;
+  if (column === "y2") return motion.columns.has("y_plate") ? "y_plate" : column;
   const place = /^([xy])1(.*)$/.exec(column);
   if (place) return jointColumn(motion, place[1] as "x" | "y", contact) + place[2];
   return contactColumn(motion, column, contact);

@@ -3,6 +3,7 @@ import { lastAtMost, shownContact, valueAt, type Motion } from "../data/frames.t
 import type { ContactState } from "../program/words.ts";
 import { paintAxes } from "./axes.ts";
 import type { Palette } from "./colours.ts";
+import { columnOf } from "./lane_specs.ts";
 import type { Surface } from "./surface.ts";
 
 const mostPoints = 5_000;
@@ -14,10 +15,14 @@ export function paintPortrait(
   span: readonly [number, number],
   now: number,
   palette: Palette,
+  contact = 0,
 ): void {
-  const x = motion.columns.get("x1")?.values;
-  const v = motion.columns.get("x1_velocity")?.values;
+  const place = columnOf(motion, "x1", contact);
+  const velocity = columnOf(motion, "x1_velocity", contact);
+  const x = motion.columns.get(place)?.values;
+  const v = motion.columns.get(velocity)?.values;
   if (!x || !v) return;
+  const sign = motion.contacts.length > 1 ? "x" : "x₁";
   // no coarser than the orbit needs; of a longer span, the part about the present time
   const stride = Math.max(1, Math.floor(finest / motion.interval));
   const index = (time: number): number => Math.round((time - motion.start) / motion.interval);
@@ -45,8 +50,8 @@ export function paintPortrait(
     pen,
     palette,
     box,
-    { title: "x₁ [mm]", from: x0, to: x1, factor: 1000 },
-    { title: "ẋ₁ [m/s]", from: v0, to: v1 },
+    { title: `${sign} [mm]`, from: x0, to: x1, factor: 1000 },
+    { title: `${sign === "x" ? "ẋ" : "ẋ₁"} [m/s]`, from: v0, to: v1 },
   );
 
   pen.save();
@@ -54,7 +59,7 @@ export function paintPortrait(
   pen.rect(box.left, box.top, box.width, box.height);
   pen.clip();
   pen.lineWidth = 1.1;
-  const stays = shownContact(motion);
+  const stays = shownContact(motion, contact);
   let stay = Math.max(lastAtMost(stays.from, motion.start + first * motion.interval), 0);
   const paths = new Map<ContactState, Path2D>();
   for (let k = first; k + stride <= last; k += stride) {
@@ -72,7 +77,7 @@ export function paintPortrait(
   }
   if (now >= span[0] && now <= span[1]) {
     pen.beginPath();
-    pen.arc(px(valueAt(motion, "x1", now)), py(valueAt(motion, "x1_velocity", now)), 5, 0, 2 * Math.PI);
+    pen.arc(px(valueAt(motion, place, now)), py(valueAt(motion, velocity, now)), 5, 0, 2 * Math.PI);
     pen.fillStyle = palette.accent;
     pen.fill();
     pen.strokeStyle = palette.panel;

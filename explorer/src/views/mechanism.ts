@@ -3,13 +3,15 @@ import { jointsOf, valueIn } from "../data/cases.ts";
 import { shownContact, stateAt, valueAt, type Motion } from "../data/frames.ts";
 import { plateTravel, tellingTime } from "../data/motions.ts";
 import type { Case, Simulation } from "../data/types.ts";
-import { button, h, select, setText } from "../draw/dom.ts";
+import { button, h, select, setOptions, setText } from "../draw/dom.ts";
 import { inRow, plain, quantity } from "../draw/format.ts";
+import { columnOf } from "../draw/lane_specs.ts";
 import { arrow, line, sign, springDashpot, wall, type Point } from "../draw/sketch.ts";
 import { font, surface, type Surface } from "../draw/surface.ts";
 import { onTheme, palette } from "../draw/theme.ts";
 import type { Direction } from "../program/words.ts";
 import { Clock, slowness } from "../state/clock.ts";
+import type { Shown } from "../state/shown.ts";
 import { phaseOf } from "./verdict.ts";
 
 const wantedRate = 0.8; // [1/s] cycles of the noise per second of watching
@@ -26,6 +28,7 @@ export class Mechanism {
   private readonly play_: HTMLButtonElement;
   private readonly scrub_: HTMLInputElement;
   private readonly speed_: HTMLSelectElement;
+  private readonly contact_: HTMLSelectElement;
   private readonly readout_ = h("p", { class: "readout", id: "mechanism-readout" });
   private motion_: Motion | null = null;
   private travel_ = new Float32Array();
@@ -34,7 +37,10 @@ export class Mechanism {
   private ownSpeed_ = true;
   private placed_: Direction | null = null;
 
-  constructor(readonly clock: Clock) {
+  constructor(
+    readonly clock: Clock,
+    private readonly shown_: Shown,
+  ) {
     const canvas = h("canvas", { "role": "img", "tabindex": 0, "id": "mechanism", "aria-label": "The rubbing system" });
     this.surface_ = surface(canvas, (s) => this.paint_(s));
     this.play_ = button("❚❚", () => clock.toggle(), { id: "play", class: "icon", title: "Play or pause (space)" });
@@ -59,12 +65,25 @@ export class Mechanism {
       },
       { id: "speed", title: "How much slower than in truth" },
     );
+    this.contact_ = select("Contact", [], (value) => shown_.choose(Number(value)), {
+      id: "contact",
+      title: "Which of several contacts is drawn, here and in the phase portrait",
+    });
+    this.contact_.hidden = true;
+    shown_.listen(() => this.choose_());
     canvas.addEventListener("keydown", (event) => this.key_(event));
     canvas.addEventListener("click", () => clock.toggle());
     this.element = h(
       "section",
       { "class": "panel mechanism", "aria-label": "Mechanism" },
-      h("div", { class: "heading" }, h("h2", {}, "Rubbing system"), h("span", { class: "spacer" }), this.speed_),
+      h(
+        "div",
+        { class: "heading" },
+        h("h2", {}, "Rubbing system"),
+        h("span", { class: "spacer" }),
+        this.contact_,
+        this.speed_,
+      ),
       h("div", { class: "stage" }, canvas),
       h("div", { class: "transport" }, this.play_, this.scrub_),
       this.readout_,
@@ -78,6 +97,7 @@ export class Mechanism {
     this.motion_ = motion;
     this.resolved_ = simulation.case;
     this.travel_ = plateTravel(motion) as Float32Array<ArrayBuffer>;
+    this.offer_(motion);
     this.rescale_();
     const { clock } = this;
     clock.limit(motion.start, motion.start + (motion.samples - 1) * motion.interval);
@@ -93,6 +113,23 @@ export class Mechanism {
     const isElsewhere = direction === "going" ? velocity <= 0 : velocity >= 0;
     if (this.placed_ !== direction || isElsewhere) this.goTo(direction);
     if (first && !matchMedia("(prefers-reduced-motion: reduce)").matches) clock.play();
+    this.follow_();
+  }
+
+  /** Offers the contacts of a motion that has several. */
+  private offer_(motion: Motion): void {
+    this.contact_.hidden = motion.contacts.length < 2;
+    setOptions(
+      this.contact_,
+      motion.contacts.map(({ name }, k) => [String(k), name] as const),
+    );
+    if (this.shown_.contact >= motion.contacts.length) this.shown_.choose(0);
+    this.contact_.value = String(this.shown_.contact);
+  }
+
+  private choose_(): void {
+    this.contact_.value = String(this.shown_.contact);
+    this.rescale_();
     this.follow_();
   }
 
@@ -146,17 +183,17 @@ export class Mechanism {
     return this.motion_ ? valueAt(this.motion_, this.column_(name), this.clock.time) : 0;
   }
 
-  /** A column by its name; of several contacts the first one's. */
+  /** A column as in a motion of one contact; of several that of the chosen one. */
   private column_(name: string): string {
-    return this.motion_?.columns.has(name) === false ? `${name}_1` : name;
+    return this.motion_ ? columnOf(this.motion_, name, this.shown_.contact) : name;
   }
 
   private paint_(s: Surface): void {
     if (!this.motion_ || !this.resolved_) return;
     const { pen, width, height } = s;
     const colours = palette();
-    const first = jointsOf(this.resolved_)[0]; // of several joints the first is drawn
-    const angle = first ? first.incidence_angle : valueIn(this.resolved_, "joint.incidence_angle");
+    const joint = jointsOf(this.resolved_)[this.shown_.contact]; // of several the chosen one is drawn
+    const angle = joint ? joint.incidence_angle : valueIn(this.resolved_, "joint.incidence_angle");
     const alpha = (Number(angle) * Math.PI) / 180;
     const unit = this.scales_.length * Math.min(1, height / 300);
     const rest = { x: width * 0.5, y: height * 0.64 };
@@ -301,7 +338,7 @@ export class Mechanism {
   private paintForces_(s: Surface, contact: Point, plateTop: number): void {
     const { pen } = s;
     const colours = palette();
-    const state = stateAt(shownContact(this.motion_ as Motion), this.clock.time);
+    const state = stateAt(shownContact(this.motion_ as Motion, this.shown_.contact), this.clock.time);
     const [N, T] = [this.at_("normal_force") * this.scales_.force, this.at_("friction_force") * this.scales_.force];
     if (state !== "separation") {
       arrow(pen, contact, { x: contact.x, y: contact.y - Math.min(N, 52) }, colours.traces[0], colours.panel);
@@ -349,7 +386,7 @@ export class Mechanism {
   }
 
   private tell_(): void {
-    const state = stateAt(shownContact(this.motion_ as Motion), this.clock.time);
+    const state = stateAt(shownContact(this.motion_ as Motion, this.shown_.contact), this.clock.time);
     const magnified = plain(this.scales_.length * 2.6e-4, 2); // a CSS pixel is 0.26 mm
     const told = [
       `t = ${(this.clock.time * 1000).toFixed(2)} ms`,

@@ -1,5 +1,5 @@
 /** The response in time: histories that zoom and pan over a million samples, contact states, phase portrait. */
-import { stateAt, valueAt, type Motion } from "../data/frames.ts";
+import { shownContact, stateAt, valueAt, type Motion } from "../data/frames.ts";
 import type { Motions } from "../data/motions.ts";
 import { button, h, setText } from "../draw/dom.ts";
 import { inRow, quantity } from "../draw/format.ts";
@@ -10,6 +10,7 @@ import { moved, stretched } from "../draw/scale.ts";
 import { surface, type Surface } from "../draw/surface.ts";
 import { onTheme, palette } from "../draw/theme.ts";
 import type { Clock } from "../state/clock.ts";
+import type { Shown } from "../state/shown.ts";
 import type { Store } from "../state/store.ts";
 import type { Context, ViewPart } from "./views.ts";
 
@@ -31,6 +32,7 @@ export class Response implements ViewPart {
     private readonly store_: Store,
     private readonly motions_: Motions,
     private readonly clock_: Clock,
+    private readonly chosen_: Shown,
   ) {
     const canvas = h("canvas", {
       "id": "response",
@@ -67,6 +69,7 @@ export class Response implements ViewPart {
     );
     clock_.listen(() => this.looked_ && this.follow_());
     motions_.listen(() => this.take_());
+    chosen_.listen(() => this.repaintPortrait_());
     onTheme(() => this.repaint_());
   }
 
@@ -239,7 +242,11 @@ export class Response implements ViewPart {
   }
 
   private paintPortrait_(s: Surface): void {
-    if (this.trees_) paintPortrait(s, this.trees_.motion, this.shown_, this.clock_.time, palette());
+    if (!this.trees_) return;
+    const { motion } = this.trees_;
+    paintPortrait(s, motion, this.shown_, this.clock_.time, palette(), this.chosen_.contact);
+    const name = motion.contacts.length > 1 ? shownContact(motion, this.chosen_.contact).name : "the joint";
+    s.canvas.setAttribute("aria-label", `Phase portrait of ${name}`);
   }
 }
 

@@ -1,16 +1,21 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { motionOf } from "../../../src/data/frames.ts";
-import { laneSpecs, lanesOf } from "../../../src/draw/lane_specs.ts";
+import { columnOf, laneSpecs, lanesOf } from "../../../src/draw/lane_specs.ts";
 import { paintLanes, Pyramids } from "../../../src/draw/lanes.ts";
 
 const perContact = ["normal_force", "friction_force", "gap"];
+
+/** As the program names them: the first joint's are those of a motion of one. */
+function placesOf(joints) {
+  return joints.map((name, k) => (k === 0 ? ["x1", "y1"] : [`x_${name}`, `y_${name}`]));
+}
 
 /** The answer of /api/motion to a run of one second in which each contact sticks, then slips. */
 function answer(names) {
   const joints = names.length > 1 ? names : [];
   const columns = joints.length
-    ? ["surface_velocity", "y_plate", ...joints.flatMap((name) => [`x_${name}`, `y_${name}`, `x_${name}_velocity`])]
+    ? ["surface_velocity", "y2", ...placesOf(joints).flatMap(([x, y]) => [x, y, `${x}_velocity`])]
     : ["surface_velocity", "x1", "y1", "y2", "x1_velocity"];
   names.forEach((_, k) => columns.push(...perContact.map((name) => (joints.length ? `${name}_${k + 1}` : name))));
   const header = JSON.stringify({
@@ -117,4 +122,18 @@ test("every curve of every lane is a column of the answer", () => {
     for (const { title, curves } of lanes)
       for (const { column } of curves) assert.ok(motion.columns.has(column), `${title}: ${column}`);
   }
+});
+
+test("each of several contacts has its own columns, the first those of a motion of one", () => {
+  const motion = answer(["upper", "lower"]);
+  for (const [contact, x] of ["x1", "x_lower"].entries()) {
+    assert.equal(columnOf(motion, "x1", contact), x);
+    assert.equal(columnOf(motion, "x1_velocity", contact), `${x}_velocity`);
+    assert.equal(columnOf(motion, "gap", contact), `gap_${contact + 1}`);
+    for (const column of ["x1", "y1", "y2", "x1_velocity", "surface_velocity", "normal_force"])
+      assert.ok(motion.columns.has(columnOf(motion, column, contact)), `${column} of ${contact}`);
+    for (const lane of lanesOf(motion, new Set(laneSpecs.map(({ name }) => name))))
+      for (const { column } of lane.curves) assert.ok(motion.columns.has(column), column);
+  }
+  assert.equal(columnOf(answer(["joint"]), "x1", 0), "x1");
 });
