@@ -5,7 +5,9 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 
 namespace stridor::integration {
@@ -165,6 +167,8 @@ void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, c
                          int order) {
     order_ = order;
     surface_ = surface;
+    acceleration_sizes_.clear();
+    constraint_sizes_.clear();
     std::copy(q.begin(), q.end(), q_.begin());
     std::copy(v.begin(), v.end(), v_.begin());
     for (std::size_t k = 0; k < normal_.size(); ++k) {
@@ -184,21 +188,36 @@ void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, c
     }
 }
 
+// a row times each coefficient: five sums side by side, which do not wait for each other
+BlockSeries TaylorBlock::row_series(std::span<const double> row, const std::vector<double>& series) const {
+    constexpr std::size_t side_by_side = 5;
+    static_assert((block_order + 1) % side_by_side == 0);
+    BlockSeries result{};
+    const auto count = static_cast<std::size_t>(order_) + 1;
+    for (std::size_t m = 0; m < count; m += side_by_side) {
+        std::array<double, side_by_side> sum{};
+        const double* c = series.data() + m * modes_;
+        for (std::size_t j = 0; j < row.size(); ++j)
+            for (std::size_t i = 0; i < side_by_side; ++i)
+                sum[i] += row[j] * c[i * modes_ + j];
+        for (std::size_t i = 0; i < std::min(side_by_side, count - m); ++i)
+            result[m + i] = sum[i];
+    }
+    return result;
+}
+
 BlockSeries TaylorBlock::gap(std::size_t contact) const {
     const ModalContact& c = structure_.contacts[contact];
-    BlockSeries series{};
-    for (int m = 0; m <= order_; ++m)
-        series[static_cast<std::size_t>(m)] = dot(c.normal, coefficient(q_, m));
+    BlockSeries series = row_series(c.normal, q_);
     series[0] += c.initial_gap;
     return series;
 }
 
 BlockSeries TaylorBlock::slip_velocity(std::size_t contact) const {
     const ModalContact& c = structure_.contacts[contact];
-    BlockSeries series{};
-    for (int m = 0; m <= order_; ++m)
-        series[static_cast<std::size_t>(m)] =
-            stridor::integration::slip_velocity(c, coefficient(v_, m), surface_[static_cast<std::size_t>(m)]);
+    BlockSeries series = row_series(c.tangent, v_);
+    for (std::size_t m = 0; m <= static_cast<std::size_t>(order_); ++m)
+        series[m] -= c.drive_share * surface_[m];
     return series;
 }
 
@@ -208,8 +227,10 @@ double TaylorBlock::velocity_scale(std::size_t contact) const {
 }
 
 // a with all signs left out, at the block's beginning
-std::vector<double> TaylorBlock::acceleration_sizes() const {
-    std::vector<double> size(modes_);
+const std::vector<double>& TaylorBlock::acceleration_sizes() const {
+    std::vector<double>& size = acceleration_sizes_;
+    if (!size.empty()) return size;
+    size.resize(modes_);
     for (std::size_t j = 0; j < modes_; ++j)
         size[j] = std::abs(structure_.square_frequency[j] * q_[j]) + std::abs(structure_.load[j]);
     if (structure_.is_damped_by_mode())
@@ -220,6 +241,15 @@ std::vector<double> TaylorBlock::acceleration_sizes() const {
             for (std::size_t j = 0; j < modes_; ++j)
                 size[j] += std::abs(structure_.damping[k * modes_ + j] * v_[k]);
     return size;
+}
+
+// R' a likewise, of each row
+const std::vector<double>& TaylorBlock::constraint_sizes() const {
+    if (!constraint_sizes_.empty()) return constraint_sizes_;
+    const std::vector<double>& size = acceleration_sizes();
+    for (std::size_t k = 0; k < rows_->normal.size() + rows_->tangent.size(); ++k)
+        constraint_sizes_.push_back(dot_of_sizes({rows_->constraint.data() + k * modes_, modes_}, size));
+    return constraint_sizes_;
 }
 
 double TaylorBlock::velocity_change_scale(std::size_t contact) const {
@@ -246,13 +276,12 @@ double TaylorBlock::gap_change_scale(std::size_t contact) const {
 double TaylorBlock::force_scale(std::size_t contact) const {
     const std::size_t closed = rows_->normal.size();
     const std::size_t rows = closed + rows_->tangent.size();
-    const std::vector<double> size = acceleration_sizes();
+    const std::vector<double>& size = constraint_sizes();
     double scale = 0.0;
     for (std::size_t r = 0; r < closed; ++r) {
         if (rows_->normal[r] != contact) continue;
         for (std::size_t k = 0; k < rows; ++k)
-            scale += std::abs(rows_->inverse[r * rows + k]) *
-                     dot_of_sizes({rows_->constraint.data() + k * modes_, modes_}, size);
+            scale += std::abs(rows_->inverse[r * rows + k]) * size[k];
     }
     return scale;
 }

@@ -98,7 +98,9 @@ private:
     void refine_forces();
     template <typename Count>
     void expand_modes(const SurfaceSeries& surface, Count modes);
-    std::vector<double> acceleration_sizes() const;
+    BlockSeries row_series(std::span<const double> row, const std::vector<double>& series) const;
+    const std::vector<double>& acceleration_sizes() const;
+    const std::vector<double>& constraint_sizes() const;
     void at(const std::vector<double>& series, double theta, std::span<double> result) const;
 
     const ModalStructure& structure_;
@@ -113,6 +115,8 @@ private:
     std::vector<double> right_, force_;  // of one coefficient, shape [row]
     std::vector<double> left_over_;
     std::vector<BlockSeries> normal_, friction_;
+    // of this expansion, once they were asked for; empty: not yet
+    mutable std::vector<double> acceleration_sizes_, constraint_sizes_;
 };
 
 }  // namespace stridor::integration
