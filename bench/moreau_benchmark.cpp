@@ -63,7 +63,7 @@ void run_steps(benchmark::State& state, const model::Structure& structure) {
         integration::initial_state(structure, {parameters::Initial::rest, 0.0}, velocity);
     long changes = 0;
     for ([[maybe_unused]] const auto run : state) {
-        record::Recorder recorder(record::schedule(c), {.history = record::KeepHistory::yes}, model::dofs_of(structure),
+        record::Recorder recorder(record::schedule(c), {record::KeepHistory::yes, {}}, model::dofs_of(structure),
                                   static_cast<int>(structure.contacts.size()));
         const integration::Motion motion =
             integration::integrate_moreau(structure, c.drive, start, {step}, std::move(recorder));
