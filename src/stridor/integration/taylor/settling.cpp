@@ -2,39 +2,22 @@
 
 #include "stridor/integration/contact_impulses.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
-#include "stridor/integration/contact_sets.hpp"
 #include "stridor/integration/taylor/held_sums.hpp"
+#include "stridor/integration/taylor/settling_zero.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 namespace stridor::integration {
 
 namespace {
 
-constexpr int settling_order = 6;            // of the series that decide at an event
-constexpr double function_rounding = 1e-11;  // [1] of the largest coefficient: what is zero
-constexpr double term_rounding = 1e-14;      // [1] of the sum of the terms' sizes, likewise
-constexpr double gap_rounding = 1e-12;       // [1] likewise, of gaps
-// what counts as zero of a friction beyond its limit must count as zero of the slip that it leaves: c_m theta^m there
-// is h W_tt c_m theta^(m+1)/(m+1) here, with m up to the order of the series
-constexpr double slip_per_friction = settling_order + 1;  // [1] of the roundings above
-constexpr int most_rounds = 64;                           // of impacts and forces in one event
+constexpr int most_rounds = 64;  // of impacts and forces in one event
 constexpr double forward_sign = 1.0;
 
 double sign_of(ContactMode mode) {
     return mode == ContactMode::slip_forward ? forward_sign : -forward_sign;
-}
-
-// of the gap, and of what its rate changes in a step of time [s]
-double gap_zero(const ModalContact& c, const TaylorState& state, double step) {
-    return gap_rounding * (dot_of_sizes(c.normal, state.q) + std::abs(c.initial_gap)) +
-           term_rounding * step * dot_of_sizes(c.normal, state.v);
-}
-double slip_zero(const ModalContact& c, const TaylorState& state, const SurfaceSeries& surface) {
-    return function_rounding * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
 }
 
 // what moves and is stretched, less the load's potential: closing a gap by force changes all of it
@@ -46,26 +29,6 @@ double free_energy(const ModalStructure& structure, const TaylorState& state) {
     return energy;
 }
 
-// the first coefficient above `zero`; none if all are below
-struct Leading {
-    int order = most_dropped + 1;
-    double value = 0.0;
-};
-
-Leading leading(const BlockSeries& c, const FunctionZero& zero) {
-    for (int k = 0; k <= most_dropped; ++k)
-        if (std::abs(c[static_cast<std::size_t>(k)]) > (k < 2 ? zero.first : zero.later))
-            return {k, c[static_cast<std::size_t>(k)]};
-    return {};
-}
-
-double largest(const BlockSeries& c) {
-    double most = 0.0;
-    for (int k = 0; k <= settling_order; ++k)
-        most = std::max(most, std::abs(c[static_cast<std::size_t>(k)]));
-    return most;
-}
-
 }  // namespace
 
 struct Settling::Lawful {
@@ -73,13 +36,6 @@ struct Settling::Lawful {
     std::vector<bool> begins;
     EnergyBalance losses;
     long completed = 0;
-};
-
-struct Settling::Violation {
-    int order = most_dropped + 1;
-    double size = 0.0;  // [1]
-    std::size_t contact = 0;
-    std::size_t function = 0;
 };
 
 BlockSeries event_series(const ModalStructure& structure, const TaylorBlock& block, std::size_t contact,
@@ -170,161 +126,6 @@ bool Settling::meet(TaylorState& state, const SurfaceSeries& surface, std::size_
         begins_[k] = false;
     }
     return true;
-}
-
-FunctionZero Settling::zero_of(const TaylorBlock& block, const TaylorState& state, std::size_t contact,
-                               std::size_t function, const BlockSeries& c) const {
-    const ModalContact& law = structure_.contacts[contact];
-    const ContactMode mode = state.set[contact];
-    if (mode == ContactMode::open) {
-        // gap and rate come from the state, what follows from accelerations
-        const double zero = gap_zero(law, state, block.step());
-        return {zero, zero + term_rounding * block.gap_change_scale(contact)};
-    }
-    double zero = function_rounding * largest(c);
-    if (is_slip(mode) && function == 1)
-        zero = slip_per_friction * zero +
-               term_rounding * (block.velocity_scale(contact) + block.velocity_change_scale(contact));
-    else
-        zero += term_rounding * block.force_scale(contact);
-    return {zero, zero};
-}
-
-// compares a contact's functions with the worst so far; notes their orders
-void Settling::look(const TaylorState& state, std::size_t contact, Violation& worst) {
-    const ContactMode mode = state.set[contact];
-    for (std::size_t f = 0; f < event_functions(mode); ++f) {
-        BlockSeries c = event_series(structure_, block_, contact, mode, f, broken_[contact]);
-        const double most = largest(c);
-        // below the surface by rounding, it touches: its rate says whether it closes
-        if (mode == ContactMode::open) c[0] = std::max(0.0, c[0]);
-        const Leading first = leading(c, zero_of(block_, state, contact, f, c));
-        orders_[contact][f] = first.order;
-        if (!(first.value < 0.0)) continue;
-        const double size = most > 0.0 ? -first.value / most : 0.0;
-        if (first.order < worst.order || (first.order == worst.order && size > worst.size))
-            worst = {first.order, size, contact, f};
-    }
-}
-
-// would the contact, which slips, obey the law of a stick beside what the others do?
-bool Settling::could_stick(TaylorState& state, const SurfaceSeries& surface, std::size_t contact) {
-    const ContactMode slip = std::exchange(state.set[contact], ContactMode::stick);
-    broken_[contact] = false;
-    Violation worst;
-    const bool is_determined = block_.choose(state.set);
-    if (is_determined) {
-        block_.expand(state.q, state.v, surface, settling_order);
-        look(state, contact, worst);
-    }
-    state.set[contact] = slip;
-    broken_[contact] = true;
-    return is_determined && worst.order > most_dropped;
-}
-
-// a slip that has begun before others changed: it sticks if it can now; returns whether one does
-bool Settling::stick_again(TaylorState& state, const SurfaceSeries& surface, std::vector<bool>& has_tried) {
-    for (std::size_t k = 0; k < state.set.size(); ++k) {
-        if (!is_slip(state.set[k]) || !begins_[k] || has_tried[k] || !could_stick(state, surface, k)) continue;
-        state.set[k] = ContactMode::stick;
-        broken_[k] = begins_[k] = false;
-        has_tried[k] = true;
-        return true;
-    }
-    block_.choose(state.set);
-    block_.expand(state.q, state.v, surface, settling_order);
-    return false;
-}
-
-// changes the worst violated contact until none is, beginning with the present set
-Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSeries& surface) {
-    broken_ = begins_;
-    std::vector<bool> has_tried(state.set.size());
-    const std::size_t most_changes = 40 + 20 * state.set.size();
-    for (std::size_t change = 0; change < most_changes; ++change) {
-        if (!block_.choose(state.set)) return Forces::singular;
-        block_.expand(state.q, state.v, surface, settling_order);
-        Violation worst;
-        for (std::size_t k = 0; k < state.set.size(); ++k)
-            look(state, k, worst);
-        if (worst.order > most_dropped) {
-            state.dropped = orders_;
-            if (change > 0 && stick_again(state, surface, has_tried)) continue;
-            return Forces::found;
-        }
-        ContactMode& mode = state.set[worst.contact];
-        if (mode == ContactMode::open) {
-            if (worst.order <= 1) return Forces::closing;
-            const ModalContact& c = structure_.contacts[worst.contact];
-            const double w = slip_velocity(c, state.v, surface[0]);
-            mode = std::abs(w) > slip_zero(c, state, surface) ? slip_mode(model::slip_of(w)) : ContactMode::stick;
-        } else if (worst.function == 0) {
-            mode = ContactMode::open;
-        } else if (is_slip(mode)) {
-            mode = ContactMode::stick;
-        } else {
-            mode = slip_mode(worst.function == 1 ? model::Slip::backward : model::Slip::forward);
-            broken_[worst.contact] = begins_[worst.contact] = true;
-        }
-    }
-    return Forces::inconsistent;
-}
-
-// tries all sets, those nearest to the present one first; returns whether one obeys the laws
-bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
-    const std::size_t p = state.set.size();
-    const ContactSet present = state.set;
-    std::vector<std::vector<ContactMode>> possible(p);
-    std::vector<bool> is_at_rest(p);
-    block_.choose(ContactSet(p, ContactMode::open));
-    block_.expand(state.q, state.v, surface, 0);
-    for (std::size_t k = 0; k < p; ++k) {
-        const ModalContact& c = structure_.contacts[k];
-        const double w = slip_velocity(c, state.v, surface[0]);
-        // what is no slip to `look`, beside all that accelerations change in a block, is none here
-        is_at_rest[k] = std::abs(w) <= slip_zero(c, state, surface) +
-                                           slip_per_friction * function_rounding * block_.velocity_change_scale(k);
-        if (present[k] == ContactMode::open &&
-            (gap(c, state.q) > gap_zero(c, state, block_.step()) ||
-             block_.step() * gap_velocity(c, state.v) > gap_zero(c, state, block_.step())))
-            possible[k] = {ContactMode::open};
-        else if (is_at_rest[k])
-            possible[k] = {ContactMode::stick, ContactMode::slip_forward, ContactMode::slip_backward,
-                           ContactMode::open};
-        else
-            possible[k] = {slip_mode(model::slip_of(w)), ContactMode::open};
-    }
-    broken_ = begins_;
-    // all sets are to see the same: no slip at all
-    for (std::size_t k = 0; k < p; ++k)
-        if (is_slip(present[k]) && is_at_rest[k]) begins_[k] = true;
-    if (begins_ != broken_) project(state, surface);
-    for (const ContactSet& set : contact_sets(possible, present)) {
-        if (!block_.choose(set)) continue;
-        state.set = set;
-        block_.expand(state.q, state.v, surface, settling_order);
-        Violation worst;
-        for (std::size_t k = 0; k < p; ++k)
-            look(state, k, worst);
-        if (worst.order <= most_dropped) continue;
-        state.dropped = orders_;
-        for (std::size_t k = 0; k < p; ++k)
-            begins_[k] = is_at_rest[k] && is_slip(set[k]);
-        return true;
-    }
-    state.set = present;
-    return false;
-}
-
-// forces and accelerations that obey all laws
-Settling::Forces Settling::find_forces(TaylorState& state, const SurfaceSeries& surface) {
-    const ContactSet present = state.set;
-    const std::vector<bool> begins = begins_;
-    const Forces forces = change_one_by_one(state, surface);
-    if (forces == Forces::found || forces == Forces::closing) return forces;
-    state.set = present;
-    begins_ = begins;
-    return find_any(state, surface) ? Forces::found : forces;
 }
 
 // an impact, and what touches but for rounding put onto the surface: the load's work on that belongs to the impact
