@@ -37,7 +37,7 @@ TEST(Structure, ReducesAndReadsWhatItWrote) {
     const auto document = json_of(reduced.out);
     EXPECT_EQ(document["boundary_rows"], 36);
     EXPECT_EQ(document["mode_frequencies"].size(), 12U);
-    for (int mode = 0; mode < 3; ++mode)
+    for (std::size_t mode = 0; mode < 3; ++mode)
         EXPECT_LT(std::abs(document["states"]["open"][mode]["error"].get<double>()), 3e-4);
     EXPECT_LT(document["flexibility_error"].get<double>(), 1e-10);
     const Finished check = run({"structure", "check", "block.nc", "--json"}, folder.path());

@@ -27,10 +27,11 @@ TEST(CaseSchema, DescribesEveryFieldOnce) {
         if (name == "temperature")
             ++described;  // its value; the lists are no fields
         else if (name == "structure")
-            described += static_cast<std::size_t>(std::count_if(
-                parameters::fields().begin(), parameters::fields().end(), [&](const parameters::Field& field) {
-                    return field.section == "structure" && section["properties"].contains(std::string(field.name));
-                }));  // the other keys are no fields
+            described += static_cast<std::size_t>(
+                std::count_if(parameters::fields().begin(), parameters::fields().end(),
+                              [&, &keys = section["properties"]](const parameters::Field& field) {
+                                  return field.section == "structure" && keys.contains(std::string(field.name));
+                              }));  // the other keys are no fields
         else if (name == "joint")
             described += section["oneOf"][0]["properties"].size();
         else if (name != "chart" && name != "title")

@@ -5,6 +5,8 @@
 #include "structure_texts.hpp"
 #include "structure_writers.hpp"
 
+#include <limits>
+
 namespace stridor::io::structure {
 namespace {
 
@@ -107,7 +109,10 @@ TEST(NumpyTraps, SparseMatricesThatDoNotFitAreRefused) {
     expect_npz_refused(csr(good_data, whole("(4,)", {0, -1, 0, 1}), good_pointers), "there is no row -1");
     expect_npz_refused(csr(good_data, good_data, good_pointers),
                        "it holds no whole numbers (rows and columns are) [k.npz: indices]");
-    expect_npz_refused(csr(data("(4,)", {2, NAN, NAN, 2}), good_indices, good_pointers), "element 1 is nan");
+    expect_npz_refused(
+        csr(data("(4,)", {2, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(), 2}),
+            good_indices, good_pointers),
+        "element 1 is nan");
     expect_npz_refused(csr(data("(4,)", {2, -1, -1.1, 2}), good_indices, good_pointers), "the matrix is not symmetric");
     expect_npz_refused(csr(good_data, good_indices, good_pointers, npy("|S3", "()", "dia")),
                        "it holds a matrix in SciPy's format \"dia\" (csr, csc and coo are read). Save it as");
@@ -137,7 +142,7 @@ TEST(NumpyTraps, OtherArraysAreRefused) {
     refused(npy("<f8", "(2147483647, 2147483647)", ""), "the array says 4611686014132420609 elements");
     refused(npy("<f8", "(2147483648, 1)", ""), "a length of its shape is missing or too large");
     refused(npy("<f8", "(-1, 1)", ""), "a length of its shape is missing or too large");
-    refused(npy("<f8", "(1, 1)", little<double>({INFINITY})), "element 0 is inf");
+    refused(npy("<f8", "(1, 1)", little<double>({std::numeric_limits<double>::infinity()})), "element 0 is inf");
     refused(npy("<f8", "(1, 1", ""), "the header of the array is damaged");
     refused(npy("<f8", "(1, 1)", "", "Maybe"), "fortran_order is neither True nor False");
     refused(npy_of("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (1, 1)}", std::string(8, '\0')),

@@ -1,5 +1,6 @@
 #include "stridor/io/structure/reduced_netcdf.hpp"
 
+#include "stridor/reduction/craig_bampton.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "structure_texts.hpp"
 #include "support/scratch_folder.hpp"

@@ -5,6 +5,8 @@
 #include "structure_texts.hpp"
 #include "structure_writers.hpp"
 
+#include <limits>
+
 namespace stridor::io::structure {
 namespace {
 
@@ -432,7 +434,7 @@ TEST(Output4Traps, BinaryRecordsThatDoNotFitAreRefused) {
     refused(head + column(1, 1, 8).real(1.0).real(2.0).take(), "column 1 says 8 words, and holds 4");
     refused(head + column(1, 1, 3).integer(1).real(2.0).take(), "3 words are no whole number of values");
     refused(head + column(1, 0, 3).integer(65536 * 9 + 1).real(2.0).take(), "a string of 8 words does not fit");
-    refused(head + column(1, 1, 4).real(NAN).real(2.0).take(), "it holds nan");
+    refused(head + column(1, 1, 4).real(std::numeric_limits<double>::quiet_NaN()).real(2.0).take(), "it holds nan");
     refused(head + Output4Record(how).integer(1).take(), "a record is too short");
     // loads are rectangular, and left out
     const std::string end = column(3, 1, 2).real(1.0).take();
