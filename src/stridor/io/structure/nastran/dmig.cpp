@@ -1,4 +1,4 @@
-#include "stridor/io/structure/dmig.hpp"
+#include "stridor/io/structure/nastran/dmig.hpp"
 
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/refusal.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/io/structure/output4.hpp"
+#include "stridor/io/structure/nastran/output4.hpp"
 
 #include "stridor/base/text.hpp"
 #include "stridor/io/structure/fortran_format.hpp"

@@ -9,7 +9,7 @@
 // A string is L+1 and its first row (BIGMAT), or both in one word, row + 65536 (L+1); then L words of values.
 // Source: MSC Nastran, DMAP module OUTPUT4.
 
-#include "stridor/io/structure/output4_binary.hpp"
+#include "stridor/io/structure/nastran/output4_binary.hpp"
 
 #include "stridor/base/text.hpp"
 #include "stridor/recordings/refusal.hpp"
