@@ -6,7 +6,7 @@
 #include "stridor/model/bowed_string.hpp"
 #include "stridor/model/joints_on_plate.hpp"
 #include "stridor/record/schedule.hpp"
-#include "support/meshed_strip.hpp"
+#include "support/structures/meshed_strip.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -2,8 +2,8 @@
 
     python3 bench/peers/siconos_strip.py COLUMNS STEP DURATION
 
-The strip is that of tests/support/meshed_strip.hpp with mu_s = mu_d = 0.5: Siconos knows one coefficient. The surface
-is a body of its own, so heavy that friction does not slow it. Needs python3-siconos (4.4).
+The strip is that of tests/support/structures/meshed_strip.hpp with mu_s = mu_d = 0.5: Siconos knows one coefficient.
+The surface is a body of its own, so heavy that friction does not slow it. Needs python3-siconos (4.4).
 """
 
 import sys

@@ -9,7 +9,7 @@
 #include "support/effort.hpp"
 #include "support/patience.hpp"
 #include "support/runs.hpp"
-#include "support/wild_structures.hpp"
+#include "support/structures/wild_structures.hpp"
 
 #include <gtest/gtest.h>
 

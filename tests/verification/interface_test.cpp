@@ -4,7 +4,7 @@
 #include "stridor/classification/interface_rules.hpp"
 #include "stridor/model/chain_on_belt.hpp"
 #include "support/many_contacts.hpp"
-#include "support/rubber_strip.hpp"
+#include "support/structures/rubber_strip.hpp"
 
 #include <gtest/gtest.h>
 

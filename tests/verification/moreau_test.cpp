@@ -2,7 +2,7 @@
 // (Gauss-Seidel instead of exchanges), and against invariances.
 
 #include "support/many_contacts.hpp"
-#include "support/rubber_strip.hpp"
+#include "support/structures/rubber_strip.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include "stridor/model/contact_compliance.hpp"
 #include "support/many_contacts.hpp"
-#include "support/meshed_strip.hpp"
-#include "support/rubber_strip.hpp"
+#include "support/structures/meshed_strip.hpp"
+#include "support/structures/rubber_strip.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "support/meshed_strip.hpp"
+#include "support/structures/meshed_strip.hpp"
 
 #include <gtest/gtest.h>
 

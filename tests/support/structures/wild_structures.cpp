@@ -1,4 +1,4 @@
-#include "support/wild_structures.hpp"
+#include "support/structures/wild_structures.hpp"
 
 #include "stridor/integration/modal_structure.hpp"
 #include "support/counter_random.hpp"

@@ -1,7 +1,7 @@
 #include "stridor/reduction/lowest_modes.hpp"
 
 #include "support/error_text.hpp"
-#include "support/lattice_part.hpp"
+#include "support/structures/lattice_part.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "stridor/reduction/craig_bampton.hpp"
 #include "stridor/reduction/reduction_errors.hpp"
 #include "support/error_text.hpp"
-#include "support/lattice_part.hpp"
+#include "support/structures/lattice_part.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "stridor/reduction/part_contacts.hpp"
 
 #include "stridor/reduction/craig_bampton.hpp"
-#include "support/lattice_part.hpp"
+#include "support/structures/lattice_part.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "stridor/reduction/part_figures.hpp"
 
-#include "support/lattice_part.hpp"
+#include "support/structures/lattice_part.hpp"
 
 #include <gtest/gtest.h>
 
