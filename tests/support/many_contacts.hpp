@@ -6,11 +6,26 @@
 #include "stridor/model/joints_on_plate.hpp"
 #include "stridor/record/schedule.hpp"
 
+#include <gtest/gtest.h>
+
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 /// Structures with several contacts and their runs over a surface of constant velocity, for tests of the engines.
 namespace stridor::support {
+
+// places of the states among a contact's shares
+inline constexpr std::size_t slip_share = model::index_of(model::ContactState::slip);
+inline constexpr std::size_t stick_share = model::index_of(model::ContactState::stick);
+inline constexpr std::size_t open_share = model::index_of(model::ContactState::separation);
+
+/// The run came to its end and kept its energy balance.
+inline void expect_sound(const integration::Motion& motion) {
+    EXPECT_EQ(motion.outcome.reason, integration::Reason::completed);
+    EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-10);
+}
 
 /// Shares of the window in each state, shape [contact][state] as `model::index_of`.
 inline std::vector<std::array<double, 3>> shares(const integration::Motion& motion) {

@@ -24,19 +24,14 @@ using integration::Reason;
 using model::ContactState;
 using model::PlateJoint;
 using parameters::Initial;
+using support::expect_sound;
+using support::open_share;
 using support::plate_joint;
 using support::plate_of;
 using support::run_taylor;
 using support::shares;
-
-constexpr std::size_t slip = 0;
-constexpr std::size_t stick = 1;
-constexpr std::size_t separation = 2;
-
-void expect_sound(const Motion& motion) {
-    EXPECT_EQ(motion.outcome.reason, Reason::completed);
-    EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-10);
-}
+using support::slip_share;
+using support::stick_share;
 
 struct ExpectedShares {
     double stick, slip, separation;
@@ -47,9 +42,9 @@ void expect_shares(const Motion& motion, const std::vector<ExpectedShares>& want
     const auto found = shares(motion);
     ASSERT_EQ(found.size(), wanted.size());
     for (std::size_t k = 0; k < wanted.size(); ++k) {
-        EXPECT_NEAR(found[k][stick], wanted[k].stick, tolerance) << "contact " << k;
-        EXPECT_NEAR(found[k][slip], wanted[k].slip, tolerance) << "contact " << k;
-        EXPECT_NEAR(found[k][separation], wanted[k].separation, tolerance) << "contact " << k;
+        EXPECT_NEAR(found[k][stick_share], wanted[k].stick, tolerance) << "contact " << k;
+        EXPECT_NEAR(found[k][slip_share], wanted[k].slip, tolerance) << "contact " << k;
+        EXPECT_NEAR(found[k][open_share], wanted[k].separation, tolerance) << "contact " << k;
     }
 }
 
@@ -249,7 +244,7 @@ TEST(ManyContacts, RefusePainlevesConfigurationWhereItOccurs) {
     EXPECT_EQ(refused.last_set, std::vector{model::ContactState::slip});
     const Motion sliding = painleve_run(1.3, -0.1);
     EXPECT_EQ(sliding.outcome.reason, Reason::completed);
-    EXPECT_EQ(shares(sliding).front()[slip], 1.0);
+    EXPECT_EQ(shares(sliding).front()[slip_share], 1.0);
     EXPECT_EQ(painleve_run(1.2, 0.1).outcome.reason, Reason::completed);
 }
 
@@ -312,7 +307,7 @@ TEST_P(BowedStringTest, HasOneSlipAPeriodBelowSchellengsUpperLimit) {
     const Bowing& bowing = GetParam();
     const Motion motion = string_run(bowing.position, bowing.force);
     expect_sound(motion);
-    EXPECT_NEAR(shares(motion).front()[slip], bowing.slip_share, 1e-4);
+    EXPECT_NEAR(shares(motion).front()[slip_share], bowing.slip_share, 1e-4);
     const record::ContactTally& tally = motion.record.phases.front().contacts.front();
     const long slips = tally.changes[record::change_kind(ContactState::stick, ContactState::slip)].count;
     EXPECT_GE(slips, 199);

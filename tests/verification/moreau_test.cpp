@@ -19,15 +19,14 @@ using integration::Motion;
 using integration::Reason;
 using model::PlateJoint;
 using parameters::Initial;
+using support::open_share;
 using support::plate_joint;
 using support::plate_of;
 using support::run_moreau;
 using support::run_taylor;
 using support::shares;
-
-constexpr std::size_t slip_share = 0;
-constexpr std::size_t stick_share = 1;
-constexpr std::size_t open_share = 2;
+using support::slip_share;
+using support::stick_share;
 
 model::Structure of_unequal_angles() {
     return plate_of({plate_joint(200.0, 0.2), plate_joint(200.0, 0.2, 60.0)});

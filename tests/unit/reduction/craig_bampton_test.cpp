@@ -4,6 +4,7 @@
 #include "stridor/reduction/reduction_errors.hpp"
 #include "support/error_text.hpp"
 #include "support/structures/lattice_part.hpp"
+#include "unit/reduction/worst_error.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
@@ -28,13 +29,6 @@ ElasticPart block() {
 
 ReductionRequest foot(const ElasticPart& part, Index modes, BoundaryInertia inertia = BoundaryInertia::consistent) {
     return {.boundary = named_rows(part, "FOOT"), .modes = modes, .inertia = inertia};
-}
-
-double worst_error(const StateErrors& state) {
-    double worst = 0.0;
-    for (const FrequencyPair& pair : state.frequencies)
-        worst = std::max(worst, std::abs(relative_error(pair)));
-    return worst;
 }
 
 TEST(CraigBampton, WithAllModesIsTheFullPart) {

@@ -4,6 +4,7 @@
 #include "stridor/reduction/reduction_errors.hpp"
 #include "support/error_text.hpp"
 #include "support/structures/lattice_part.hpp"
+#include "unit/reduction/worst_error.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
@@ -28,13 +29,6 @@ ReductionRequest foot_of(const ElasticPart& part, Index modes) {
     return {.boundary = named_rows(part, "FOOT"), .modes = modes};
 }
 
-double worst_of(const StateErrors& state) {
-    double worst = 0.0;
-    for (const FrequencyPair& pair : state.frequencies)
-        worst = std::max(worst, std::abs(relative_error(pair)));
-    return worst;
-}
-
 TEST(MacNeal, HasTheFreeModesOfTheFullPart) {
     const ElasticPart part = held_block();
     const ReductionRequest request = foot_of(part, 8);
@@ -45,7 +39,7 @@ TEST(MacNeal, HasTheFreeModesOfTheFullPart) {
     EXPECT_EQ(describe(reduction.part.labels[36]), "mode 1");
     const auto errors = reduction_errors(condensed, reduction, {{"open", {}}}, 6);
     EXPECT_EQ(errors.states.front().frequencies.size(), 6U);
-    EXPECT_LT(worst_of(errors.states.front()), 1e-11);
+    EXPECT_LT(worst_error(errors.states.front()), 1e-11);
 }
 
 TEST(MacNeal, IsExactInStaticsWhateverIsKept) {
@@ -71,8 +65,8 @@ TEST(MacNeal, ComesCloserToHeldContactsFromAboveWithEachMode) {
         const auto errors = reduction_errors(condensed, reduction, {states.back()}, 3);
         for (const FrequencyPair& pair : errors.states.front().frequencies)
             EXPECT_GT(relative_error(pair), -1e-12);
-        EXPECT_LT(worst_of(errors.states.front()), before) << modes;
-        before = worst_of(errors.states.front());
+        EXPECT_LT(worst_error(errors.states.front()), before) << modes;
+        before = worst_error(errors.states.front());
     }
     EXPECT_LT(before, 1e-3);
 }
@@ -88,7 +82,7 @@ TEST(MacNeal, IsNotCraigBamptonWithoutMass) {
     mass.leftCols(36).setZero();
     naive.part.mass = mass.sparseView(0.0, 0.0);
     const auto naive_errors = reduction_errors(condensed, naive, {{"open", {}}}, 3);
-    EXPECT_GT(worst_of(naive_errors.states.front()), 0.5);
+    EXPECT_GT(worst_error(naive_errors.states.front()), 0.5);
     const Reduction reduction = macneal(condensed, request);
     EXPECT_EQ(reduction.inertia, BoundaryInertia::massless);
     EXPECT_EQ(MatrixXd(reduction.part.mass).topRows(36).norm(), 0.0);
