@@ -102,6 +102,15 @@ CLI::Validator one_of(const std::vector<std::string>& names) {
     return {complaint, member.get_description()};
 }
 
+void add_threads_option(CLI::App& command, int& threads) {
+    command.add_option("--threads", threads, "number of threads (default: one per processor)")
+        ->check(CLI::Range(0, 4096));
+}
+
+CLI::Option* add_json_option(CLI::App& command, bool& is_json, const std::string& schema, const std::string& what) {
+    return command.add_flag("--json", is_json, what + " (schema " + schema + ")");
+}
+
 CLI::Option* add_output_file(CLI::App& command, std::string& file, const std::string& sentence) {
     command.add_option("--out", file)->group("");
     return command.add_option("-o,--output", file, sentence)->type_name("FILE");

@@ -20,6 +20,13 @@ void say_usage_error(const CLI::App& program, const CLI::ParseError& error);
 /// Lets an option be one of these words; for another it says which one was meant.
 CLI::Validator one_of(const std::vector<std::string>& names);
 
+/// Adds --threads; 0, and without it, one per processor.
+void add_threads_option(CLI::App& command, int& threads);
+
+/// Adds --json, whose document has this schema.
+CLI::Option* add_json_option(CLI::App& command, bool& is_json, const std::string& schema,
+                             const std::string& what = "print one JSON document");
+
 /// Adds -o and --output for the file that a command writes; --out is understood, too.
 CLI::Option* add_output_file(CLI::App& command, std::string& file, const std::string& sentence);
 

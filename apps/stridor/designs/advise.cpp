@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "stridor/advice/advice.hpp"
@@ -88,9 +89,8 @@ void add_advise(CLI::App& program) {
         ->check(CLI::Range(std::size_t{1}, advice::most_samples))
         ->capture_default_str();
     advise_command->add_option("--seed", command->seed, "of the random shifts of the samples")->capture_default_str();
-    advise_command->add_option("--threads", command->threads, "number of threads (default: one per processor)")
-        ->check(CLI::Range(0, 4096));
-    advise_command->add_flag("--json", command->json, "print one JSON document (schema stridor.advice/1)");
+    add_threads_option(*advise_command, command->threads);
+    add_json_option(*advise_command, command->json, "stridor.advice/1");
     advise_command->footer(
         "Examples:\n  stridor advise squeal.toml\n"
         "  stridor advise squeal.toml --over preload=5:50 --over kinetic_friction\n"

@@ -88,11 +88,10 @@ void add_chart(CLI::App& program) {
         ->type_name("KEY=FROM:TO[:POINTS[:SCALE]]");
     add_output_folder(*command, options->out,
                       "folder for store, figures and tables (default: the file's name, with -preview for one)");
-    command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
-        ->check(CLI::Range(0, 4096));
+    add_threads_option(*command, options->threads);
     command->add_flag("--preview", options->preview,
                       "a quick look: at most 64 by 64 points, refined, a part of the time simulated");
-    command->add_flag("--json", options->json, "print the chart as one JSON document (schema stridor.chart/1)");
+    add_json_option(*command, options->json, "stridor.chart/1", "print the chart as one JSON document");
     command->footer(
         "Ctrl-C stops and keeps all finished cells; the same command goes on. A killed run loses at most half a second "
         "of work.\n"

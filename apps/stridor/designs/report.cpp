@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
@@ -112,8 +113,7 @@ void add_report(CLI::App& program) {
     command->add_flag("!--no-chart", options->has_chart, "leave the chart out");
     command->add_flag("!--no-advice", options->has_advice,
                       "leave out what to change; its search takes some seconds, and is given up after 60 s");
-    command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
-        ->check(CLI::Range(0, 4096));
+    add_threads_option(*command, options->threads);
     command->footer(
         "The page needs nothing else: no script, no other file, no network. A PDF is printed by a browser or "
         "wkhtmltopdf.\n"

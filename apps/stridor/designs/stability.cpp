@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
@@ -62,7 +63,7 @@ void add_stability(CLI::App& program) {
         ->needs("--over");
     command->add_flag("--modes", options->has_modes,
                       "say what the modes that grow are made of, and which contact feeds them");
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.stability/1)");
+    add_json_option(*command, options->json, "stridor.stability/1");
     command->footer(
         "The linear analysis says where steady sliding cannot last; a sliding contact that is stable may still be "
         "noisy when started otherwise.\n"

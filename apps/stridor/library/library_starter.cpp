@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "interrupt.hpp"
 #include "library/library.hpp"
 #include "stridor/console/progress.hpp"
@@ -59,8 +60,8 @@ void add_library_starter(CLI::App& library) {
     command->add_option("library", options->library.file, "the same as --library FILE")
         ->type_name("LIBRARY")
         ->excludes("--library");
-    command->add_flag("--json", options->json,
-                      "print the new entries and a summary as one JSON document (schema stridor.library/1)");
+    add_json_option(*command, options->json, "stridor.library/1",
+                    "print the new entries and a summary as one JSON document");
     command->footer(
         "The noises are simulated on the spot, the same on every machine. What the library has already is not added "
         "again.\n"

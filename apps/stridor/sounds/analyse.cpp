@@ -59,7 +59,7 @@ void add_analyse(CLI::App& program) {
         ->add_option("--figure", options->figure,
                      "draw waveform, level, spectrogram and segments to FILE.png, FILE.svg or FILE.pdf")
         ->type_name("FILE");
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.analyse/1)");
+    add_json_option(*command, options->json, "stridor.analyse/1");
     command->footer(
         "Examples:\n  stridor analyse squeak.wav\n  stridor analyse squeak.wav --full-scale \"2 Pa\" --figure "
         "squeak.png\n"

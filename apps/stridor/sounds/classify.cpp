@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "sounds/sound_options.hpp"
 #include "stridor/console/results/verdict_text.hpp"
@@ -31,7 +32,7 @@ void add_classify(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "classify", "Hear whether a recording squeals, squeaks, creaks or is quiet, part by part and as a whole.");
     add_sound_options(*command, options->input);
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.classify/1)");
+    add_json_option(*command, options->json, "stridor.classify/1");
     std::string names;
     for (const parameters::SoundThreshold& threshold : parameters::sound_thresholds())
         names +=

@@ -48,7 +48,7 @@ void add_compare(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "compare", "Lay recordings and simulations side by side: categories, figures, and how far apart they are.");
     add_compare_options(*command, options->input);
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.compare/1)");
+    add_json_option(*command, options->json, "stridor.compare/1");
     command->footer(std::string(io::sound_forms) +
                     "\nExamples:\n  stridor compare vehicle.wav rig.uff squeal.toml\n"
                     "  stridor compare library:3 \"pair.toml:x=20 N,y=0.6\" --of plate --json");

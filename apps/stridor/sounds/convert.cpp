@@ -63,7 +63,7 @@ void add_convert(CLI::App& program) {
         ->check(one_of({"wav", "csv", "uff58", "uff58b"}));
     command->add_option("--bits", options->target.bits, "of a WAV's samples; by default as in IN, or float")
         ->check(one_of({"16", "24", "float"}));
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.convert/1)");
+    add_json_option(*command, options->json, "stridor.convert/1");
     command->footer(
         "Without --full-scale the unit comes from NAME.json beside the recording, the text in its header, or its own "
         "units; "

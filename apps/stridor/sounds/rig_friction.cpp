@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "sounds/rig.hpp"
 #include "stridor/console/results/friction_text.hpp"
@@ -68,7 +69,7 @@ void add_rig_friction(CLI::App& rig) {
         ->capture_default_str();
     CLI::Option* into =
         command->add_option("--into", options->into, "print this case with the coefficients put in")->type_name("CASE");
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.friction/1)")->excludes(into);
+    add_json_option(*command, options->json, "stridor.friction/1")->excludes(into);
     command->footer(
         "Examples:\n  stridor rig friction seal.csv --preload \"10 N\" --velocity \"4 mm/s\"\n"
         "  stridor rig friction seal.uff --preload \"40 N\" --channel \"friction force\" --json\n"

@@ -63,7 +63,7 @@ void add_rig_sensitivity(CLI::App& rig) {
     command->add_flag("--records", options->records, "a row per record instead of bins");
     command->add_option("--figure", options->figure, "draw the records to FILE.png, FILE.svg or FILE.pdf")
         ->type_name("FILE");
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.sensitivity/1)");
+    add_json_option(*command, options->json, "stridor.sensitivity/1");
     add_library_option(*command, options->library);
     command->footer(
         "Level and dominant frequency are the figures `level` and `dominant_frequency` of an entry.\n"
