@@ -7,8 +7,6 @@
 #include "stridor/console/terminal.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/parameters/case_key.hpp"
-#include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/pictures/contact_states.hpp"
 #include "stridor/pictures/friction_law.hpp"
@@ -114,27 +112,8 @@ CLI::App* add_one(CLI::App& figure, const char* name, const char* description,
     return command;
 }
 
-// that of an own structure, whose contacts may have coefficients of their own
-parameters::Contact own_law(const Case& c) {
-    const parameters::Contact first = parameters::contact_of(c, 0);
-    for (std::size_t contact = 1; contact < parameters::contact_count(c); ++contact) {
-        const parameters::Contact other = parameters::contact_of(c, contact);
-        if (other.static_friction != first.static_friction || other.kinetic_friction != first.kinetic_friction)
-            base::refuse("the contacts " + parameters::contact_name(c, 0) + " and " +
-                             parameters::contact_name(c, contact) + " differ",
-                         "this is the picture of one law of friction", "");
-    }
-    return first;
-}
-
 void draw_law(const OneFigureOptions& options) {
-    const Case c = load_case(options.input);
-    for (const char* key : {"contact.friction", "contact.static_friction", "contact.kinetic_friction",
-                            "contact.static_friction_coming", "contact.kinetic_friction_coming"})
-        if (!parameters::has_one_value(c, key))
-            base::refuse("the joints differ: " + std::string(key) + " = " + parameters::value_text(c, key),
-                         "this is the picture of one law of friction", "");
-    pictures::draw(pictures::friction_law(c.own_structure ? own_law(c) : c.contact), options.output);
+    pictures::draw(pictures::friction_law_of(load_case(options.input)), options.output);
 }
 
 void draw_states(const OneFigureOptions& options) {
@@ -163,8 +142,7 @@ void add_figure(CLI::App& program) {
     CLI::App* all = figure->add_subcommand(
         "paper", "Figures 3, 5, 6, 7 and 8 of the paper from its own cases (a few seconds on two cores).");
     add_output_folder(*all, paper->out, "folder")->capture_default_str();
-    all->add_option("--threads", paper->threads, "number of threads (default: one per processor)")
-        ->check(CLI::Range(0, 4096));
+    add_threads_option(*all, paper->threads);
     all->callback([paper] { draw_paper(*paper); });
 
     auto law = std::make_shared<OneFigureOptions>();

@@ -1,8 +1,8 @@
 #include "stridor/integration/simulate.hpp"
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
-#include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/console/results/simulation_text.hpp"
@@ -11,6 +11,7 @@
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/io/simulation/motion_csv.hpp"
 #include "stridor/io/simulation/motion_netcdf.hpp"
+#include "stridor/io/simulation/trace_texts.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/many_contacts.hpp"
@@ -21,7 +22,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -33,15 +33,11 @@ namespace {
 using classification::Category;
 using classification::Verdict;
 
-constexpr double most_trace_samples = 2e6;  // of a trace: 0.9 GB with the text of its file
-
 struct SimulateOptions {
     CaseOptions input;
     bool json = false;
-    std::string trace;       // file to write
-    std::string trace_from;  // with unit
-    std::string trace_to;    // with unit
-    std::string trace_interval = "20 us";
+    std::string trace;  // file to write
+    io::TraceTexts times;
     std::string history;  // file to write
     std::string figure;   // file to draw
     std::string zoom;     // "from:to" with units
@@ -53,21 +49,7 @@ record::Request request_for(const SimulateOptions& options, const parameters::Ca
     const bool wants_trace = !options.trace.empty() || draws_trace;
     const bool wants_history = !options.history.empty() || !options.figure.empty() || options.trace.ends_with(".nc");
     if (wants_history) request.history = record::KeepHistory::yes;
-    if (!wants_trace) return request;
-    request.trace.from = options.trace_from.empty() ? 0.0 : base::parse_quantity(options.trace_from, "s");
-    request.trace.to = options.trace_to.empty() ? c.run.duration : base::parse_quantity(options.trace_to, "s");
-    request.trace.interval = base::parse_quantity(options.trace_interval, "s");
-    const bool is_ordered = request.trace.interval > 0.0 && request.trace.from <= request.trace.to;
-    if (!is_ordered)
-        throw Error(ErrorKind::input, {"the trace has no samples",
-                                       "its interval must be positive and --trace-from before --trace-to", ""});
-    const double samples = (request.trace.to - request.trace.from) / request.trace.interval;
-    const bool is_countable = std::abs(request.trace.to / request.trace.interval) <= 1e15;
-    if (samples > most_trace_samples || !is_countable)
-        throw Error(ErrorKind::input,
-                    {fmt::format("the trace has {:.3g} samples", samples),
-                     fmt::format("a trace is kept in memory, {:.0f} samples at most", most_trace_samples),
-                     "Lengthen --trace-interval, or shorten the time from --trace-from to --trace-to."});
+    if (wants_trace) request.trace = io::trace_request(options.times, c);
     return request;
 }
 
@@ -126,12 +108,12 @@ void add_simulate(CLI::App& program) {
         program.add_subcommand("simulate", "Run one case and say whether it squeals, squeaks, creaks or stays quiet.");
     add_case_options(*command, options->input);
     add_no_early_option(*command, options->input);
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.simulation/1)");
+    add_json_option(*command, options->json, "stridor.simulation/1");
     command->add_option("--trace", options->trace, "write the sampled motion to FILE.csv or FILE.nc")
         ->type_name("FILE");
-    command->add_option("--trace-from", options->trace_from, "first sample (default 0)")->type_name("TIME");
-    command->add_option("--trace-to", options->trace_to, "last sample (default: the end)")->type_name("TIME");
-    command->add_option("--trace-interval", options->trace_interval, "time between samples")
+    command->add_option("--trace-from", options->times.from, "first sample (default 0)")->type_name("TIME");
+    command->add_option("--trace-to", options->times.to, "last sample (default: the end)")->type_name("TIME");
+    command->add_option("--trace-interval", options->times.interval, "time between samples")
         ->type_name("TIME")
         ->capture_default_str();
     command->add_option("--history", options->history, "write every contact state with its times to FILE.csv")

@@ -1,5 +1,6 @@
 #include "library/library.hpp"
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/console/results/library_text.hpp"
@@ -12,7 +13,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,14 +39,7 @@ constexpr std::size_t screenful = 100;  // rows that a person reads on a termina
 
 std::size_t limit_of(const ListOptions& options) {
     if (options.limit.empty()) return options.json || options.csv || ::isatty(STDOUT_FILENO) == 0 ? 0 : screenful;
-    if (options.limit == "all") return 0;
-    std::size_t limit = 0;
-    const char* end = options.limit.data() + options.limit.size();
-    const auto [stop, problem] = std::from_chars(options.limit.data(), end, limit);
-    if (problem != std::errc() || stop != end || limit == 0)
-        throw Error(ErrorKind::input,
-                    {"--limit " + options.limit + " is no number of entries", "it is a whole number, or all", ""});
-    return limit;
+    return noise_library::parse_limit(options.limit);
 }
 
 void list(const ListOptions& options) {
@@ -147,8 +140,7 @@ void add_list(CLI::App& library) {
     command
         ->add_option("--limit", options->limit, "at most so many, or all (default: 100 on a terminal, all elsewhere)")
         ->type_name("N");
-    CLI::Option* json =
-        command->add_flag("--json", options->json, "print one JSON document (schema stridor.library/1)");
+    CLI::Option* json = add_json_option(*command, options->json, "stridor.library/1");
     command->add_flag("--csv", options->csv, "print CSV: names with units, a row per entry")->excludes(json);
     command->footer(
         "Examples:\n  stridor library list --where \"system = brake and preload > 10 N\" --sort -preload\n"
@@ -162,8 +154,7 @@ void add_show(CLI::App& library) {
     CLI::App* command = library.add_subcommand("show", "Show entries in full.");
     command->add_option("ids", options->ids, "numbers of entries")->required();
     add_library_option(*command, options->library);
-    CLI::Option* json =
-        command->add_flag("--json", options->json, "print one JSON document (schema stridor.library/1)");
+    CLI::Option* json = add_json_option(*command, options->json, "stridor.library/1");
     CLI::Option* field =
         command->add_option("--field", options->field, "print this field alone, as it is")->type_name("NAME");
     command->add_flag("--audio", options->audio, "print the path of the audio alone")->excludes(json)->excludes(field);

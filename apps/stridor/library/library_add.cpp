@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "input_options.hpp"
 #include "interrupt.hpp"
 #include "library/library.hpp"
@@ -147,8 +148,8 @@ void add_library_add(CLI::App& library) {
     add_judging_options(*command, options->judging);
     command->add_flag("--no-verdict", options->without_verdict, "do not listen: no category, no figures of the sound");
     command->add_flag("--again", options->again, "add a sound even if an entry has it already");
-    command->add_flag("--json", options->json,
-                      "print the new entries and a summary as one JSON document (schema stridor.library/1)");
+    add_json_option(*command, options->json, "stridor.library/1",
+                    "print the new entries and a summary as one JSON document");
     command->footer(
         "What is known already is skipped, what is broken refused, and the others added; exit code 2 if any was "
         "refused. Of a "
@@ -169,7 +170,7 @@ void add_library_judge(CLI::App& library) {
     add_selection_options(*command, options->selection);
     add_judging_options(*command, options->judging);
     command->add_flag("--all", options->all, "all that meet the conditions, whatever their verdict");
-    command->add_flag("--json", options->json, "print the entries as one JSON document (schema stridor.library/1)");
+    add_json_option(*command, options->json, "stridor.library/1", "print the entries as one JSON document");
     command->footer(
         "Figures that you changed stay as they are.\n"
         "Examples:\n  stridor library judge\n  stridor library judge 12 --channel 2\n"

@@ -6,7 +6,6 @@
 #include "stridor/console/sound_progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/case/toml_document.hpp"
-#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/sound/expectations.hpp"
 #include "stridor/io/sound/hearing_report.hpp"
@@ -48,11 +47,6 @@ hearing::HearingOptions hearing_options(const EvaluateOptions& options) {
 
 // --- what is heard
 
-io::HeardChart with_overrides(sweep::ReadyChart chart, const std::vector<std::string>& overrides) {
-    sweep::Study changed = io::read_study({io::study_toml(chart.study), chart.name, overrides});
-    return {std::move(chart.name), chart.set, std::move(changed), {}};
-}
-
 std::vector<io::HeardChart> charts_of(const EvaluateOptions& options) {
     std::vector<std::string> overrides;
     std::copy_if(options.assignments.begin(), options.assignments.end(), std::back_inserter(overrides),
@@ -61,10 +55,7 @@ std::vector<io::HeardChart> charts_of(const EvaluateOptions& options) {
     for (const std::string& file : options.files)
         charts.push_back({file, sweep::PlaneSet::file, io::read_study(load_source(file, overrides)), {}});
     if (!charts.empty() || !options.recordings.empty()) return charts;
-    for (sweep::ReadyChart& chart : sweep::ready_charts())
-        if (options.planes == "all" || options.planes == sweep::plane_set_names[static_cast<std::size_t>(chart.set)])
-            charts.push_back(with_overrides(std::move(chart), overrides));
-    return charts;
+    return io::built_in_charts(options.planes, overrides);
 }
 
 // each chart is kept until all of them are heard
@@ -162,9 +153,8 @@ void add_evaluate(CLI::App& program) {
         ->excludes(planes);
     command->add_option("--csv", options->csv, "write a row per simulated sound, with the figures of both verdicts")
         ->type_name("FILE");
-    command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
-        ->check(CLI::Range(0, 4096));
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.evaluate/1)");
+    add_threads_option(*command, options->threads);
+    add_json_option(*command, options->json, "stridor.evaluate/1");
     command->footer(
         "Ctrl-C stops and keeps what was heard so far (in $XDG_CACHE_HOME or ~/.cache); the same command goes on.\n"
         "Examples:\n  stridor evaluate\n  stridor evaluate --planes soft\n  stridor evaluate pair.toml --set "

@@ -8,13 +8,12 @@
 #include "stridor/console/sound_progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/hearing/matching.hpp"
-#include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/sound/json_compare.hpp"
+#include "stridor/io/sound/simulated_wav.hpp"
 #include "stridor/pictures/picture_files.hpp"
 #include "stridor/pictures/side_by_side.hpp"
-#include "stridor/recordings/audio/wav.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/storage/command_cache.hpp"
 #include "stridor/sweep/cell_choice.hpp"
@@ -32,8 +31,7 @@ namespace {
 using classification::ComparedSound;
 using hearing::SoundMatch;
 
-constexpr std::size_t drawn = 3;           // [1] matches beside the recording in the figure
-constexpr double match_peak = 0.89125094;  // [1] of full scale: -1 dB
+constexpr std::size_t drawn = 3;  // [1] matches beside the recording in the figure
 
 struct MatchOptions {
     std::string recording;
@@ -79,33 +77,17 @@ hearing::SoundSearchResult searched(const MatchOptions& options, const io::Match
 
 // --- what is left in the folder
 
-void write_cell(const hearing::SimulatedSound& cell, double rate, const MotionOptions& motion,
-                const std::string& file) {
-    sound::AuralisationSettings settings;
-    const Interrupt interrupt;
-    const hearing::HeardMotion heard = hearing::heard_motion(cell.c, asked_motion(motion), interrupt.token());
-    settings.pickup = heard.pickup;
-    settings.rate = rate;
-    settings.stretches = cell.stretches;
-    const std::unique_ptr<hearing::RenderedSound> sound =
-        hearing::render(cell.c, settings, interrupt.token(), [](double) {});
-    const std::string unit = sound::unit_of(settings.pickup.quantity);
-    const double full_scale = sound->peak() > 0.0 ? sound->peak() / match_peak : 1.0;
-    recordings::write_wav(file, *sound,
-                          {recordings::WavSamples::pcm_24,
-                           {{full_scale, unit}},
-                           "simulated by stridor: " + hearing::motion_words(heard)});
-}
-
 void write_folder(const MatchOptions& options, const io::MatchReport& report) {
     const std::filesystem::path folder(options.out);
     storage::make_folder(folder, "Choose another --out.");
     storage::write_file((folder / "match.json").string(), io::match_json(report) + "\n");
     std::vector<ComparedSound> sounds{report.recording};
+    const Interrupt interrupt;
     for (std::size_t k = 0; k < report.result.best.size(); ++k) {
         const SoundMatch& match = report.result.best[k];
         const hearing::SimulatedSound cell = hearing::simulated_of(report.study, match);
-        write_cell(cell, report.rate, options.motion, (folder / fmt::format("match-{}.wav", k + 1)).string());
+        io::write_simulated_wav((folder / fmt::format("match-{}.wav", k + 1)).string(), cell, report.rate,
+                                asked_motion(options.motion), interrupt.token());
         if (k >= drawn) continue;
         const std::string name = console::match_name(report.study, match);
         sounds.push_back(load_sound({name, fmt::format("match {}", k + 1), "simulation at " + name, cell},
@@ -165,11 +147,10 @@ void add_match(CLI::App& program) {
     add_output_folder(*command, options->out, "folder for the best cells as WAV, a figure beside the recording, JSON");
     command->add_flag("--with-level", options->with_level,
                       "count the level, too; only for a recorded velocity or acceleration");
-    command->add_option("--threads", options->threads, "number of threads (default: one per processor)")
-        ->check(CLI::Range(0, 4096));
+    add_threads_option(*command, options->threads);
     add_library_option(*command, options->library);
     add_motion_options(*command, options->motion);
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.match/1)");
+    add_json_option(*command, options->json, "stridor.match/1");
     command->footer(
         "Ctrl-C stops and keeps what was heard (in $XDG_CACHE_HOME or ~/.cache); the same command goes on.\n"
         "Examples:\n  stridor match squeal.wav --chart pair.toml\n"

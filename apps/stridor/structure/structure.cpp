@@ -1,44 +1,24 @@
 #include "structure/structure.hpp"
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/console/results/structure_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/structure/json_structure.hpp"
 #include "stridor/io/structure/reduced_netcdf.hpp"
-#include "stridor/recordings/bytes.hpp"
 #include "stridor/reduction/part_contacts.hpp"
 #include "stridor/reduction/part_figures.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 
 namespace stridor::app {
 
 namespace {
-
-bool is_reduced(const PartOptions& options) {
-    if (options.files.files.size() != 1) return false;
-    return io::is_netcdf(recordings::text_at(*recordings::open_plain_bytes(options.files.files.front()), 0, 8));
-}
-
-// the mass per volume of a material tells which units the files are in
-void tell_units(const reduction::ElasticPart& part, const reduction::UnitSystem& units) {
-    const reduction::PartSize size = part_size(part);
-    if (!size.extent || density_in(size, units)) return;
-    const reduction::UnitSystem* guess = guessed_units(size);
-    if (guess == nullptr)
-        console::say("stridor: note: in no system of units is its mass per volume a material's");
-    else
-        console::say(
-            fmt::format("stridor: note: in {} its mass per volume is no material's; in {} it is {:.3g} kg/m^3. "
-                        "Say --units {}?",
-                        units.name, guess->name, density_in(size, *guess).value_or(0.0), guess->name));
-}
 
 struct PartInfoOptions {
     PartOptions part;
@@ -65,7 +45,7 @@ std::optional<reduction::PartContacts> contacts_of(const reduction::ElasticPart&
                                                    const PartCheckOptions& options) {
     if (options.contact.empty()) return std::nullopt;
     std::optional<reduction::PartContacts> contacts =
-        part_contacts(part, rows_named(part, options.contact), options.normal);
+        part_contacts(part, named_rows(part, options.contact), options.normal);
     if (!contacts)
         throw Error(ErrorKind::numerical, {"the inertia of the contacts is not known", "some motion has no mass",
                                            "Reduce the part first: stridor structure reduce."});
@@ -90,14 +70,6 @@ void check(const PartCheckOptions& options) {
 
 }  // namespace
 
-std::vector<Eigen::Index> rows_named(const reduction::ElasticPart& part, const std::vector<std::string>& names) {
-    std::vector<Eigen::Index> rows;
-    for (const std::string& name : names)
-        for (const Eigen::Index row : named_rows(part, name))
-            if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
-    return rows;
-}
-
 void add_part_options(CLI::App& command, PartOptions& options) {
     command.add_option("files", options.files.files, "the part: what a finite-element program wrote of it, or a .nc");
     command.add_option("--stiffness", options.files.stiffness, "a matrix that does not say that it is the stiffness")
@@ -118,13 +90,14 @@ reduction::ElasticPart load_part(const PartOptions& options) {
     if (files.files.empty() && files.stiffness.empty() && files.mass.empty())
         base::refuse("no file of a part is named", "", "`stridor structure info job.sti`, or --stiffness and --mass.");
     const reduction::UnitSystem& units = reduction::unit_system(options.units);
-    const bool is_in_si = is_reduced(options);
+    const bool is_in_si = io::is_reduced_part(files);
     reduction::ElasticPart part = is_in_si ? io::read_reduced_part(files.files.front()).part : io::read_part(files);
     expect_sound(part);
     for (const std::string& note : part.notes)
         console::say("stridor: note: " + note);
     if (is_in_si) return part;
-    tell_units(part, units);
+    if (const std::string doubt = units_doubt(part_size(part), units); !doubt.empty())
+        console::say("stridor: note: " + doubt);
     return in_si(std::move(part), units);
 }
 
@@ -132,7 +105,7 @@ void add_structure_info(CLI::App& structure) {
     auto options = std::make_shared<PartInfoOptions>();
     CLI::App* command = structure.add_subcommand("info", "What a part holds: rows, nodes, sets, mass, units.");
     add_part_options(*command, options->part);
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.part/1)");
+    add_json_option(*command, options->json, "stridor.part/1");
     command->footer(
         "Examples:\n  stridor structure info block.sti\n"
         "  stridor structure info --stiffness k.mtx --mass m.mtx --labels rows.csv --units mm-t-s");
@@ -158,7 +131,7 @@ void add_structure_check(CLI::App& structure) {
         ->check(CLI::PositiveNumber)
         ->needs(contact)
         ->capture_default_str();
-    command->add_flag("--json", options->json, "print one JSON document (schema stridor.part/1)");
+    add_json_option(*command, options->json, "stridor.part/1");
     command->footer(
         "Examples:\n  stridor structure check block.sti --modes 10\n"
         "  stridor structure check block.nc --contact FOOT --normal 3");

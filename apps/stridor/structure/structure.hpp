@@ -24,9 +24,6 @@ void add_part_options(CLI::App& command, PartOptions& options);
 /// others, go to stderr.
 reduction::ElasticPart load_part(const PartOptions& options);
 
-/// Rows under these names, each once: a node in two sets is one row all the same.
-std::vector<Eigen::Index> rows_named(const reduction::ElasticPart& part, const std::vector<std::string>& names);
-
 void add_structure_info(CLI::App& structure);
 void add_structure_check(CLI::App& structure);
 void add_structure_reduce(CLI::App& structure);

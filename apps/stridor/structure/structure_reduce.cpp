@@ -13,7 +13,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 namespace stridor::app {
@@ -33,50 +32,26 @@ struct ReduceOptions {
     bool json = false;
 };
 
-std::string origin_of(const io::PartFiles& files) {
-    std::string origin;
-    for (const std::string& file : files.files)
-        origin += (origin.empty() ? "" : ", ") + file;
-    for (const std::string& file : {files.stiffness, files.mass, files.damping, files.labels})
-        if (!file.empty()) origin += (origin.empty() ? "" : ", ") + file;
-    return origin;
-}
-
-// an error beyond this makes another part of it
-void warn_of_errors(const reduction::Reduction& reduced, const reduction::ReductionErrors& errors) {
-    constexpr double most = 0.01;
-    int beyond = 0;
-    for (const reduction::StateErrors& state : errors.states)
-        beyond +=
-            static_cast<int>(std::count_if(state.frequencies.begin(), state.frequencies.end(),
-                                           [&](const auto& pair) { return std::abs(relative_error(pair)) > most; }));
-    if (beyond == 0) return;
-    const bool has_inertia = reduced.inertia != reduction::BoundaryInertia::massless;
-    console::say(fmt::format("stridor: note: {} frequenc{} more than 1 % off. Keep more modes{}", beyond,
-                             beyond == 1 ? "y is" : "ies are",
-                             has_inertia ? "; if --inertia consistent is closer, refine the mesh at the contact."
-                                         : ", or reduce by Craig-Bampton, which is closer with held contacts."));
-}
-
 void reduce(const ReduceOptions& options) {
     const reduction::ElasticPart part = load_part(options.part);
     const reduction::ReductionRequest request{
-        .boundary = rows_named(part, options.boundary),
+        .boundary = named_rows(part, options.boundary),
         .modes = options.modes,
         .below = options.below.empty() ? 0.0 : base::parse_quantity(options.below, "Hz"),
         .inertia =
             options.inertia == "lumped" ? reduction::BoundaryInertia::lumped : reduction::BoundaryInertia::consistent,
-        .recovered = rows_named(part, options.recovered)};
+        .recovered = named_rows(part, options.recovered)};
     const reduction::CondensedPart condensed(part, request.boundary);
     const reduction::Reduction reduced =
         options.method == "macneal" ? macneal(condensed, request) : craig_bampton(condensed, request);
     constexpr Eigen::Index compared = 6;
     const reduction::ReductionErrors errors =
         reduction_errors(condensed, reduced, contact_states(reduced, options.normal), compared);
-    io::write_reduced_part(options.file, reduced, origin_of(options.part.files));
+    io::write_reduced_part(options.file, reduced, io::origin(options.part.files));
     console::print(options.json ? io::reduction_json(reduced, errors) + "\n"
                                 : console::reduction_text(reduced, errors) + options.file + "\n");
-    warn_of_errors(reduced, errors);
+    if (const std::string doubt = errors_doubt(reduced, errors); !doubt.empty())
+        console::say("stridor: note: " + doubt);
 }
 
 }  // namespace
@@ -114,7 +89,7 @@ void add_structure_reduce(CLI::App& structure) {
         ->check(CLI::IsMember({"lumped", "consistent"}))
         ->capture_default_str();
     add_output_file(*command, options->file, "netCDF file of the reduced part")->required();
-    command->add_flag("--json", options->json, "print the errors as one JSON document (schema stridor.reduction/1)");
+    add_json_option(*command, options->json, "stridor.reduction/1", "print the errors as one JSON document");
     command->footer(
         "Examples:\n  stridor structure reduce block.sti --boundary FOOT --modes 12 --normal 3 -o block.nc\n"
         "  stridor structure reduce lip.sti --boundary EDGE --below \"8 kHz\" --recover 1040 -o lip.nc");

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <system_error>
 #include <utility>
 
 namespace stridor::noise_library {
@@ -79,6 +81,15 @@ std::vector<Condition> parse_conditions(std::string_view text) {
         if (!rest.starts_with("and ")) refuse(text, "conditions are joined by \"and\"");
         rest = base::trimmed(rest.substr(4));
     }
+}
+
+std::size_t parse_limit(std::string_view text) {
+    if (text == "all") return 0;
+    std::size_t limit = 0;
+    const auto [stop, problem] = std::from_chars(text.data(), text.data() + text.size(), limit);
+    if (problem != std::errc() || stop != text.data() + text.size() || limit == 0)
+        base::refuse("--limit " + std::string(text) + " is no number of entries", "it is a whole number, or all", "");
+    return limit;
 }
 
 std::vector<std::string> parse_words(std::string_view text) {

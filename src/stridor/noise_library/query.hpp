@@ -45,6 +45,9 @@ std::vector<Condition> parse_conditions(std::string_view text);
 /// A query from conditions, the words of a search, and what to sort by: "-preload" is falling; all may be empty.
 Query parse_query(std::span<const std::string> conditions, std::string_view words, std::string_view sort);
 
+/// How many entries: "20", or "all", which is 0. Throws `Error` (input) for any other text.
+std::size_t parse_limit(std::string_view text);
+
 /// The words of a search, parted at blanks.
 std::vector<std::string> parse_words(std::string_view text);
 

@@ -1,7 +1,10 @@
 #include "stridor/pictures/friction_law.hpp"
 
+#include "stridor/base/error.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/model/friction/law.hpp"
+#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
 
 #include <algorithm>
@@ -34,6 +37,19 @@ void add_branch(drawing::Panel& panel, const Branch& branch, double top) {
         drawing::Line{{std::min(x, 0.0), std::max(x, 0.0)}, {d, d}, {drawing::accent, 1.6, drawing::Dash::solid}});
     panel.layers.emplace_back(drawing::Note{"slip", 0.5 * x, d - 0.1 * x * top, drawing::Anchor::data,
                                             drawing::Align::centre, drawing::ink, 0.0, std::nullopt});
+}
+
+// that of an own structure, whose contacts may have coefficients of their own
+parameters::Contact one_law(const parameters::Case& c) {
+    const parameters::Contact first = parameters::contact_of(c, 0);
+    for (std::size_t contact = 1; contact < parameters::contact_count(c); ++contact) {
+        const parameters::Contact other = parameters::contact_of(c, contact);
+        if (other.static_friction != first.static_friction || other.kinetic_friction != first.kinetic_friction)
+            base::refuse("the contacts " + parameters::contact_name(c, 0) + " and " +
+                             parameters::contact_name(c, contact) + " differ",
+                         "this is the picture of one law of friction", "");
+    }
+    return first;
 }
 
 }  // namespace
@@ -78,6 +94,15 @@ drawing::Scene friction_law(const parameters::Contact& contact) {
     scene.height = 62.0;
     scene.panels.push_back(std::move(panel));
     return scene;
+}
+
+drawing::Scene friction_law_of(const parameters::Case& c) {
+    for (const char* key : {"contact.friction", "contact.static_friction", "contact.kinetic_friction",
+                            "contact.static_friction_coming", "contact.kinetic_friction_coming"})
+        if (!parameters::has_one_value(c, key))
+            base::refuse("the joints differ: " + std::string(key) + " = " + parameters::value_text(c, key),
+                         "this is the picture of one law of friction", "");
+    return friction_law(c.own_structure ? one_law(c) : c.contact);
 }
 
 }  // namespace stridor::pictures

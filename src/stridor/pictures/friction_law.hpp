@@ -9,4 +9,7 @@ namespace stridor::pictures {
 /// al. 2012, Figure 3). Sticking takes any ratio up to the static coefficient; slipping has the kinetic one.
 drawing::Scene friction_law(const parameters::Contact& contact);
 
+/// The one law of all contacts of a case. Throws `Error` (input) where they differ.
+drawing::Scene friction_law_of(const parameters::Case& c);
+
 }  // namespace stridor::pictures

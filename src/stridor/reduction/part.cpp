@@ -249,4 +249,12 @@ std::vector<Eigen::Index> named_rows(const ElasticPart& part, std::string_view n
     return rows;
 }
 
+std::vector<Eigen::Index> named_rows(const ElasticPart& part, const std::vector<std::string>& names) {
+    std::vector<Eigen::Index> rows;
+    for (const std::string& name : names)
+        for (const Eigen::Index row : named_rows(part, std::string_view(name)))
+            if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    return rows;
+}
+
 }  // namespace stridor::reduction

@@ -82,4 +82,7 @@ const NodeSet* find_set(const ElasticPart& part, std::string_view name);
 /// Throws `Error` (input) where there is no such set, node or row: a support, a constraint or a rigid body removed it.
 std::vector<Eigen::Index> named_rows(const ElasticPart& part, std::string_view name);
 
+/// The rows under several names, each once: a node in two sets is one row all the same.
+std::vector<Eigen::Index> named_rows(const ElasticPart& part, const std::vector<std::string>& names);
+
 }  // namespace stridor::reduction

@@ -3,6 +3,8 @@
 #include "stridor/reduction/lowest_modes.hpp"
 #include "stridor/reduction/sparse_factor.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -77,6 +79,14 @@ const UnitSystem* guessed_units(const PartSize& size) {
     for (const UnitSystem& units : unit_systems())
         if (density_in(size, units)) return &units;
     return nullptr;
+}
+
+std::string units_doubt(const PartSize& size, const UnitSystem& units) {
+    if (!size.extent || density_in(size, units)) return "";
+    const UnitSystem* guess = guessed_units(size);
+    if (guess == nullptr) return "in no system of units is its mass per volume a material's";
+    return fmt::format("in {} its mass per volume is no material's; in {} it is {:.3g} kg/m^3. Say --units {}?",
+                       units.name, guess->name, density_in(size, *guess).value_or(0.0), guess->name);
 }
 
 PartVibration part_vibration(const ElasticPart& part, Eigen::Index count) {

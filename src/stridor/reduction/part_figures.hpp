@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,9 @@ std::optional<double> density_in(const PartSize& size, const UnitSystem& units);
 
 /// The first of the systems in which it is a material's; null: none.
 const UnitSystem* guessed_units(const PartSize& size);
+
+/// What makes it doubtful that the part's numbers are of these units, in words, with the units to try; empty: nothing.
+std::string units_doubt(const PartSize& size, const UnitSystem& units);
 
 /// How a part vibrates as it is held.
 struct PartVibration {

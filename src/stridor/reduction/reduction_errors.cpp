@@ -4,6 +4,7 @@
 #include "stridor/reduction/sparse_factor.hpp"
 
 #include <Eigen/Cholesky>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr Index most_rigid_modes = 6;
-constexpr double free_pivot = 1e-10;   // [1] of the diagonal
-constexpr double rigid_share = 1e-10;  // [1] of the highest omega^2 looked at: as good as zero
+constexpr double most_believed_error = 0.01;  // [1] of a frequency: beyond it is another part
+constexpr double free_pivot = 1e-10;          // [1] of the diagonal
+constexpr double rigid_share = 1e-10;         // [1] of the highest omega^2 looked at: as good as zero
 
 // without the rows that are held
 SparseMatrix without(const SparseMatrix& matrix, const std::vector<Index>& held) {
@@ -132,6 +134,18 @@ ReductionErrors reduction_errors(const CondensedPart& full, const Reduction& red
     }
     errors.coupling = coupling_of(reduction);
     return errors;
+}
+
+std::string errors_doubt(const Reduction& reduction, const ReductionErrors& errors) {
+    std::ptrdiff_t beyond = 0;
+    for (const StateErrors& state : errors.states)
+        beyond += std::count_if(state.frequencies.begin(), state.frequencies.end(),
+                                [](const auto& pair) { return std::abs(relative_error(pair)) > most_believed_error; });
+    if (beyond == 0) return "";
+    const bool has_inertia = reduction.inertia != BoundaryInertia::massless;
+    return fmt::format("{} frequenc{} more than 1 % off. Keep more modes{}", beyond, beyond == 1 ? "y is" : "ies are",
+                       has_inertia ? "; if --inertia consistent is closer, refine the mesh at the contact."
+                                   : ", or reduce by Craig-Bampton, which is closer with held contacts.");
 }
 
 }  // namespace stridor::reduction

@@ -46,4 +46,8 @@ std::vector<HeldRows> contact_states(const Reduction& reduction, int normal);
 ReductionErrors reduction_errors(const CondensedPart& full, const Reduction& reduction,
                                  const std::vector<HeldRows>& states, Eigen::Index count);
 
+/// What makes the reduced part another one: how many frequencies are more than 1 % off, in words, with what to do;
+/// empty: none.
+std::string errors_doubt(const Reduction& reduction, const ReductionErrors& errors);
+
 }  // namespace stridor::reduction

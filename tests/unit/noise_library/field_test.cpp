@@ -133,6 +133,13 @@ TEST(Conditions, AreReadWithOrWithoutBlanks) {
     EXPECT_EQ(parse_conditions("a==1")[0].value, "1");
 }
 
+TEST(Query, TakesALimitOrAll) {
+    EXPECT_EQ(parse_limit("20"), 20U);
+    EXPECT_EQ(parse_limit("all"), 0U);
+    for (const char* text : {"0", "", "-1", "2x", "99999999999999999999"})
+        EXPECT_TRUE(support::thrown_by([&] { parse_limit(text); }).says("is no number of entries")) << text;
+}
+
 TEST(Conditions, AreRefusedWhereTheyEndTooSoon) {
     for (const char* bad :
          {"", "preload", "preload >", "> 10", "preload > 10 and", "system = \"brake", "a = 'b' c = d"})

@@ -1,6 +1,7 @@
 #include "stridor/pictures/friction_law.hpp"
 
 #include "pictures_support.hpp"
+#include "support/error_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,14 @@ TEST(FrictionLaw, NamesBothCoefficients) {
         labels.push_back(drawing::plain_text(tick.label));
     for (const std::string label : {"μs = 0.8", "−μs = −0.8", "μd = 0.6", "−μd = −0.6"})
         EXPECT_EQ(std::count(labels.begin(), labels.end(), label), 1) << label;
+}
+
+TEST(FrictionLaw, OfJointsThatDifferIsRefused) {
+    parameters::Case c;
+    c.further_joints.resize(1);
+    EXPECT_EQ(law_lines(friction_law_of(c)).size(), 3U);
+    c.further_joints[0].contact.kinetic_friction = 0.3;
+    EXPECT_TRUE(support::thrown_by([&] { friction_law_of(c); }).says("the joints differ: contact.kinetic_friction"));
 }
 
 TEST(FrictionLaw, OfEqualCoefficientsNamesThemOnce) {

@@ -40,6 +40,11 @@ TEST(PartSize, GuessesTheUnits) {
     EXPECT_EQ(guessed_units(part_size(tonnes))->name, "mm-t-s");
     EXPECT_NEAR(density_in(part_size(tonnes), unit_system("mm-t-s")).value(), density, 1e-9 * density);
     EXPECT_FALSE(density_in(part_size(tonnes), unit_system("m-kg-s")));
+    EXPECT_EQ(units_doubt(size, unit_system("m-kg-s")), "");
+    EXPECT_TRUE(units_doubt(part_size(tonnes), unit_system("m-kg-s")).ends_with("Say --units mm-t-s?"));
+    tonnes.mass *= 1e30;
+    EXPECT_EQ(units_doubt(part_size(tonnes), unit_system("m-kg-s")),
+              "in no system of units is its mass per volume a material's");
 }
 
 TEST(PartVibration, CountsRigidBodyModes) {

@@ -135,6 +135,12 @@ TEST(NamedRows, AreASetItsComponentsANodeOrARow) {
     EXPECT_EQ(named_rows(part, "107.2"), (std::vector<Eigen::Index>{22}));
 }
 
+TEST(NamedRows, OfSeveralNamesStandOnce) {
+    const ElasticPart part = chain_part(4, 1.0, 1.0);
+    const std::vector<std::string> names{"3", "1.1", "3.1", "2"};
+    EXPECT_EQ(named_rows(part, names), (std::vector<Eigen::Index>{2, 0, 1}));
+}
+
 TEST(NamedRows, RefuseWhatIsNotThere) {
     ElasticPart part = lattice_part({2, 2, 2}, LatticeSupport::free);
     EXPECT_TRUE(thrown_by([&] { named_rows(part, "HEAD"); }).says("its node sets are FOOT"));

@@ -2,6 +2,7 @@
 
 #include "stridor/base/csv_text.hpp"
 #include "stridor/base/version.hpp"
+#include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/json_parts.hpp"
 #include "stridor/sound/feature_table.hpp"
 
@@ -145,6 +146,14 @@ void add_row(base::csv_text::Table& table, const HeardSound& sound, const std::s
 }
 
 }  // namespace
+
+std::vector<HeardChart> built_in_charts(std::string_view set, const std::vector<std::string>& overrides) {
+    std::vector<HeardChart> charts;
+    for (const sweep::ReadyChart& chart : sweep::ready_charts())
+        if (set == "all" || set == name_of(sweep::plane_set_names, chart.set))
+            charts.push_back({chart.name, chart.set, read_study({study_toml(chart.study), chart.name, overrides}), {}});
+    return charts;
+}
 
 Confusion confusion(const HearingReport& report, Half half) {
     Confusion table;

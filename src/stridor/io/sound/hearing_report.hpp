@@ -28,6 +28,10 @@ struct HearingReport {
     std::vector<hearing::HeardRecording> recordings{};
 };
 
+/// The built-in charts of a set ("paper", "soft", or "all"), their cases changed by overrides ("KEY=VALUE"), with no
+/// sounds yet. Throws `Error` (input) for an override that does not fit.
+std::vector<HeardChart> built_in_charts(std::string_view set, const std::vector<std::string>& overrides);
+
 /// The sounds of all charts, one chart after the other, counted by their indices within each.
 classification::Confusion confusion(const HearingReport& report, hearing::Half half = hearing::Half::both);
 

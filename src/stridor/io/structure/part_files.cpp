@@ -260,6 +260,13 @@ ElasticPart read_calculix_job(const PartFiles& files, const FileOpener& open) {
 
 }  // namespace
 
+std::string origin(const PartFiles& files) {
+    std::string names = fmt::format("{}", fmt::join(files.files, ", "));
+    for (const std::string& file : {files.stiffness, files.mass, files.damping, files.labels})
+        if (!file.empty()) names += (names.empty() ? "" : ", ") + file;
+    return names;
+}
+
 ElasticPart read_part(const PartFiles& files, const FileOpener& open) {
     if (!files.files.empty() && std::all_of(files.files.begin(), files.files.end(), is_calculix))
         return read_calculix_job(files, open);

@@ -17,6 +17,9 @@ struct PartFiles {
     std::string labels{};  // labels of rows: a table, or Ansys' mapping
 };
 
+/// Their names in a row, with commas between.
+std::string origin(const PartFiles& files);
+
 /// Opens a file, or gives nothing where it is not there.
 using FileOpener = std::function<std::optional<structure::StructureInput>(const std::string& path)>;
 

@@ -116,6 +116,11 @@ bool is_netcdf(std::string_view beginning) {
     return beginning.starts_with("\x89HDF\r\n\x1a\n") || beginning.starts_with("CDF");
 }
 
+bool is_reduced_part(const PartFiles& files) {
+    return files.files.size() == 1 &&
+           is_netcdf(recordings::text_at(*recordings::open_plain_bytes(files.files.front()), 0, 8));
+}
+
 namespace {
 
 constexpr std::size_t most_numbers = std::size_t{1} << 26U;  // of a variable: 8000 rows

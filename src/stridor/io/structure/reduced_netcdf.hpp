@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/io/structure/part_files.hpp"
 #include "stridor/reduction/reduction.hpp"
 
 #include <string>
@@ -13,6 +14,9 @@ void write_reduced_part(const std::string& path, const reduction::Reduction& red
 
 /// Does a file begin as netCDF-4, which is HDF5?
 bool is_netcdf(std::string_view beginning);
+
+/// Do these name one file alone, and that a reduced part's? Throws `Error` (io) where it cannot be opened.
+bool is_reduced_part(const PartFiles& files);
 
 /// Reads such a file. The library works in a process of its own that may do nothing else (base/confined_process); what
 /// it answers is checked. Throws `Error` (input) for a file that is no reduced part, or is damaged.
