@@ -1,6 +1,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 
 #include "io_support.hpp"
+#include "stridor/base/text.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/parameters/check.hpp"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace stridor::io {
 namespace {
@@ -111,7 +113,7 @@ TEST(TomlWriter, ExplainsEveryKeyWithSymbolUnitAndRange) {
 TEST(TomlWriter, ShowsTheKeysOfOtherKindsReadyToBeUncommented) {
     const std::string text = case_toml(parameters::paper_case(parameters::PaperCase::squeal));
     EXPECT_NE(text.find("# with drive.kind = \"constant\" or \"trapezoidal\": velocity of the plate; going if "
-                        "positive, coming if negative (V) [m/s, not 0]\n#velocity = \"0.1 m/s\"\n"),
+                        "positive, coming if negative (V)\n#   [m/s, not 0]\n#velocity = \"0.1 m/s\"\n"),
               std::string::npos)
         << text;
     const std::string constant = replaced(replaced(text, "kind = \"sinusoidal\"", "kind = \"constant\""),
@@ -132,6 +134,16 @@ TEST(TomlWriter, WritesDampingRatiosThatReadBackTheSame) {
     // an override of the stiffness keeps the ratio, as an axis of a chart does
     EXPECT_EQ(read_case(TomlSource{text, "case.toml", {"k1i=4e6"}}).joint.axial_damping,
               2.0 * 0.15 * std::sqrt(4e6 * 0.1));
+}
+
+TEST(TomlWriter, WritesNoLineBeyond120Columns) {
+    std::istringstream lines(case_toml({}, {Comments::full, ""}));
+    std::size_t comments = 0;
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(base::character_count(line), 120U) << line;
+        if (line.starts_with("#   ")) ++comments;
+    }
+    EXPECT_GT(comments, 0U);  // of lines that were broken
 }
 
 TEST(TomlWriter, PutsTheHeadingOnTop) {

@@ -85,14 +85,32 @@ std::string names_text(std::span<const std::string_view> names) {
     return text;
 }
 
+constexpr std::size_t widest_line = 120;  // [1] columns
+
+constexpr char kept_blank = '\x1f';  // where no line may be broken
+
+// a sentence in lines behind "#"
+std::string comment_lines(const std::string& sentence) {
+    const std::string lines = base::wrapped(sentence, {.columns = widest_line - 2, .indent = 2});
+    std::string text = "# ";
+    for (const char letter : lines)
+        text += letter == '\n' ? "\n# " : std::string(1, letter == kept_blank ? ' ' : letter);
+    return text + "\n";
+}
+
+// unit and range, in one piece
+std::string values_text(const Field& field) {
+    std::string values = describe_values(field);
+    if (!std::holds_alternative<Quantity>(field.kind)) return ": " + values;
+    std::replace(values.begin(), values.end(), ' ', kept_blank);
+    return values.empty() ? "" : " [" + values + "]";
+}
+
 // `when`: the choice that gives it a meaning, if this case does not
 std::string comment(const Field& field, const std::string& when = {}) {
-    std::string text = (when.empty() ? "# " : "# with " + when + ": ") + std::string(field.sentence);
+    std::string text = (when.empty() ? "" : "with " + when + ": ") + std::string(field.sentence);
     if (!field.symbol.empty()) text += " (" + std::string(field.symbol) + ")";
-    const std::string values = describe_values(field);
-    const bool is_quantity = std::holds_alternative<Quantity>(field.kind);
-    if (std::holds_alternative<parameters::Text>(field.kind) || values.empty()) return text + "\n";
-    return text + (is_quantity ? " [" + values + "]" : ": " + values) + "\n";
+    return comment_lines(std::holds_alternative<parameters::Text>(field.kind) ? text : text + values_text(field));
 }
 
 std::string heading(const TomlOptions& options) {
