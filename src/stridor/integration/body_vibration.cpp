@@ -4,7 +4,7 @@
 
 namespace stridor::integration {
 
-void add_vibration(const model::Structure& structure, const Eigen::VectorXd& speed, double duration,
+void add_vibration(const model::Structure& structure, const Eigen::Ref<const Eigen::VectorXd>& speed, double duration,
                    std::vector<record::Vibration>& vibration) {
     const auto body = [&](std::size_t channel) {
         return structure.body.empty() ? static_cast<int>(channel) : structure.body[channel];

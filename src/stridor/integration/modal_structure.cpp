@@ -1,6 +1,7 @@
 #include "stridor/integration/modal_structure.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/integration/lanes.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -50,13 +51,26 @@ Eigen::MatrixXd compliance_of(const std::vector<ModalContact>& contacts, std::si
     return rows * rows.transpose();
 }
 
+template <typename Term>
+double sum_of_terms(std::size_t count, Term term) {
+    double sum[lanes] = {};
+    std::size_t j = 0;
+    for (; j + lanes <= count; j += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            sum[lane] += term(j + lane);
+    for (std::size_t lane = 0; j < count; ++j, ++lane)
+        sum[lane] += term(j);
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+
 }  // namespace
 
+double dot(std::span<const double> a, std::span<const double> b) {
+    return sum_of_terms(a.size(), [&](std::size_t j) { return a[j] * b[j]; });
+}
+
 double dot_of_sizes(std::span<const double> a, std::span<const double> b) {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < a.size(); ++j)
-        sum += std::abs(a[j] * b[j]);
-    return sum;
+    return sum_of_terms(a.size(), [&](std::size_t j) { return std::abs(a[j] * b[j]); });
 }
 
 double gap(const ModalContact& contact, std::span<const double> q) {

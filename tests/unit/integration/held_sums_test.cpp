@@ -15,10 +15,20 @@ double sum(const HeldSum& held, const std::vector<double>& x) {
     return value;
 }
 
+Eigen::MatrixXd products_of(const std::vector<HeldSum>& sums) {
+    const auto count = static_cast<Eigen::Index>(sums.size());
+    Eigen::MatrixXd products(count, count);
+    for (const HeldSum& a : sums)
+        for (const HeldSum& b : sums)
+            products(a.number, b.number) = sum({a.row, 0.0}, {b.row.begin(), b.row.end()});
+    return products;
+}
+
 TEST(HeldSums, MovesAtRightAngles) {
     const std::vector<double> row{3.0, 4.0, 0.0};
     std::vector<double> x{1.0, 1.0, 7.0};
-    hold_at_zero({{row, 3.0}}, x);
+    const std::vector<HeldSum> sums{{row, 3.0, 0}};
+    hold_at_zero(sums, products_of(sums), x);
     // the sum was 10: 10/25 of the row
     EXPECT_NEAR(x[0], 1.0 - 0.4 * 3.0, 1e-15);
     EXPECT_NEAR(x[1], 1.0 - 0.4 * 4.0, 1e-15);
@@ -28,15 +38,15 @@ TEST(HeldSums, MovesAtRightAngles) {
 TEST(HeldSums, LeavesRoundingWhereRowsNearlyDependOnEachOther) {
     const std::vector<double> a{1.0, 0.0, 0.3}, b{1.0, 1e-5, 0.3}, c{0.1, 1.0, -0.7};
     std::vector<double> x{0.9, -0.4, 0.2};
-    const std::vector<HeldSum> sums{{a, 0.1}, {b, -0.2}, {c, 0.0}};
-    hold_at_zero(sums, x);
+    const std::vector<HeldSum> sums{{a, 0.1, 0}, {b, -0.2, 1}, {c, 0.0, 2}};
+    hold_at_zero(sums, products_of(sums), x);
     for (const HeldSum& held : sums)
         EXPECT_LT(std::abs(sum(held, x)), 1e-10);  // x is 3e4: eps of that, some terms
 }
 
 TEST(HeldSums, HoldsNothingWithoutSums) {
     std::vector<double> x{1.0};
-    hold_at_zero({}, x);
+    hold_at_zero({}, {}, x);
     EXPECT_EQ(x[0], 1.0);
 }
 

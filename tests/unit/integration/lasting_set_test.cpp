@@ -117,13 +117,13 @@ TEST(LastingSet, PassesTimeAsTheMotionDoes) {
         block.expand(slips.q, slips.v, SurfaceSeries{0.1});
         std::vector<double> v(slips.v.size());
         const auto at = [&](double theta) {
-            block.velocity_at(theta, v);
+            std::vector<double> q(v.size());
+            block.state_at(theta, q, v);
             const double speed = slips.modal.shapes.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(v.data(), 4));
             return speed * speed;
         };
         square += 0.01 / 6.0 * (at(0.0) + 4.0 * at(0.5) + at(1.0));
-        block.displacement_at(1.0, slips.q);
-        block.velocity_at(1.0, slips.v);
+        block.state_at(1.0, slips.q, slips.v);
     }
     for (std::size_t j = 0; j < 4; ++j) {
         EXPECT_NEAR(passed.q(static_cast<Eigen::Index>(j)), slips.q[j], 1e-11);

@@ -2,7 +2,7 @@
 // instruction set and a namespace of its own, so that no inline function is shared between sets. A vector of eight
 // numbers is one register of AVX-512, two of AVX2, four of the baseline (STRIDOR_WIDTH).
 
-#include "stridor/integration/exact/kernel_vector.inl"
+#include "stridor/integration/lanes_vector.inl"
 
 namespace stridor::integration::STRIDOR_ISA {
 

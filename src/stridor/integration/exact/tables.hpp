@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/integration/contact_mode.hpp"
+#include "stridor/integration/lanes.hpp"
 
 /// What the exact engine prepares once per structure, as plain arrays that every instruction set reads alike.
 ///
@@ -14,7 +15,6 @@
 /// so that sums over A^k h^k / k! converge to rounding within `terms`. A row is a linear functional of s.
 namespace stridor::integration {
 
-inline constexpr int lanes = 8;
 inline constexpr int terms = 24;  // of the series: 1/24! is far below rounding
 inline constexpr int term_blocks = terms / lanes;
 inline constexpr int most_tests = 2;  // event functions of a contact state
@@ -24,11 +24,6 @@ inline constexpr int most_multiplicity = 3;  // of the root an event function be
 
 /// No crossing within the step.
 inline constexpr double no_crossing = 2.0;
-
-/// Eight numbers side by side: a state, or a row.
-struct alignas(64) Lanes {
-    double at[lanes];
-};
 
 /// y = sum over j of column[j] x[j].
 struct alignas(64) Matrix8 {

@@ -4,6 +4,7 @@
 
 #include "stridor/integration/taylor/event_polynomial.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -53,6 +54,17 @@ void halve_part(const IntervalPart& whole, int n, IntervalPart& left, IntervalPa
     }
 }
 
+// certainly positive on [0, 1]? by the first coefficients, less what the others can take
+bool is_positive(std::span<const double> c) {
+    constexpr std::size_t first = 9;
+    if (c.size() <= first) return false;
+    double others = 0.0;
+    for (const double each : c.subspan(first))
+        others += each < 0.0 ? each : 0.0;
+    const BernsteinForm b = bernstein_form(c.first(first));
+    return *std::min_element(b.begin(), b.begin() + first) + others > 0.0;
+}
+
 int sign_changes(const BernsteinForm& b, int n) {
     int changes = 0;
     for (int j = 1; j <= n; ++j)
@@ -99,7 +111,7 @@ double first_zero(std::span<const double> whole, int dropped, double reach) {
     }
     if (!std::isfinite(sum)) return no_polynomial;
     if (c[0] < 0.0) return 0.0;
-    if (least > 0.0) return no_zero;
+    if (least > 0.0 || is_positive(c)) return no_zero;
     const int n = static_cast<int>(c.size()) - 1;
     std::array<IntervalPart, most_parts> stack;
     std::size_t parts = 1;

@@ -16,13 +16,13 @@ constexpr int most_passes = 4;
 
 }  // namespace
 
-void hold_at_zero(const std::vector<HeldSum>& sums, std::span<double> x) {
+void hold_at_zero(const std::vector<HeldSum>& sums, const Eigen::MatrixXd& products, std::span<double> x) {
     if (sums.empty()) return;
     const auto n = static_cast<Eigen::Index>(sums.size());
     Eigen::MatrixXd gram(n, n);
     for (Eigen::Index a = 0; a < n; ++a)
-        for (Eigen::Index b = 0; b <= a; ++b)
-            gram(a, b) = gram(b, a) = dot(sums[static_cast<std::size_t>(a)].row, sums[static_cast<std::size_t>(b)].row);
+        for (Eigen::Index b = 0; b < n; ++b)
+            gram(a, b) = products(sums[static_cast<std::size_t>(a)].number, sums[static_cast<std::size_t>(b)].number);
     const Eigen::LDLT<Eigen::MatrixXd> factor = gram.ldlt();
     Eigen::VectorXd error(n);
     // rows that nearly depend on each other leave more than rounding the first time
@@ -31,7 +31,7 @@ void hold_at_zero(const std::vector<HeldSum>& sums, std::span<double> x) {
         for (Eigen::Index a = 0; a < n; ++a) {
             const HeldSum& sum = sums[static_cast<std::size_t>(a)];
             error(a) = dot(sum.row, x) + sum.offset;
-            if (!(std::abs(error(a)) <= held_rounding * (dot_of_sizes(sum.row, x) + std::abs(sum.offset))))
+            if (is_held && !(std::abs(error(a)) <= held_rounding * (dot_of_sizes(sum.row, x) + std::abs(sum.offset))))
                 is_held = false;
         }
         if (is_held) return;

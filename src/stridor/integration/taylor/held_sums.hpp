@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <span>
 #include <vector>
 
@@ -9,9 +11,11 @@ namespace stridor::integration {
 struct HeldSum {
     std::span<const double> row;
     double offset = 0.0;
+    Eigen::Index number = 0;  // of the row in the table of products
 };
 
-/// Moves x by as little as makes all sums zero, to rounding of their terms. The rows are independent of each other.
-void hold_at_zero(const std::vector<HeldSum>& sums, std::span<double> x);
+/// Moves x by as little as makes all sums zero, to rounding of their terms. The rows are independent of each other;
+/// `products` holds those of each row with each, shape [number][number].
+void hold_at_zero(const std::vector<HeldSum>& sums, const Eigen::MatrixXd& products, std::span<double> x);
 
 }  // namespace stridor::integration

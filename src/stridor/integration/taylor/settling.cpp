@@ -72,16 +72,17 @@ void Settling::project(TaylorState& state, const SurfaceSeries& surface) const {
     for (std::size_t k = 0; k < state.set.size(); ++k) {
         if (state.set[k] == ContactMode::open) continue;
         const ModalContact& c = structure_.contacts[k];
-        gaps.push_back({c.normal, c.initial_gap});
-        rates.push_back({c.normal, 0.0});
+        const auto number = static_cast<Eigen::Index>(2 * k);
+        gaps.push_back({c.normal, c.initial_gap, number});
+        rates.push_back({c.normal, 0.0, number});
     }
     for (std::size_t k = 0; k < state.set.size(); ++k) {
         const bool is_held = state.set[k] == ContactMode::stick || (begins_[k] && is_slip(state.set[k]));
         const ModalContact& c = structure_.contacts[k];
-        if (is_held) rates.push_back({c.tangent, -(c.drive_share * surface[0])});
+        if (is_held) rates.push_back({c.tangent, -(c.drive_share * surface[0]), static_cast<Eigen::Index>(2 * k + 1)});
     }
-    hold_at_zero(gaps, state.q);
-    hold_at_zero(rates, state.v);
+    hold_at_zero(gaps, structure_.compliance, state.q);
+    hold_at_zero(rates, structure_.compliance, state.v);
 }
 
 // closed contacts have the state that their slip velocity says

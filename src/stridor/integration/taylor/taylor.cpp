@@ -56,9 +56,7 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
             std::vector<record::Load>(structure.contacts.size())},
       watch_(longest_period),
       scratch_(structure_.modes()),
-      velocities_(block_places * structure_.modes()),
-      tangential_(structure_.contacts.size()),
-      speed_(model::channels_of(structure)) {
+      tangential_(structure_.contacts.size()) {
     const Eigen::VectorXd q = modal(structure_, structure, start.displacement);
     const Eigen::VectorXd v = modal(structure_, structure, start.velocity);
     state_.q.assign(q.data(), q.data() + q.size());
@@ -124,8 +122,7 @@ TaylorRun::Firing TaylorRun::first_firing(double reach) {
 
 void TaylorRun::move(double theta) {
     if (!(theta > 0.0)) return;
-    block_.displacement_at(theta, state_.q);
-    block_.velocity_at(theta, state_.v);
+    block_.state_at(theta, state_.q, state_.v);
     widen(travel_, state_.q, state_.v);
     is_fresh_ = false;
 }

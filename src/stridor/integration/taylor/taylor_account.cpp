@@ -42,6 +42,12 @@ void TaylorRun::account(double theta) {
     for (std::size_t i = 0; i < block_places; ++i)
         x[i] = theta * node[i];
     block_.velocities_at(x, velocities_);
+    if (is_judged || is_measuring_) {
+        const auto rows = static_cast<Eigen::Index>(registers_for(modes) * lanes);
+        speeds_.noalias() =
+            structure_.channels * Eigen::Map<const Eigen::MatrixXd>(velocities_.front().at, rows, block_places)
+                                      .topRows(structure_.channels.cols());
+    }
     const BlockPlaces V = values_of(surface_, x);
     for (std::size_t k = 0; k < state_.set.size(); ++k) {
         const ContactMode mode = state_.set[k];
@@ -53,7 +59,7 @@ void TaylorRun::account(double theta) {
     }
     for (std::size_t i = 0; i < block_places; ++i) {
         const double duration = node_weight[i] * theta * step_;
-        const double* v = velocities_.data() + i * modes;
+        const double* v = velocities_[i * registers_for(modes)].at;
         work_.dashpot_loss += duration * dashpot_power(structure_, {v, modes});
         for (std::size_t k = 0; k < state_.set.size(); ++k) {
             const ContactMode mode = state_.set[k];
@@ -71,9 +77,9 @@ void TaylorRun::account(double theta) {
             if (is_measuring_) period_.load[structure_.number[k]].friction_loss += loss;
         }
         if (!is_judged && !is_measuring_) continue;
-        speed_.noalias() = structure_.channels * Eigen::Map<const Eigen::VectorXd>(v, static_cast<Eigen::Index>(modes));
-        if (is_judged) add_vibration(whole_, speed_, duration, sums_.vibration);
-        if (is_measuring_) add_vibration(whole_, speed_, duration, period_.vibration);
+        const auto speed = speeds_.col(static_cast<Eigen::Index>(i));
+        if (is_judged) add_vibration(whole_, speed, duration, sums_.vibration);
+        if (is_measuring_) add_vibration(whole_, speed, duration, period_.vibration);
     }
     if (is_judged) add_normal_impulse(theta, sums_);
     if (is_measuring_) add_normal_impulse(theta, period_);
@@ -94,8 +100,7 @@ void TaylorRun::pass_samples(double theta) {
         const double time = static_cast<double>(sample_) * interval;
         const double x = std::max(0.0, (time - time_) / step_);
         if (x > theta) return;
-        block_.displacement_at(x, {q.data(), structure_.modes()});
-        block_.velocity_at(x, {v.data(), structure_.modes()});
+        block_.state_at(x, {q.data(), structure_.modes()}, {v.data(), structure_.modes()});
         block_.acceleration_at(x, {a.data(), structure_.modes()});
         std::vector<record::ContactSample> contacts(state_.set.size());
         for (std::size_t k = 0; k < state_.set.size(); ++k) {

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 
 namespace stridor::integration {
 
@@ -20,60 +19,96 @@ constexpr double exact_pivot_share = 1e-4;   // likewise: with less the inverse 
 // a last term above this share of the first is not rounding
 constexpr double series_rounding = 1e-17;
 
+// rows of so many numbers, each filled up with zeros
+std::vector<Lanes> in_registers(std::span<const double> numbers, std::size_t row) {
+    const std::size_t registers = registers_for(row);
+    std::vector<Lanes> filled(numbers.size() / row * registers);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+        number_in(&filled[k / row * registers], k % row) = numbers[k];
+    return filled;
+}
+
 }  // namespace
 
 TaylorBlock::TaylorBlock(const ModalStructure& structure, double step)
     : structure_(structure),
       step_(step),
+      kernel_(series_kernel()),
       modes_(structure.modes()),
-      q_((block_order + 2) * modes_),
-      v_((block_order + 2) * modes_),
-      acceleration_(modes_),
-      right_(2 * structure.contacts.size()),
-      force_(2 * structure.contacts.size()),
-      left_over_(2 * structure.contacts.size()),
+      registers_(registers_for(modes_)),
+      square_(in_registers(structure.square_frequency, modes_)),
+      damping_(in_registers(structure.damping, modes_)),
+      load_(in_registers(structure.load, modes_)),
+      q_((block_order + 2) * registers_),
+      v_(q_.size()),
+      force_((block_order + 1) * registers_for(2 * structure.contacts.size())),
+      acceleration_(registers_),
+      right_(2 * registers_for(2 * structure.contacts.size())),
+      state_(2 * registers_),
       normal_(structure.contacts.size()),
       friction_(structure.contacts.size()) {}
 
-TaylorBlock::Rows TaylorBlock::prepare(const ContactSet& set) const {
+// the rows R and B, without what follows from them
+TaylorBlock::Rows TaylorBlock::listed(const ContactSet& set) const {
     Rows rows;
-    const auto add = [&](std::vector<double>& list, const std::vector<double>& row) {
-        list.insert(list.end(), row.begin(), row.end());
-    };
     for (std::size_t k = 0; k < set.size(); ++k) {
-        if (set[k] == ContactMode::open) continue;
+        if (set[k] != ContactMode::open) rows.normal.push_back(k);
+        if (set[k] == ContactMode::stick) rows.tangent.push_back(k);
+    }
+    rows.constraint.resize(rows.count() * registers_);
+    rows.push.resize(rows.constraint.size());
+    rows.drive.resize(rows.count());
+    for (std::size_t r = 0; r < rows.count(); ++r) {
+        const bool is_normal = r < rows.normal.size();
+        const std::size_t k = is_normal ? rows.normal[r] : rows.tangent[r - rows.normal.size()];
         const ModalContact& contact = structure_.contacts[k];
-        rows.normal.push_back(k);
-        add(rows.constraint, contact.normal);
-        add(rows.push, contact.normal);
-        if (!is_slip(set[k])) continue;
-        const double ratio = contact.ratio[index_of(way_of(set[k]))];
-        double* push = rows.push.data() + (rows.normal.size() - 1) * modes_;
-        for (std::size_t j = 0; j < modes_; ++j)
-            push[j] += ratio * contact.tangent[j];
+        const std::vector<double>& row = is_normal ? contact.normal : contact.tangent;
+        const double ratio = is_normal && is_slip(set[k]) ? contact.ratio[index_of(way_of(set[k]))] : 0.0;
+        if (!is_normal) rows.drive[r] = contact.drive_share;
+        for (std::size_t j = 0; j < modes_; ++j) {
+            number_in(&rows.constraint[r * registers_], j) = row[j];
+            number_in(&rows.push[r * registers_], j) = ratio == 0.0 ? row[j] : row[j] + ratio * contact.tangent[j];
+        }
     }
-    for (std::size_t k = 0; k < set.size(); ++k) {
-        if (set[k] != ContactMode::stick) continue;
-        rows.tangent.push_back(k);
-        add(rows.constraint, structure_.contacts[k].tangent);
-        add(rows.push, structure_.contacts[k].tangent);
+    return rows;
+}
+
+// R'B, from what the rows of all contacts give with each other
+Eigen::MatrixXd TaylorBlock::products(const ContactSet& set, const Rows& rows) const {
+    const std::size_t closed = rows.normal.size();
+    const auto number = [&](std::size_t r) {
+        return static_cast<Eigen::Index>(r < closed ? 2 * rows.normal[r] : 2 * rows.tangent[r - closed] + 1);
+    };
+    const auto size = static_cast<Eigen::Index>(rows.count());
+    Eigen::MatrixXd seen(size, size);
+    for (std::size_t c = 0; c < rows.count(); ++c) {
+        const Eigen::Index column = number(c);
+        const bool slips = c < closed && is_slip(set[rows.normal[c]]);
+        const double ratio =
+            slips ? structure_.contacts[rows.normal[c]].ratio[index_of(way_of(set[rows.normal[c]]))] : 0.0;
+        for (std::size_t r = 0; r < rows.count(); ++r)
+            seen(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) =
+                structure_.compliance(number(r), column) +
+                (slips ? ratio * structure_.compliance(number(r), column + 1) : 0.0);
     }
-    const auto size = static_cast<Eigen::Index>(rows.normal.size() + rows.tangent.size());
+    return seen;
+}
+
+TaylorBlock::Rows TaylorBlock::prepare(const ContactSet& set) const {
+    Rows rows = listed(set);
+    const auto size = static_cast<Eigen::Index>(rows.count());
     if (size == 0) return rows;
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::Map<const RowMajor> R(rows.constraint.data(), size, static_cast<Eigen::Index>(modes_));
-    const Eigen::Map<const RowMajor> B(rows.push.data(), size, static_cast<Eigen::Index>(modes_));
-    const Eigen::MatrixXd seen = R * B.transpose();
+    const Eigen::MatrixXd seen = products(set, rows);
     Eigen::FullPivLU<Eigen::MatrixXd> factor(seen);
     factor.setThreshold(least_pivot_share);
     rows.is_singular = !factor.isInvertible();
     if (rows.is_singular) return rows;
-    const RowMajor inverse = factor.inverse();
-    rows.inverse.assign(inverse.data(), inverse.data() + inverse.size());
+    const auto columns = [&](const Eigen::MatrixXd& matrix) {
+        return in_registers({matrix.data(), static_cast<std::size_t>(matrix.size())}, rows.count());
+    };
+    rows.inverse = columns(factor.inverse());
     const Eigen::VectorXd pivots = factor.matrixLU().diagonal().cwiseAbs();
-    if (pivots.minCoeff() > exact_pivot_share * pivots.maxCoeff()) return rows;
-    const RowMajor exact = seen;
-    rows.seen.assign(exact.data(), exact.data() + exact.size());
+    if (!(pivots.minCoeff() > exact_pivot_share * pivots.maxCoeff())) rows.seen = columns(seen);
     return rows;
 }
 
@@ -87,80 +122,8 @@ bool TaylorBlock::choose(const ContactSet& set) {
     return !rows_->is_singular;
 }
 
-// without contact forces, coefficient m
-template <typename Count>
-void TaylorBlock::free_acceleration(int m, Count modes) {
-    const double* q = coefficient(q_, m).data();
-    const double* v = coefficient(v_, m).data();
-    const double* square = structure_.square_frequency.data();
-    const double* damping = structure_.damping.data();
-    double* a = acceleration_.data();
-    for (std::size_t j = 0; j < modes; ++j)
-        a[j] = -square[j] * q[j];
-    if (structure_.is_damped_by_mode()) {
-        for (std::size_t j = 0; j < modes; ++j)
-            a[j] -= damping[j] * v[j];
-    } else {
-        for (std::size_t k = 0; k < modes; ++k)
-            for (std::size_t j = 0; j < modes; ++j)
-                a[j] -= damping[k * modes + j] * v[k];
-    }
-    if (m == 0)
-        for (std::size_t j = 0; j < modes; ++j)
-            a[j] += structure_.load[j];
-}
-
-// one step of iterative refinement: the forces leave no more than rounding of their own
-void TaylorBlock::refine_forces() {
-    const std::size_t rows = rows_->normal.size() + rows_->tangent.size();
-    for (std::size_t r = 0; r < rows; ++r)
-        left_over_[r] = right_[r] - dot({rows_->seen.data() + r * rows, rows}, force_);
-    for (std::size_t r = 0; r < rows; ++r)
-        force_[r] += dot({rows_->inverse.data() + r * rows, rows}, left_over_);
-}
-
-// `modes` is their number, known when this is compiled or not: loops over a few modes are unrolled then. The operations
-// and their order are the same.
-template <typename Count>
-void TaylorBlock::expand_modes(const SurfaceSeries& surface, Count modes) {
-    const std::size_t closed = rows_->normal.size();
-    const std::size_t rows = closed + rows_->tangent.size();
-    for (int m = 0; m <= order_; ++m) {
-        free_acceleration(m, modes);
-        const double per_step = static_cast<double>(m + 1) / step_;
-        double* a = acceleration_.data();
-        for (std::size_t r = 0; r < rows; ++r) {
-            const double* constraint = rows_->constraint.data() + r * modes;
-            double sum = 0.0;
-            for (std::size_t j = 0; j < modes; ++j)
-                sum += constraint[j] * a[j];
-            right_[r] = -sum;
-        }
-        for (std::size_t r = closed; r < rows; ++r)
-            right_[r] += structure_.contacts[rows_->tangent[r - closed]].drive_share * per_step *
-                         surface[static_cast<std::size_t>(m) + 1];
-        for (std::size_t r = 0; r < rows; ++r)
-            force_[r] = dot({rows_->inverse.data() + r * rows, rows}, right_);
-        if (!rows_->seen.empty()) refine_forces();
-        for (std::size_t r = 0; r < rows; ++r) {
-            const double* push = rows_->push.data() + r * modes;
-            const double force = force_[r];
-            for (std::size_t j = 0; j < modes; ++j)
-                a[j] += push[j] * force;
-        }
-        for (std::size_t r = 0; r < closed; ++r)
-            normal_[rows_->normal[r]][static_cast<std::size_t>(m)] = force_[r];
-        for (std::size_t r = closed; r < rows; ++r)
-            friction_[rows_->tangent[r - closed]][static_cast<std::size_t>(m)] = force_[r];
-        const double* rate = v_.data() + static_cast<std::size_t>(m) * modes;
-        double* next_q = q_.data() + static_cast<std::size_t>(m + 1) * modes;
-        double* next_v = v_.data() + static_cast<std::size_t>(m + 1) * modes;
-        const double scale = 1.0 / per_step;
-        for (std::size_t j = 0; j < modes; ++j) {
-            next_q[j] = scale * rate[j];
-            next_v[j] = scale * a[j];
-        }
-    }
+SeriesRoom TaylorBlock::room() {
+    return {q_.data(), v_.data(), force_.data(), acceleration_.data(), right_.data()};
 }
 
 void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, const SurfaceSeries& surface,
@@ -169,37 +132,47 @@ void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, c
     surface_ = surface;
     acceleration_sizes_.clear();
     constraint_sizes_.clear();
-    std::copy(q.begin(), q.end(), q_.begin());
-    std::copy(v.begin(), v.end(), v_.begin());
+    std::copy(q.begin(), q.end(), q_.front().at);
+    std::copy(v.begin(), v.end(), v_.front().at);
+    kernel_.expand({.modes = registers_,
+                    .rows = rows_->count(),
+                    .square = square_.data(),
+                    .damping = damping_.data(),
+                    .damped_modes = structure_.is_damped_by_mode() ? 0 : modes_,
+                    .load = load_.data(),
+                    .constraint = rows_->constraint.data(),
+                    .push = rows_->push.data(),
+                    .inverse = rows_->inverse.data(),
+                    .seen = rows_->seen.empty() ? nullptr : rows_->seen.data(),
+                    .drive = rows_->drive.data(),
+                    .surface = surface_.data(),
+                    .step = step_},
+                   order_, room());
     for (std::size_t k = 0; k < normal_.size(); ++k) {
         normal_[k].fill(0.0);
         friction_[k].fill(0.0);
     }
-    // one joint on a plate has 3, each further one 2 more
-    switch (modes_) {
-        case 3:
-            return expand_modes(surface, std::integral_constant<std::size_t, 3>());
-        case 5:
-            return expand_modes(surface, std::integral_constant<std::size_t, 5>());
-        case 7:
-            return expand_modes(surface, std::integral_constant<std::size_t, 7>());
-        default:
-            return expand_modes(surface, modes_);
-    }
+    const std::size_t closed = rows_->normal.size();
+    const std::size_t registers = registers_for(rows_->count());
+    for (std::size_t m = 0; m <= static_cast<std::size_t>(order_); ++m)
+        for (std::size_t r = 0; r < rows_->count(); ++r)
+            (r < closed ? normal_[rows_->normal[r]] : friction_[rows_->tangent[r - closed]])[m] =
+                number_in(&force_[m * registers], r);
 }
 
 // a row times each coefficient: five sums side by side, which do not wait for each other
-BlockSeries TaylorBlock::row_series(std::span<const double> row, const std::vector<double>& series) const {
+BlockSeries TaylorBlock::row_series(std::span<const double> row, const std::vector<Lanes>& series) const {
     constexpr std::size_t side_by_side = 5;
     static_assert((block_order + 1) % side_by_side == 0);
     BlockSeries result{};
     const auto count = static_cast<std::size_t>(order_) + 1;
+    const std::size_t stride = registers_ * lanes;
     for (std::size_t m = 0; m < count; m += side_by_side) {
         std::array<double, side_by_side> sum{};
-        const double* c = series.data() + m * modes_;
+        const double* c = series[m * registers_].at;
         for (std::size_t j = 0; j < row.size(); ++j)
             for (std::size_t i = 0; i < side_by_side; ++i)
-                sum[i] += row[j] * c[i * modes_ + j];
+                sum[i] += row[j] * c[i * stride + j];
         for (std::size_t i = 0; i < std::min(side_by_side, count - m); ++i)
             result[m + i] = sum[i];
     }
@@ -223,23 +196,24 @@ BlockSeries TaylorBlock::slip_velocity(std::size_t contact) const {
 
 double TaylorBlock::velocity_scale(std::size_t contact) const {
     const ModalContact& c = structure_.contacts[contact];
-    return dot_of_sizes(c.tangent, v_) + std::abs(c.drive_share * surface_[0]);
+    return dot_of_sizes(c.tangent, coefficient(v_, 0)) + std::abs(c.drive_share * surface_[0]);
 }
 
 // a with all signs left out, at the block's beginning
 const std::vector<double>& TaylorBlock::acceleration_sizes() const {
     std::vector<double>& size = acceleration_sizes_;
     if (!size.empty()) return size;
+    const std::span<const double> q = coefficient(q_, 0), v = coefficient(v_, 0);
     size.resize(modes_);
     for (std::size_t j = 0; j < modes_; ++j)
-        size[j] = std::abs(structure_.square_frequency[j] * q_[j]) + std::abs(structure_.load[j]);
+        size[j] = std::abs(structure_.square_frequency[j] * q[j]) + std::abs(structure_.load[j]);
     if (structure_.is_damped_by_mode())
         for (std::size_t j = 0; j < modes_; ++j)
-            size[j] += std::abs(structure_.damping[j] * v_[j]);
+            size[j] += std::abs(structure_.damping[j] * v[j]);
     else
         for (std::size_t k = 0; k < modes_; ++k)
             for (std::size_t j = 0; j < modes_; ++j)
-                size[j] += std::abs(structure_.damping[k * modes_ + j] * v_[k]);
+                size[j] += std::abs(structure_.damping[k * modes_ + j] * v[k]);
     return size;
 }
 
@@ -247,8 +221,10 @@ const std::vector<double>& TaylorBlock::acceleration_sizes() const {
 const std::vector<double>& TaylorBlock::constraint_sizes() const {
     if (!constraint_sizes_.empty()) return constraint_sizes_;
     const std::vector<double>& size = acceleration_sizes();
-    for (std::size_t k = 0; k < rows_->normal.size() + rows_->tangent.size(); ++k)
-        constraint_sizes_.push_back(dot_of_sizes({rows_->constraint.data() + k * modes_, modes_}, size));
+    for (const std::size_t k : rows_->normal)
+        constraint_sizes_.push_back(dot_of_sizes(structure_.contacts[k].normal, size));
+    for (const std::size_t k : rows_->tangent)
+        constraint_sizes_.push_back(dot_of_sizes(structure_.contacts[k].tangent, size));
     return constraint_sizes_;
 }
 
@@ -261,13 +237,13 @@ double TaylorBlock::velocity_change_scale(std::size_t contact) const {
 double TaylorBlock::gap_change_scale(std::size_t contact) const {
     std::vector<double> size = acceleration_sizes();
     const std::size_t closed = rows_->normal.size();
-    for (std::size_t r = 0; r < closed + rows_->tangent.size(); ++r) {
+    for (std::size_t r = 0; r < rows_->count(); ++r) {
         const BlockSeries& series = r < closed ? normal_[rows_->normal[r]] : friction_[rows_->tangent[r - closed]];
         double force = 0.0;
         for (int m = 0; m <= order_; ++m)
             force = std::max(force, std::abs(series[static_cast<std::size_t>(m)]));
         for (std::size_t j = 0; j < modes_; ++j)
-            size[j] += force * std::abs(rows_->push[r * modes_ + j]);
+            size[j] += force * std::abs(number_in(&rows_->push[r * registers_], j));
     }
     return step_ * step_ * dot_of_sizes(structure_.contacts[contact].normal, size);
 }
@@ -275,24 +251,14 @@ double TaylorBlock::gap_change_scale(std::size_t contact) const {
 // (R'B)^-1 R' a likewise
 double TaylorBlock::force_scale(std::size_t contact) const {
     const std::size_t closed = rows_->normal.size();
-    const std::size_t rows = closed + rows_->tangent.size();
     const std::vector<double>& size = constraint_sizes();
     double scale = 0.0;
     for (std::size_t r = 0; r < closed; ++r) {
         if (rows_->normal[r] != contact) continue;
-        for (std::size_t k = 0; k < rows; ++k)
-            scale += std::abs(rows_->inverse[r * rows + k]) * size[k];
+        for (std::size_t k = 0; k < rows_->count(); ++k)
+            scale += std::abs(number_in(&rows_->inverse[k * registers_for(rows_->count())], r)) * size[k];
     }
     return scale;
-}
-
-void TaylorBlock::at(const std::vector<double>& series, double theta, std::span<double> result) const {
-    std::fill(result.begin(), result.end(), 0.0);
-    for (int m = order_ + 1; m >= 0; --m) {
-        const std::span<const double> c = coefficient(series, m);
-        for (std::size_t j = 0; j < modes_; ++j)
-            result[j] = result[j] * theta + c[j];
-    }
 }
 
 BlockPlaces values_of(std::span<const double> c, const BlockPlaces& x) {
@@ -303,23 +269,16 @@ BlockPlaces values_of(std::span<const double> c, const BlockPlaces& x) {
     return value;
 }
 
-void TaylorBlock::velocities_at(const BlockPlaces& theta, std::span<double> v) const {
-    for (std::size_t j = 0; j < modes_; ++j) {
-        BlockPlaces value{};
-        for (std::size_t m = static_cast<std::size_t>(order_) + 2; m-- > 0;)
-            for (std::size_t i = 0; i < block_places; ++i)
-                value[i] = value[i] * theta[i] + v_[m * modes_ + j];
-        for (std::size_t i = 0; i < block_places; ++i)
-            v[i * modes_ + j] = value[i];
-    }
+void TaylorBlock::velocities_at(const BlockPlaces& theta, std::vector<Lanes>& v) const {
+    v.resize(block_places * registers_);
+    kernel_.evaluate(v_.data(), static_cast<std::size_t>(order_) + 2, registers_, theta, v.data());
 }
 
-void TaylorBlock::displacement_at(double theta, std::span<double> q) const {
-    at(q_, theta, q);
-}
-
-void TaylorBlock::velocity_at(double theta, std::span<double> v) const {
-    at(v_, theta, v);
+void TaylorBlock::state_at(double theta, std::span<double> q, std::span<double> v) const {
+    kernel_.evaluate_state(q_.data(), v_.data(), static_cast<std::size_t>(order_) + 2, registers_, theta, state_.data(),
+                           state_.data() + registers_);
+    std::copy_n(state_.front().at, modes_, q.begin());
+    std::copy_n(state_[registers_].at, modes_, v.begin());
 }
 
 void TaylorBlock::acceleration_at(double theta, std::span<double> a) const {

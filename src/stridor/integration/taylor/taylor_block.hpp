@@ -2,6 +2,7 @@
 
 #include "stridor/integration/contact_mode.hpp"
 #include "stridor/integration/modal_structure.hpp"
+#include "stridor/integration/taylor/series_kernel.hpp"
 
 #include <array>
 #include <cstddef>
@@ -15,10 +16,6 @@ namespace stridor::integration {
 /// Order of the series of a block: with h = 2/Omega the next term is 2^25/25! = 2e-18 of the first.
 inline constexpr int block_order = 24;
 using BlockSeries = std::array<double, block_order + 1>;
-
-/// Places in a block that are looked at together, as lanes: each is computed as if it were alone.
-inline constexpr std::size_t block_places = 8;
-using BlockPlaces = std::array<double, block_places>;
 
 /// Values of a polynomial at several places at once.
 BlockPlaces values_of(std::span<const double> c, const BlockPlaces& x);
@@ -67,12 +64,11 @@ public:
     double gap_change_scale(std::size_t contact) const;
 
     /// State at a place in [0, 1]; shape [mode].
-    void displacement_at(double theta, std::span<double> q) const;
-    void velocity_at(double theta, std::span<double> v) const;
+    void state_at(double theta, std::span<double> q, std::span<double> v) const;
     void acceleration_at(double theta, std::span<double> a) const;
 
-    /// Velocities at several places at once; shape [place][mode].
-    void velocities_at(const BlockPlaces& theta, std::span<double> v) const;
+    /// Velocities at several places at once, each computed as if it were alone; shape [place][mode].
+    void velocities_at(const BlockPlaces& theta, std::vector<Lanes>& v) const;
 
     /// Last place up to which the series is exact to rounding: 1 but for sets near a Painleve configuration.
     double reach() const;
@@ -83,37 +79,39 @@ private:
         bool is_singular = false;
         std::vector<std::size_t> normal;   // contact of each normal row
         std::vector<std::size_t> tangent;  // contact of each tangential row, behind them
-        std::vector<double> constraint;    // R', shape [row][mode]
-        std::vector<double> push;          // B', shape [row][mode]
-        std::vector<double> inverse;       // (R'B)^-1, shape [row][row]
-        std::vector<double> seen;          // R'B where its inverse is far from exact, else empty; likewise
+        std::vector<Lanes> constraint;     // R', shape [row][mode]
+        std::vector<Lanes> push;           // B', shape [row][mode]
+        std::vector<Lanes> inverse;        // (R'B)^-1, shape [column][row]
+        std::vector<Lanes> seen;           // R'B where its inverse is far from exact, else empty; likewise
+        std::vector<double> drive;         // [1] share of the surface's velocity, shape [row]
+
+        std::size_t count() const { return normal.size() + tangent.size(); }
     };
 
     Rows prepare(const ContactSet& set) const;
-    std::span<const double> coefficient(const std::vector<double>& series, int m) const {
-        return {series.data() + static_cast<std::size_t>(m) * modes_, modes_};
+    Rows listed(const ContactSet& set) const;
+    Eigen::MatrixXd products(const ContactSet& set, const Rows& rows) const;
+    std::span<const double> coefficient(const std::vector<Lanes>& series, int m) const {
+        return {series[static_cast<std::size_t>(m) * registers_].at, modes_};
     }
-    template <typename Count>
-    void free_acceleration(int m, Count modes);
-    void refine_forces();
-    template <typename Count>
-    void expand_modes(const SurfaceSeries& surface, Count modes);
-    BlockSeries row_series(std::span<const double> row, const std::vector<double>& series) const;
+    BlockSeries row_series(std::span<const double> row, const std::vector<Lanes>& series) const;
     const std::vector<double>& acceleration_sizes() const;
     const std::vector<double>& constraint_sizes() const;
-    void at(const std::vector<double>& series, double theta, std::span<double> result) const;
+    SeriesRoom room();
 
     const ModalStructure& structure_;
     double step_;
+    const SeriesKernel& kernel_;
     std::size_t modes_;
+    std::size_t registers_;  // that hold the modes
     int order_ = 0;
     SurfaceSeries surface_{};
     std::map<std::vector<ContactMode>, Rows> prepared_{};
     const Rows* rows_ = nullptr;
-    std::vector<double> q_, v_;          // shape [order + 2][mode]
-    std::vector<double> acceleration_;   // of one coefficient, shape [mode]
-    std::vector<double> right_, force_;  // of one coefficient, shape [row]
-    std::vector<double> left_over_;
+    std::vector<Lanes> square_, damping_, load_;  // those of the structure
+    std::vector<Lanes> q_, v_, force_;            // shapes [order + 2][mode], [order + 1][row]
+    std::vector<Lanes> acceleration_, right_;     // of one coefficient
+    mutable std::vector<Lanes> state_;            // q and v at a place
     std::vector<BlockSeries> normal_, friction_;
     // of this expansion, once they were asked for; empty: not yet
     mutable std::vector<double> acceleration_sizes_, constraint_sizes_;

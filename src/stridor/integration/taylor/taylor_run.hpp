@@ -104,9 +104,9 @@ private:
     double crowd_begin_ = 0.0;  // [s] of the events that are counted together
     std::size_t crowd_events_ = 0;
     std::vector<double> scratch_;
-    std::vector<double> velocities_;       // [1/s] shape [place][mode]
+    std::vector<Lanes> velocities_;        // [1/s] shape [place][mode]
     std::vector<BlockPlaces> tangential_;  // [N] shape [contact]
-    Eigen::VectorXd speed_;                // [m/s] shape [channel]
+    Eigen::MatrixXd speeds_;               // [m/s] shape [channel][place]
 };
 
 }  // namespace stridor::integration

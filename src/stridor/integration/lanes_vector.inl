@@ -1,5 +1,5 @@
-// Vectors of eight numbers for the exact engine's loops (kernel.inl), which include this file with STRIDOR_ISA and
-// STRIDOR_WIDTH set: one register of AVX-512, two of AVX2, four of the baseline.
+// Vectors of eight numbers for the engines' loops, which include this file with STRIDOR_ISA and STRIDOR_WIDTH set: one
+// register of AVX-512, two of AVX2, four of the baseline.
 
 // a call would pass vectors through memory
 #define STRIDOR_INLINE inline __attribute__((always_inline))

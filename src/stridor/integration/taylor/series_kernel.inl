@@ -1,0 +1,144 @@
+// The loops of series_kernel.hpp for one instruction set: this file is compiled once with STRIDOR_ISA and STRIDOR_WIDTH
+// for each. Each lane is computed by itself, so that all sets give the same bits.
+
+#include "stridor/integration/lanes_vector.inl"
+
+namespace stridor::integration::STRIDOR_ISA {
+
+namespace {
+
+constexpr Lanes no_numbers{};
+
+STRIDOR_INLINE double sum_of(const Vector& v) {
+    double first = 0.0, second = 0.0;
+    sums_of_four(v, first, second);
+    return first + second;
+}
+
+// without contact forces, one coefficient
+STRIDOR_INLINE void accelerate_freely(const SeriesProblem& problem, std::size_t modes, const Lanes* q, const Lanes* v,
+                                      Lanes* a, bool is_first) {
+    for (std::size_t j = 0; j < modes; ++j) {
+        Vector sum = load(no_numbers) - load(problem.square[j]) * load(q[j]);
+        if (problem.damped_modes == 0) sum = sum - load(problem.damping[j]) * load(v[j]);
+        for (std::size_t k = 0; k < problem.damped_modes; ++k)
+            sum = sum - load(problem.damping[k * modes + j]) * number_in(v, k);
+        if (is_first) sum = sum + load(problem.load[j]);
+        save(sum, a[j]);
+    }
+}
+
+// matrix, shape [column][row], times x; rows in registers
+STRIDOR_INLINE void multiply(const Lanes* matrix, std::size_t columns, std::size_t rows, const Lanes* x,
+                             Lanes* product) {
+    for (std::size_t r = 0; r < rows; ++r) {
+        Vector sum = load(no_numbers);
+        for (std::size_t column = 0; column < columns; ++column)
+            sum = sum + load(matrix[column * rows + r]) * number_in(x, column);
+        save(sum, product[r]);
+    }
+}
+
+// those that hold the constraints, of one coefficient
+STRIDOR_INLINE void find_forces(const SeriesProblem& problem, std::size_t modes, const Lanes* a, double surface_rate,
+                                Lanes* right, Lanes* force) {
+    const std::size_t registers = registers_for(problem.rows);
+    for (std::size_t r = 0; r < problem.rows; ++r) {
+        Vector sum = load(no_numbers);
+        for (std::size_t j = 0; j < modes; ++j)
+            sum = sum + load(problem.constraint[r * modes + j]) * load(a[j]);
+        number_in(right, r) = problem.drive[r] * surface_rate - sum_of(sum);
+    }
+    multiply(problem.inverse, problem.rows, registers, right, force);
+    if (problem.seen == nullptr) return;
+    // one step of iterative refinement: the forces leave no more than rounding of their own
+    Lanes* left_over = right + registers;
+    multiply(problem.seen, problem.rows, registers, force, left_over);
+    for (std::size_t r = 0; r < registers; ++r)
+        save(load(right[r]) - load(left_over[r]), left_over[r]);
+    multiply(problem.inverse, problem.rows, registers, left_over, right);
+    for (std::size_t r = 0; r < registers; ++r)
+        save(load(force[r]) + load(right[r]), force[r]);
+}
+
+// the pushes of all rows on so many registers of modes at once
+template <std::size_t count>
+STRIDOR_INLINE void push(const SeriesProblem& problem, std::size_t modes, std::size_t first, const Lanes* force,
+                         Lanes* a) {
+    Vector sum[count];
+    for (std::size_t j = 0; j < count; ++j)
+        sum[j] = load(a[first + j]);
+    for (std::size_t r = 0; r < problem.rows; ++r)
+        for (std::size_t j = 0; j < count; ++j)
+            sum[j] = sum[j] + load(problem.push[r * modes + first + j]) * number_in(force, r);
+    for (std::size_t j = 0; j < count; ++j)
+        save(sum[j], a[first + j]);
+}
+
+// `modes` in registers; `a` holds so many
+STRIDOR_INLINE void expand_modes(const SeriesProblem& problem, int order, const SeriesRoom& room, std::size_t modes,
+                                 Lanes* a) {
+    constexpr std::size_t at_once = 4;
+    const std::size_t registers = registers_for(problem.rows);
+    for (std::size_t m = 0; m <= static_cast<std::size_t>(order); ++m) {
+        const double per_step = static_cast<double>(m + 1) / problem.step;
+        const Lanes* v = room.v + m * modes;
+        accelerate_freely(problem, modes, room.q + m * modes, v, a, m == 0);
+        if (problem.rows > 0) {
+            Lanes* force = room.force + m * registers;
+            find_forces(problem, modes, a, per_step * problem.surface[m + 1], room.right, force);
+            std::size_t first = 0;
+            for (; first + at_once <= modes; first += at_once)
+                push<at_once>(problem, modes, first, force, a);
+            for (; first < modes; ++first)
+                push<1>(problem, modes, first, force, a);
+        }
+        const double scale = 1.0 / per_step;
+        for (std::size_t j = 0; j < modes; ++j) {
+            save(load(v[j]) * scale, room.q[(m + 1) * modes + j]);
+            save(load(a[j]) * scale, room.v[(m + 1) * modes + j]);
+        }
+    }
+}
+
+void expand(const SeriesProblem& problem, int order, const SeriesRoom& room) {
+    if (problem.modes > 1) return expand_modes(problem, order, room, problem.modes, room.acceleration);
+    Lanes one;  // stays in a register
+    expand_modes(problem, order, room, 1, &one);
+}
+
+void evaluate(const Lanes* coefficients, std::size_t count, std::size_t modes, const BlockPlaces& places,
+              Lanes* values) {
+    for (std::size_t j = 0; j < modes; ++j) {
+        Vector value[block_places];
+        for (Vector& each : value)
+            each = load(no_numbers);
+        for (std::size_t m = count; m-- > 0;) {
+            const Vector c = load(coefficients[m * modes + j]);
+            for (std::size_t place = 0; place < block_places; ++place)
+                value[place] = value[place] * places[place] + c;
+        }
+        for (std::size_t place = 0; place < block_places; ++place)
+            save(value[place], values[place * modes + j]);
+    }
+}
+
+void evaluate_state(const Lanes* q, const Lanes* v, std::size_t count, std::size_t modes, double place, Lanes* q_there,
+                    Lanes* v_there) {
+    for (std::size_t j = 0; j < modes; ++j) {
+        Vector value = load(no_numbers), rate = load(no_numbers);
+        for (std::size_t m = count; m-- > 0;) {
+            value = value * place + load(q[m * modes + j]);
+            rate = rate * place + load(v[m * modes + j]);
+        }
+        save(value, q_there[j]);
+        save(rate, v_there[j]);
+    }
+}
+
+}  // namespace
+
+extern const SeriesKernel loops_of_series;
+const SeriesKernel loops_of_series{expand, evaluate, evaluate_state};
+
+}  // namespace stridor::integration::STRIDOR_ISA
