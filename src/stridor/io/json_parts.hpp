@@ -72,12 +72,15 @@ inline void put_own_structure(Json& object, const parameters::Case& c) {
                      {"drive_share", own.contacts[k].drive_share}};
         if (parameters::is_preloaded(own)) contact["preload"] = laws.preload;
         if (!own.contacts[k].interface.empty()) contact["interface"] = own.contacts[k].interface;
+        if (own.contacts[k].position) contact["position"] = *own.contacts[k].position;
         contacts.push_back(std::move(contact));
     }
     object["origin"] = own.origin;
     object["content"] = parameters::content_hash(own);
     object["rows"] = own.row;
     object["contacts"] = std::move(contacts);
+    for (const parameters::OwnOutput& output : own.outputs)
+        object["outputs"].push_back(output.name);
 }
 
 /// A case by sections and names: quantities as numbers in their units, all else as text. Fields without a meaning for
@@ -113,6 +116,7 @@ inline Json case_units(const parameters::Case& c) {
     if (c.own_structure) {
         units["case.structure.contacts.initial_gap"] = "m";
         units["case.structure.contacts.preload"] = "N";
+        units["case.structure.contacts.position"] = "m";
     }
     if (parameters::has_temperature_table(c)) units["case.temperature.at"] = parameters::unit_of("temperature.value");
     for (const parameters::TemperatureColumn& column : c.temperature.columns)

@@ -26,14 +26,20 @@ Structure bowed_string(const BowedString& string, int modes) {
         const double omega = 2.0 * pi_of_modes * string.frequency * k;
         structure.stiffness(k - 1, k - 1) = omega * omega;
         structure.damping(k - 1, k - 1) = 2.0 * string.damping_ratio * omega + bridge_damping;
-        bow.tangent(k - 1) =
-            std::sqrt(2.0 / mass_of(string)) * base::sine_cosine_of_turns(0.5 * k * string.bow_position).sine;
     }
+    bow.tangent = string_shape(string, modes, string.bow_position);
     structure.stiffness(modes, modes) = bow_stiffness;
     structure.load(modes) = -string.bow_force;
     bow.normal(modes) = 1.0;
     bow.friction = string.friction;
     return structure;
+}
+
+Eigen::VectorXd string_shape(const BowedString& string, int modes, double place) {
+    Eigen::VectorXd shape = Eigen::VectorXd::Zero(modes + 1);
+    for (int k = 1; k <= modes; ++k)
+        shape(k - 1) = std::sqrt(2.0 / mass_of(string)) * base::sine_cosine_of_turns(0.5 * k * place).sine;
+    return shape;
 }
 
 Eigen::VectorXd helmholtz_motion(const BowedString& string, int modes, double bow_velocity) {

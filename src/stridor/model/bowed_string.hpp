@@ -29,6 +29,10 @@ struct BowedString {
 /// Source: Cremer, The Physics of the Violin (1984), chapter 3.
 Structure bowed_string(const BowedString& string, int modes);
 
+/// How far each coordinate moves the string [1/√kg] at `place`, the share of its length from the near end: φ_k there,
+/// and nothing of the bow; shape [modes + 1].
+Eigen::VectorXd string_shape(const BowedString& string, int modes, double place);
+
 /// Velocities of the coordinates [m √kg/s] of Helmholtz's motion when the string passes through its rest position, for
 /// a bow that moves with V [m/s]: V/b √(2 ρ L) (-1)^(k+1) / (kπ). The corner runs round the string once a period; the
 /// string sticks to the bow but for the share b of it.

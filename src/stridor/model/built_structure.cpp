@@ -1,6 +1,7 @@
 #include "stridor/model/built_structure.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/model/bowed_string.hpp"
 #include "stridor/model/cantilever.hpp"
 #include "stridor/model/chain_on_belt.hpp"
@@ -37,6 +38,8 @@ OwnStructure own_of(const Structure& built, const Recipe& recipe, std::string or
     structure.recipe = recipe;
     return structure;
 }
+
+constexpr int outline_steps = 40;  // from one end to the other: the corner of a bowed string is seen as one
 
 void take(const Recipe& recipe, std::string_view key, double& value) {
     if (const auto found = recipe.numbers.find(key); found != recipe.numbers.end()) value = found->second;
@@ -90,6 +93,13 @@ OwnStructure built_string(const Recipe& recipe) {
     const auto start = recipe.words.find("start");
     if (start != recipe.words.end() && start->second == "helmholtz")
         structure.initial_velocity = row_numbers(helmholtz_motion(string, modes, 1.0));
+    structure.contacts.front().position = {0.0, 0.0, string.bow_position * string.length};
+    for (int step = 0; step <= outline_steps; ++step) {
+        const double place = static_cast<double>(step) / outline_steps;
+        structure.outline.push_back({{0.0, 0.0, place * string.length},
+                                     row_numbers(string_shape(string, modes, place)),
+                                     std::vector<double>(structure.row.size(), 0.0)});
+    }
     return structure;
 }
 
@@ -102,8 +112,18 @@ OwnStructure built_beam(const Recipe& recipe) {
     take(recipe, "damping_ratio", beam.damping_ratio);
     take(recipe, "incidence_angle", beam.incidence_angle);
     const int modes = count_of(recipe, "modes");
-    return own_of(cantilever(beam, modes), recipe, fmt::format("beam of {} bending modes", modes),
-                  mode_names(modes, "axial"), {"tip"});
+    OwnStructure structure = own_of(cantilever(beam, modes), recipe, fmt::format("beam of {} bending modes", modes),
+                                    mode_names(modes, "axial"), {"tip"});
+    structure.contacts.front().position = {0.0, 0.0, 0.0};
+    const base::SineCosine angle = base::sine_cosine_of_degrees(beam.incidence_angle);
+    for (int step = 0; step <= outline_steps; ++step) {
+        const double place = static_cast<double>(step) / outline_steps;
+        const double away = beam.length * (1.0 - place);  // from the tip, which rubs
+        const BeamShape shape = cantilever_shape(beam, modes, place);
+        structure.outline.push_back(
+            {{away * angle.cosine, away * angle.sine, 0.0}, row_numbers(shape.along), row_numbers(shape.across)});
+    }
+    return structure;
 }
 
 }  // namespace stridor::model

@@ -25,6 +25,24 @@ double clamped_free_root(int k) {
     return x;
 }
 
+double exponential(double x) {
+    return base::power_of_2(logarithm_2_of_e * x);
+}
+
+// cosh s - cos s - q (sinh s - sin s), s = root * place: of a beam as long as 1 and of the mean square 1. The growing
+// and the decaying exponential stand by themselves, else they would cancel in high modes.
+double clamped_free_shape(int k, double place) {
+    const double b = clamped_free_root(k);
+    const double s = b * place;
+    const base::SineCosine end = base::sine_cosine_of_turns(b / (2.0 * pi));
+    const base::SineCosine here = base::sine_cosine_of_turns(s / (2.0 * pi));
+    const double decay = exponential(-b);
+    const double whole = 1.0 - decay * decay + 2.0 * decay * end.sine;     // 2 exp(-b) (sinh b + sin b)
+    const double missing = 2.0 * (end.sine - end.cosine - decay) / whole;  // exp(b) (1 - q)
+    const double q = 1.0 - missing * decay;
+    return 0.5 * (missing * exponential(s - b) + (1.0 + q) * exponential(-s)) - here.cosine + q * here.sine;
+}
+
 }  // namespace
 
 double bending_frequency(const Cantilever& beam, int k) {
@@ -54,6 +72,17 @@ Structure cantilever(const Cantilever& beam, int bending_modes) {
     structure.load = -beam.preload * tip.normal;
     tip.friction = beam.friction;
     return structure;
+}
+
+BeamShape cantilever_shape(const Cantilever& beam, int bending_modes, double place) {
+    const base::SineCosine angle = base::sine_cosine_of_degrees(beam.incidence_angle);
+    const double mass = beam.mass_per_length * beam.length;
+    Eigen::VectorXd bending = Eigen::VectorXd::Zero(bending_modes + 1);
+    Eigen::VectorXd axial = bending;
+    for (int k = 1; k <= bending_modes; ++k)
+        bending(k - 1) = clamped_free_shape(k, place) / std::sqrt(mass);
+    axial(bending_modes) = std::sqrt(2.0 / mass) * base::sine_cosine_of_turns(0.25 * place).sine;
+    return {angle.cosine * axial - angle.sine * bending, angle.sine * axial + angle.cosine * bending};
 }
 
 }  // namespace stridor::model

@@ -27,4 +27,13 @@ double bending_frequency(const Cantilever& beam, int k);
 /// Vibrations (2001), 8.4.
 Structure cantilever(const Cantilever& beam, int bending_modes);
 
+/// How far each coordinate moves a point of the beam [1/sqrt(kg)]; shape [bending_modes + 1].
+struct BeamShape {
+    Eigen::VectorXd along;   // the surface's direction of motion
+    Eigen::VectorXd across;  // the surface's normal
+};
+
+/// The shape at `place`, the share of the beam's length from its clamped end.
+BeamShape cantilever_shape(const Cantilever& beam, int bending_modes, double place);
+
 }  // namespace stridor::model

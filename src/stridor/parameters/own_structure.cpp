@@ -44,6 +44,7 @@ void rebuild(Case& c, std::string_view key, double value) {
     OwnStructure anew = recipe.build(recipe);
     // what a case file adds to what is built
     anew.initial_displacement = c.own_structure->initial_displacement;
+    anew.outputs = c.own_structure->outputs;
     c.own_structure = std::make_shared<const OwnStructure>(std::move(anew));
 }
 
@@ -81,6 +82,27 @@ std::vector<std::vector<double>> output_weights(const OwnStructure& structure) {
     for (const OwnOutput& output : structure.outputs)
         weights.push_back(output.weights);
     return weights;
+}
+
+std::vector<double> places_along_line(const OwnStructure& structure) {
+    std::array<double, 3> least{}, most{};
+    for (const OwnContact& contact : structure.contacts) {
+        if (!contact.position) return {};
+        const std::array<double, 3>& at = *contact.position;
+        const bool is_first = &contact == structure.contacts.data();
+        for (std::size_t axis = 0; axis < at.size(); ++axis) {
+            least.at(axis) = is_first ? at.at(axis) : std::min(least.at(axis), at.at(axis));
+            most.at(axis) = is_first ? at.at(axis) : std::max(most.at(axis), at.at(axis));
+        }
+    }
+    std::size_t longest = 0;
+    for (std::size_t axis = 1; axis < least.size(); ++axis)
+        if (most.at(axis) - least.at(axis) > most.at(longest) - least.at(longest)) longest = axis;
+    if (!(most.at(longest) > least.at(longest))) return {};
+    std::vector<double> places;
+    for (const OwnContact& contact : structure.contacts)
+        places.push_back(contact.position->at(longest) - least.at(longest));
+    return places;
 }
 
 std::size_t contact_count(const Case& c) {

@@ -2,6 +2,7 @@
 
 #include "stridor/parameters/case.hpp"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -26,10 +27,18 @@ struct OwnContact {
     std::vector<double> tangent{};  // [1] t, shape [row]: tangential position t.u
     double initial_gap = 0.0;       // [m] g0, of the structure without load; negative: pressed together so far
     std::string interface {};       // contacts of one name are judged as a whole; empty: with all others of no name
-    std::optional<double> static_friction{};   // [1] mu_s in the place of the case's
-    std::optional<double> kinetic_friction{};  // [1] mu_d likewise
-    double preload_share = 0.0;                // [1] of contact.preload, all shares being one together
-    double drive_share = 1.0;                  // [1] of V(t) that the surface has here
+    std::optional<double> static_friction{};          // [1] mu_s in the place of the case's
+    std::optional<double> kinetic_friction{};         // [1] mu_d likewise
+    double preload_share = 0.0;                       // [1] of contact.preload, all shares being one together
+    double drive_share = 1.0;                         // [1] of V(t) that the surface has here
+    std::optional<std::array<double, 3>> position{};  // [m] where it is, for pictures; it changes no result
+};
+
+/// A point of the line as which an own structure is drawn, be it a string or a beam. It changes no result.
+struct OutlinePoint {
+    std::array<double, 3> position{};  // [m] at rest: along the sliding direction, along the normal, across both
+    std::vector<double> along{};       // [1] it moves along.u along the sliding direction; shape [row]
+    std::vector<double> across{};      // [1] and across.u along the normal; shape [row]
 };
 
 /// A point of an own structure whose motion is wanted: it is heard and stands in traces, and changes no result.
@@ -69,7 +78,8 @@ struct OwnStructure {
     std::vector<double> initial_velocity{};      // [1] added to the start, per imposed velocity; shape [row] or empty
     std::vector<OwnContact> contacts{};
     std::vector<OwnOutput> outputs{};
-    std::optional<Recipe> recipe{};  // what a builder made it from; nothing: it was none
+    std::vector<OutlinePoint> outline{};  // in their order along it; empty: unknown
+    std::optional<Recipe> recipe{};       // what a builder made it from; nothing: it was none
 };
 
 /// Is it pressed by contact.preload? Else by a load, or by gaps that are negative.
@@ -89,6 +99,10 @@ std::vector<int> interface_numbers(const OwnStructure& structure);
 
 /// Weights of all outputs; shape [output][row].
 std::vector<std::vector<double>> output_weights(const OwnStructure& structure);
+
+/// Where each contact is along the line of contacts [m], from the first end of it: its position along the longest side
+/// of the box around all. Empty where a position is not known, or all are one; shape [contact].
+std::vector<double> places_along_line(const OwnStructure& structure);
 
 /// Contacts of any case.
 std::size_t contact_count(const Case& c);

@@ -71,12 +71,14 @@ TEST(TomlStructure, IsWrittenAndReadBack) {
          {whole_case(
               std::string(matrices) + "loss_factor = 0.02\nrayleigh_stiffness = \"1 ms\"\n" + tip_contact +
               "initial_gap = \"1 mm\"\nstatic_friction = 1.25\nkinetic_friction = 0.1\npreload_share = 0\n" +
-              "[[structure.contact]]\nname = \"foot\"\nnormal = [0.5, 1]\ntangent = [1, 0]\npreload_share = 2\n"),
+              "[[structure.contact]]\nname = \"foot\"\nnormal = [0.5, 1]\ntangent = [1, 0]\npreload_share = 2\n" +
+              "position = [0.5, 0, -0.25]\n"),
           ready_file("chain"), ready_file("string")}) {
         const Case c = read_structure_text(text);
         const Case again = read_structure_text(case_toml(c));
         EXPECT_EQ(parameters::canonical_text(again), parameters::canonical_text(c));
         EXPECT_NE(parameters::canonical_text(c).find("structure.content = "), std::string::npos);
+        EXPECT_EQ(again.own_structure->contacts.back().position, c.own_structure->contacts.back().position);
     }
 }
 
@@ -88,13 +90,15 @@ TEST(TomlStructure, HasItsMatricesInFilesBesideIt) {
     put("m.csv", "1,0\n0,2\n");
     put("k.csv", "3;-1\n-1;4\n");
     put("contacts.csv",
-        "# where it rubs\nname,normal,tangent,initial_gap [mm],preload_share\ntip,u2,-u1,0,1\n"
-        "toe,u1,u2,1,\n");
+        "# where it rubs\nname,normal,tangent,initial_gap [mm],preload_share,position\ntip,u2,-u1,0,1,0 0 0.5\n"
+        "toe,u1,u2,1,,\n");
     put("case.toml", whole_case("[structure]\nmass = \"m.csv\"\nstiffness = \"k.csv\"\ncontacts = \"contacts.csv\"\n"));
     const Case c = read_case((folder / "case.toml").string());
     EXPECT_EQ(c.own_structure->stiffness, (std::vector<double>{3, -1, -1, 4}));
     ASSERT_EQ(c.own_structure->contacts.size(), 2U);
     EXPECT_EQ(c.own_structure->contacts[1].initial_gap, 1e-3);
+    EXPECT_EQ(c.own_structure->contacts[0].position, (std::array{0.0, 0.0, 0.5}));
+    EXPECT_EQ(c.own_structure->contacts[1].position, std::nullopt);
     EXPECT_EQ(c.own_structure->contacts[1].preload_share, 0.0);
     put("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 1\n2 2 2\n");
     put("k.mtx", "%%MatrixMarket matrix coordinate real symmetric\n2 2 3\n1 1 3\n2 1 -1\n2 2 4\n");
@@ -130,6 +134,21 @@ TEST(TomlStructure, PairsNodesOfTwoSetsThatAreNearest) {
     EXPECT_EQ(c.own_structure->contacts[0].normal, (std::vector<double>{0, 1, 0, 0, 0, 0, 0, -1}));
     EXPECT_EQ(c.own_structure->contacts[1].tangent, (std::vector<double>{0, 0, 1, 0, -1, 0, 0, 0}));
     EXPECT_EQ(parameters::contact_of(c, 1).preload, 1.0);
+    // its own node's, not that of the other part
+    EXPECT_EQ(c.own_structure->contacts[1].position, (std::array{1.0, 0.0, 0.0}));
+    EXPECT_EQ(parameters::places_along_line(*c.own_structure), (std::vector<double>{0.0, 1.0}));
+}
+
+TEST(TomlStructure, HasPlacesAlongItsLineWhereAllAreKnown) {
+    OwnStructure own;
+    EXPECT_TRUE(parameters::places_along_line(own).empty());
+    own.contacts = {{.position = {{0.0, 3.0, 1.0}}}, {.position = {{0.5, 1.0, 1.0}}}, {.position = {{1.0, 2.0, 1.0}}}};
+    EXPECT_EQ(parameters::places_along_line(own), (std::vector<double>{2.0, 0.0, 1.0}));
+    own.contacts[2].position = own.contacts[1].position = own.contacts[0].position;
+    EXPECT_TRUE(parameters::places_along_line(own).empty()) << "all at one place";
+    own.contacts[1].position.reset();
+    EXPECT_TRUE(parameters::places_along_line(own).empty());
+    expect_structure_refused(whole_case(std::string(matrices) + tip_contact + "position = [1, 2]\n"), "position");
 }
 
 TEST(TomlStructure, IsBuiltAndVaried) {
@@ -162,6 +181,10 @@ TEST(TomlStructure, IsBuiltAnewWithAnotherNumber) {
     parameters::set_from_text(chain, *parameters::find_field("structure.coupling"), "2");
     EXPECT_EQ(chain.own_structure->initial_displacement, (std::vector<double>{0.3, 0, 0, 0}));
     EXPECT_EQ(chain.own_structure->stiffness[2], -2.0);
+    Case heard =
+        read_structure_text(ready_file("chain") + "[[structure.output]]\nname = \"apart\"\ndirection = \"x2 -x1\"\n");
+    parameters::set_from_text(heard, *parameters::find_field("structure.coupling"), "2");
+    ASSERT_EQ(heard.own_structure->outputs.size(), 1U) << "what is heard is not built anew";
     EXPECT_FALSE(parameters::find_field("structure.position")->belongs(chain));
 }
 

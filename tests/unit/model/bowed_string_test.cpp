@@ -19,6 +19,19 @@ TEST(BowedString, LosesInAPeriodWhatItsBridgeTakes) {
     EXPECT_EQ(stiff.damping(0, 0), 2e-3 * std::sqrt(stiff.stiffness(0, 0)));
 }
 
+TEST(BowedString, HasItsShapeAtTheBowAndNoneAtItsEnds) {
+    const BowedString string;
+    constexpr int modes = 40;
+    const Structure structure = bowed_string(string, modes);
+    EXPECT_EQ(string_shape(string, modes, string.bow_position), structure.contacts.front().tangent);
+    EXPECT_EQ(string_shape(string, modes, 0.0).norm(), 0.0);
+    EXPECT_LT(string_shape(string, modes, 1.0).norm(), 1e-12);
+    // Helmholtz' motion of a bow that moves with 1: a point passes the rest with x/L over b, but for the modes beyond
+    const Eigen::VectorXd velocity = helmholtz_motion(string, modes, 1.0);
+    EXPECT_NEAR(string_shape(string, modes, 0.5).dot(velocity) * string.bow_position, 0.5,
+                2.0 / (3.14159 * (modes + 1)));
+}
+
 TEST(BowedString, HasSchellengsLimits) {
     const BowedString string{.bridge_resistance = 35.0, .bow_position = 0.1};
     EXPECT_NEAR(greatest_bow_force(string, 0.1), 1.4, 1e-15);

@@ -51,6 +51,27 @@ TEST(Cantilever, DampsEachModeAlike) {
     EXPECT_EQ(structure.stiffness(2, 2), std::pow(bending_frequency(beam, 3), 2));
 }
 
+// the modes have the mean square 1/m, whatever their number: the trapezoidal rule over 4000 steps is exact to 1e-4
+TEST(Cantilever, HasTheShapesOfItsModes) {
+    const Cantilever beam;
+    constexpr int modes = 12, steps = 4000;
+    const Structure structure = cantilever(beam, modes);
+    const ContactPoint& tip = structure.contacts.front();
+    const BeamShape end = cantilever_shape(beam, modes, 1.0), clamp = cantilever_shape(beam, modes, 0.0);
+    const double size = 2.0 / std::sqrt(beam.mass_per_length * beam.length);
+    EXPECT_LT((end.along - tip.tangent).norm(), 1e-11 * size);
+    EXPECT_LT((end.across - tip.normal).norm(), 1e-11 * size);
+    EXPECT_LT(clamp.along.norm() + clamp.across.norm(), 1e-11 * size);
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(modes + 1);
+    for (int k = 0; k <= steps; ++k) {
+        const BeamShape shape = cantilever_shape(beam, modes, static_cast<double>(k) / steps);
+        const double part = (k == 0 || k == steps ? 0.5 : 1.0) / steps;
+        squares += part * (shape.along.cwiseAbs2() + shape.across.cwiseAbs2());
+    }
+    for (int k = 0; k <= modes; ++k)
+        EXPECT_NEAR(squares(k) * beam.mass_per_length * beam.length, 1.0, 1e-3) << k;
+}
+
 TEST(Cantilever, BendsWithOneModeAtLeast) {
     const auto thrown = support::thrown_by([] { cantilever({}, 0); });
     EXPECT_EQ(thrown.kind, ErrorKind::input);

@@ -205,6 +205,7 @@ void add_structure_keys(Json& section) {
     for (const std::string_view key : structure_keys(StructureKeys::of_contact))
         contact["properties"][std::string(key)] = text;
     contact["properties"]["normal"] = contact["properties"]["tangent"] = direction;
+    contact["properties"]["position"] = list_of({{"type", "number"}});
     contact["required"] = {"normal", "tangent"};
     properties["contact"] = list_of(std::move(contact));
     Json output = section_schema();

@@ -2,6 +2,7 @@
 
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/recordings/fortran_text.hpp"
 #include "stridor/recordings/line_reader.hpp"
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
@@ -33,12 +34,13 @@ enum class TableKey : std::size_t {
     static_friction,
     kinetic_friction,
     preload_share,
-    drive_share
+    drive_share,
+    position
 };
-constexpr std::array<std::string_view, 12> contact_column_names{
-    "name",          "node",       "set",         "against",         "interface",
-    "normal",        "tangent",    "initial_gap", "static_friction", "kinetic_friction",
-    "preload_share", "drive_share"};
+constexpr std::array<std::string_view, 13> contact_column_names{
+    "name",          "node",        "set",         "against",         "interface",
+    "normal",        "tangent",     "initial_gap", "static_friction", "kinetic_friction",
+    "preload_share", "drive_share", "position"};
 
 constexpr std::size_t index_of(TableKey column) {
     return static_cast<std::size_t>(column);
@@ -74,6 +76,7 @@ public:
                 .kinetic_friction = size(TableKey::kinetic_friction),
                 .preload_share = size(TableKey::preload_share),
                 .drive_share = number(TableKey::drive_share).value_or(1.0),
+                .position = position(),
                 .place = place_};
     }
 
@@ -118,6 +121,22 @@ private:
         if (value && *value < 0.0)
             throw refusal(place_, fmt::format("{} is negative", contact_column_names.at(index_of(column))));
         return value;
+    }
+
+    std::optional<std::array<double, 3>> position() const {
+        const std::string words = text(TableKey::position);
+        if (words.empty()) return std::nullopt;
+        std::array<double, 3> found{};
+        std::size_t count = 0;
+        for (const std::string_view word : recordings::words(words)) {
+            const auto value = csv::number_in(std::string(word), csv::Dialect{';'});
+            if (!value || !std::isfinite(*value) || count >= found.size())
+                throw refusal(place_, fmt::format("\"{}\" is no position", words), "it is three numbers, in m");
+            found.at(count++) = *value;
+        }
+        if (count < found.size())
+            throw refusal(place_, fmt::format("\"{}\" is no position", words), "it is three numbers, in m");
+        return found;
     }
 
     const std::string& file_;

@@ -146,6 +146,8 @@ private:
             put(along_rows, other, along, -1.0);
         }
         add(named, name, std::move(across_rows), std::move(along_rows), among);
+        if (const auto found = part_.positions.find(node); found != part_.positions.end())
+            contacts_.back().position = {found->second.x(), found->second.y(), found->second.z()};
     }
 
     const Eigen::Vector3d& position(const std::string& node) const {
@@ -249,7 +251,8 @@ private:
                              .static_friction = named.static_friction,
                              .kinetic_friction = named.kinetic_friction,
                              .preload_share = named.preload_share.value_or(0.0) / static_cast<double>(among),
-                             .drive_share = named.drive_share});
+                             .drive_share = named.drive_share,
+                             .position = named.position});
     }
 
     const ElasticPart& part_;

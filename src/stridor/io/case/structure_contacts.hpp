@@ -5,6 +5,7 @@
 #include "stridor/reduction/craig_bampton.hpp"
 #include "stridor/reduction/part.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -25,12 +26,13 @@ struct NamedContact {
     std::string interface {};
     NamedDirection normal{};
     NamedDirection tangent{};
-    double initial_gap = 0.0;                  // [m]
-    std::optional<double> static_friction{};   // [1]
-    std::optional<double> kinetic_friction{};  // [1]
-    std::optional<double> preload_share{};     // [1] of all its nodes together
-    double drive_share = 1.0;                  // [1]
-    base::Place place{};                       // where it stands
+    double initial_gap = 0.0;                         // [m]
+    std::optional<double> static_friction{};          // [1]
+    std::optional<double> kinetic_friction{};         // [1]
+    std::optional<double> preload_share{};            // [1] of all its nodes together
+    double drive_share = 1.0;                         // [1]
+    std::optional<std::array<double, 3>> position{};  // [m] of one without a node; else its node's
+    base::Place place{};                              // where it stands
 };
 
 /// Contacts at the rows of a part. Those of a set stand in the order of their places along its longest side, and are

@@ -36,10 +36,10 @@ constexpr std::array<std::string_view, 3> list_keys{"load", "initial_displacemen
 constexpr std::array<std::string_view, 5> text_keys{"file", "units", "labels", "rows", "contacts"};
 // what a builder leaves to others
 constexpr std::array<std::string_view, 2> common_keys{"builder", "initial_displacement"};
-constexpr std::array<std::string_view, 12> contact_keys{
-    "name",          "node",       "set",         "against",         "interface",
-    "normal",        "tangent",    "initial_gap", "static_friction", "kinetic_friction",
-    "preload_share", "drive_share"};
+constexpr std::array<std::string_view, 13> contact_keys{
+    "name",          "node",        "set",         "against",         "interface",
+    "normal",        "tangent",     "initial_gap", "static_friction", "kinetic_friction",
+    "preload_share", "drive_share", "position"};
 constexpr std::array<std::string_view, 3> output_keys{"name", "node", "direction"};
 
 bool stands_below(std::string_view key, std::string_view prefix) {
@@ -121,6 +121,12 @@ NamedDirection direction_in(const TomlSection& table, std::string_view key) {
     return table.numbers(key);
 }
 
+std::optional<std::array<double, 3>> position_in(const TomlSection& table) {
+    if (!table.has("position")) return std::nullopt;
+    const std::vector<double> numbers = table.numbers("position", 3);
+    return std::array{numbers[0], numbers[1], numbers[2]};
+}
+
 NamedContact named_contact_in(const TomlSection& table) {
     return {.name = table.text_or("name", ""),
             .node = table.text_or("node", ""),
@@ -134,6 +140,7 @@ NamedContact named_contact_in(const TomlSection& table) {
             .kinetic_friction = table.find_quantity("kinetic_friction", "1", Bound::not_negative),
             .preload_share = table.find_quantity("preload_share", "1", Bound::not_negative),
             .drive_share = table.find_quantity("drive_share", "1", Bound::any).value_or(1.0),
+            .position = position_in(table),
             .place = table.place()};
 }
 

@@ -263,6 +263,7 @@ std::string contact_tables(const parameters::OwnStructure& own) {
         if (contact.kinetic_friction) text += "kinetic_friction = " + number_text(*contact.kinetic_friction) + "\n";
         if (contact.preload_share > 0.0) text += "preload_share = " + number_text(contact.preload_share) + "\n";
         if (contact.drive_share != 1.0) text += "drive_share = " + number_text(contact.drive_share) + "\n";
+        if (contact.position) text += "position = " + numbers_text(*contact.position) + "\n";
     }
     return text;
 }
