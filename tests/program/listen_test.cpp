@@ -202,6 +202,24 @@ TEST(RigFriction, PutsTheCoefficientsIntoACase) {
     EXPECT_EQ(contact["preload"], 20.0);  // the case's own
 }
 
+TEST(RigFriction, PutsTheCoefficientsIntoEachContactOfAStructure) {
+    write_text(folder() / "dragged.csv", dragged());
+    const std::string own =
+        "[structure]\nmass = [[1, 0], [0, 1]]\nstiffness = [[9, 0], [0, 9]]\n[[structure.contact]]\nname = \"tip\"\n"
+        "normal = \"u2\"\ntangent = \"u1\"\nstatic_friction = 0.9\nkinetic_friction = 0.8\n"
+        "[contact]\npreload = 5\n[drive]\nkind = \"constant\"\nvelocity = 0.1\n[run]\nduration = 9\n";
+    write_text(folder() / "own.toml", own);
+    const Finished finished =
+        run({"rig", "friction", "dragged.csv", "--preload", "10 N", "--into", "own.toml"}, folder().path());
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    write_text(folder() / "own_measured.toml", finished.out);
+    const Finished checked = run({"check", "own_measured.toml", "--json"}, folder().path());
+    ASSERT_EQ(checked.exit_code, 0) << checked.err;
+    const json tip = json_of(checked.out)["structure"]["contacts"][0];
+    EXPECT_NEAR(tip["static_friction"].get<double>(), 0.4, 0.001);
+    EXPECT_NEAR(tip["kinetic_friction"].get<double>(), 0.3, 1e-4);
+}
+
 TEST(RigFriction, RefusesWhatIsNoFrictionForce) {
     write_text(folder() / "dragged.csv", dragged());
     write_text(folder() / "two.csv", "time,a,b\ns,N,N\n0,1,2\n0.1,1,2\n0.2,1,2\n");

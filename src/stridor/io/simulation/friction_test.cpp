@@ -70,6 +70,19 @@ MeasuredFriction measured_friction(const FrictionTexts& texts, const std::functi
     return {std::move(test), std::move(trace)};
 }
 
+namespace {
+
+// what was measured is meant for all contacts, as it is for all of several joints
+std::shared_ptr<const parameters::OwnStructure> without_own_friction(parameters::OwnStructure structure) {
+    for (parameters::OwnContact& contact : structure.contacts) {
+        contact.static_friction.reset();
+        contact.kinetic_friction.reset();
+    }
+    return std::make_shared<const parameters::OwnStructure>(std::move(structure));
+}
+
+}  // namespace
+
 std::string case_with_friction(parameters::Case c, const MeasuredFriction& measured) {
     const auto& [test, trace] = measured;
     const double mu_d = to_four_digits(trace.all.kinetic_friction.value);
@@ -83,6 +96,7 @@ std::string case_with_friction(parameters::Case c, const MeasuredFriction& measu
     if (mu_s < mu_d)
         base::refuse(fmt::format("the static coefficient, {:g}, comes out below the kinetic one, {:g}", mu_s, mu_d),
                      "the model needs it the other way round", "Is --preload right, and the sensor's zero?");
+    if (c.own_structure) c.own_structure = without_own_friction(*c.own_structure);
     parameters::set_quantity(c, "contact.static_friction", mu_s);
     parameters::set_quantity(c, "contact.kinetic_friction", mu_d);
     return case_toml(c, {Comments::full, heading});

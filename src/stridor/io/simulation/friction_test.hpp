@@ -34,8 +34,9 @@ struct MeasuredFriction {
 /// Throws `Error` (input) where a text or the channels are not clear, and what reading and measuring throw.
 MeasuredFriction measured_friction(const FrictionTexts& texts, const std::function<void(const std::string&)>& note);
 
-/// The text of a case with the measured coefficients, to four digits; the static one is the kinetic one where none was
-/// to be seen. Throws `Error` (input) where nothing slides or they come out the wrong way round.
+/// The text of a case with the measured coefficients, to four digits, of all its joints or contacts; the static one is
+/// the kinetic one where none was to be seen. Throws `Error` (input) where nothing slides or they come out the wrong
+/// way round.
 std::string case_with_friction(parameters::Case c, const MeasuredFriction& measured);
 
 }  // namespace stridor::io
