@@ -44,7 +44,7 @@ _stridor() {
     esac
     if [[ ${COMP_WORDS[1]} == figure ]]; then
         if ((COMP_CWORD == 2)); then
-            COMPREPLY=($(compgen -W "paper friction-law contact-states mode-shapes compare --help" -- "$word"))
+            COMPREPLY=($(compgen -W "paper friction-law contact-states mode-shapes modal-spectrum compare --help" -- "$word"))
             return
         fi
         case ${COMP_WORDS[2]} in
@@ -52,6 +52,7 @@ _stridor() {
             friction-law) options="--help --set --output" ;;
             contact-states) options="--help --set --output" ;;
             mode-shapes) options="--help --set --output" ;;
+            modal-spectrum) options="--help --set --output --of --component" ;;
             compare) options="--help --label --library --of --quantity --detail --output" ;;
         esac
     fi

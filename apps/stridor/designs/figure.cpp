@@ -5,12 +5,14 @@
 #include "sounds/compare.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/console/terminal.hpp"
+#include "stridor/hearing/heard_modes.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/pictures/contact_states.hpp"
 #include "stridor/pictures/friction_law.hpp"
 #include "stridor/pictures/many_contacts.hpp"
+#include "stridor/pictures/modal_spectrum.hpp"
 #include "stridor/pictures/mode_shapes.hpp"
 #include "stridor/pictures/noise_chart.hpp"
 #include "stridor/pictures/picture_files.hpp"
@@ -132,6 +134,35 @@ void draw_modes(const OneFigureOptions& options) {
                    options.output);
 }
 
+struct ModalOptions {
+    OneFigureOptions figure;
+    hearing::AskedMotion asked;
+};
+
+void draw_modal_spectrum(const ModalOptions& options) {
+    const Case c = load_case(options.figure.input);
+    const Interrupt interrupt;
+    const hearing::HeardModes heard = hearing::heard_modes(c, options.asked, interrupt.token());
+    pictures::draw(pictures::modal_spectrum(c.title, heard.of, heard.modes, heard.spectrum), options.figure.output);
+}
+
+void add_modal_spectrum(CLI::App& figure) {
+    auto options = std::make_shared<ModalOptions>();
+    auto shared = std::shared_ptr<OneFigureOptions>(options, &options->figure);
+    CLI::App* command = add_one(
+        figure, "modal-spectrum",
+        "Spectrum of a velocity, and which free modes (of the structure with open contacts) carry its lines.", shared);
+    command
+        ->add_option("--of", options->asked.of,
+                     "joint (what rubs; of several contacts the strongest), plate, or the name of a contact, output "
+                     "or row")
+        ->type_name("joint|plate|NAME")
+        ->capture_default_str();
+    command->add_option("--component", options->asked.component, "x along the surface, y across it")
+        ->check(one_of({"x", "y"}));
+    command->callback([options] { draw_modal_spectrum(*options); });
+}
+
 }  // namespace
 
 void add_figure(CLI::App& program) {
@@ -159,6 +190,7 @@ void add_figure(CLI::App& program) {
         "Modes of steady sliding: motion of the contacts, what each adds to the growth, free modes they are made of.",
         modes)
         ->callback([modes] { draw_modes(*modes); });
+    add_modal_spectrum(*figure);
     add_figure_compare(*figure);
     figure->footer(
         "A time history (Figure 5) is drawn by `stridor simulate CASE --figure`, a chart (Figures 6, 8) by `stridor "

@@ -98,7 +98,11 @@ drawing::Scene rate_map(std::span<const sweep::SweepResult> results) {
     if (scene.row_heights.empty()) scene.row_heights = {1.0};
     scene.height = 22.0 + 56.0 * static_cast<double>(scene.row_heights.size());
     scene.colour_bar = drawing::ColourBar{"share of the window", "%", percent};
-    if (is_any_failed) scene.legend.push_back({"failed", failed_fill()});
+    if (is_any_failed) {
+        drawing::LegendEntry& entry = scene.legend.emplace_back();
+        entry.text = "failed";
+        entry.sample = failed_fill();
+    }
     return scene;
 }
 
