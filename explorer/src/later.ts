@@ -42,3 +42,4 @@ export function help(): void {
   }
   sheet.toggle();
 }
+export { paintStructure } from "./draw/structure_drawing.ts";

@@ -67,7 +67,7 @@ class Page {
     this.parameters_ = new Parameters(store, start_, (error) => this.complain_(error));
     this.chart_ = new Chart(store, start_, (error) => this.complain_(error));
     const shown = new Shown();
-    this.mechanism_ = new Mechanism(this.clock_, shown);
+    this.mechanism_ = new Mechanism(this.clock_, shown, async () => (await later()).paintStructure);
     const first = { response: new Response(store, this.motions_, this.clock_, shown) };
     this.views_ = new Views(
       store,

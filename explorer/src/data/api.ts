@@ -4,17 +4,16 @@ import { Lines, motionOf, type Motion } from "./frames.ts";
 import type {
   Advice,
   Analysis,
-  ChartFrame,
   Library,
+  ModalLines,
   Refusal,
   ServerError,
   Shared,
-  Simulation,
   SoundOptions,
   Stability,
-  Start,
   Value,
-} from "./types.ts";
+} from "./answer_types.ts";
+import type { ChartFrame, Simulation, Start } from "./types.ts";
 
 /** The server refused, in its own words. */
 export class Failure extends Error {
@@ -141,6 +140,10 @@ export async function sound(design: Design, options: SoundOptions, signal?: Abor
 
 export function analysis(design: Design, options: SoundOptions, signal?: AbortSignal): Promise<Analysis> {
   return json(post("/api/analysis", { ...body(design), ...options }, signal));
+}
+
+export function modalLines(design: Design, of: string, signal?: AbortSignal): Promise<ModalLines> {
+  return json(post("/api/modal", { ...body(design), of }, signal));
 }
 
 export interface AdviceWish {

@@ -1,9 +1,57 @@
 /** Resolved cases. Each of several joints has the keys of [joint] and [contact] below its name: "joint.lip2.mass". */
-import type { Case, Field, JointPart, Preset, Section } from "./types.ts";
+import type { Case, Field, JointPart, OwnContact, Preset, Section } from "./types.ts";
 
 /** The joints of a case with several; none for a case with one, whose keys need no name. */
 export function jointsOf(resolved: Case): JointPart[] {
   return Array.isArray(resolved.joint) ? resolved.joint : [];
+}
+
+/** Has it a structure of its own, in the place of joint and plate? */
+export function hasStructure(resolved: Case): boolean {
+  return typeof resolved.structure === "object";
+}
+
+/** The contacts of a structure of its own; none of joints on a plate. */
+export function contactsOf(resolved: Case): OwnContact[] {
+  const { structure } = resolved;
+  if (typeof structure !== "object" || Array.isArray(structure)) return [];
+  return structure.contacts as OwnContact[];
+}
+
+/** What rubs, in a word. */
+export function rubbing(resolved: Case): "joint" | "contact" {
+  return hasStructure(resolved) ? "contact" : "joint";
+}
+
+/** What of a case can be heard: the name that the server takes, and what it is called here. */
+export function heardIn(resolved: Case): (readonly [string, string])[] {
+  if (!hasStructure(resolved)) {
+    const joints = jointsOf(resolved).map(({ name }) => [name, name] as const);
+    return [["joint", joints.length > 1 ? "strongest joint" : "joint"], ["plate", "plate"], ...joints];
+  }
+  const { outputs } = resolved.structure as Section;
+  const names = [...((outputs ?? []) as string[]), ...contactsOf(resolved).map(({ name }) => name)];
+  // without outputs the strongest contact is heard, with them the first one
+  return outputs || names.length < 2
+    ? names.map((name) => [name, name] as const)
+    : [["joint", "strongest contact"], ...names.map((name) => [name, name] as const)];
+}
+
+/**
+ * Where each contact of an own structure is along the line of contacts [1], from 0 to 1: by its position along the
+ * longest side of the box around all, else in order.
+ */
+export function placesOf(contacts: readonly OwnContact[]): { places: number[]; known: boolean } {
+  const all = contacts.map(({ position }) => position);
+  const axes = [0, 1, 2].map((axis) => {
+    const along = all.map((position) => position?.[axis] ?? NaN);
+    const low = Math.min(...along);
+    return { along, low, length: Math.max(...along) - low };
+  });
+  const longest = axes.reduce((best, axis) => (axis.length > best.length ? axis : best));
+  if (longest.length > 0)
+    return { places: longest.along.map((value) => (value - longest.low) / longest.length), known: true };
+  return { places: contacts.map((_, k) => (contacts.length > 1 ? k / (contacts.length - 1) : 0.5)), known: false };
 }
 
 /** A key of one of several joints: whose, and the key that it is where there is one joint only. */

@@ -35,7 +35,7 @@ export function floatsOf(base64: string): Float32Array<ArrayBuffer> {
 
 /** The stays of a contact in its states. */
 export interface Stays {
-  name: string; // of the joint
+  name: string; // of the joint, or its own
   from: Float64Array; // [s] when each stay began; one more: when the last ended
   state: ContactState[]; // of each stay
 }
@@ -47,6 +47,8 @@ export interface Motion {
   interval: number; // [s]
   columns: Map<string, { unit: string; sentence: string; values: Float32Array }>;
   contacts: Stays[];
+  /** Points of the line as which an own structure is drawn [m], at rest; none: it is not known. */
+  outline: number[][];
 }
 
 /** The contact that views of one contact show; the first where the motion has no such one. */
@@ -77,7 +79,14 @@ export function motionOf(buffer: ArrayBuffer): Motion {
     offset = aligned(offset + intervals);
     return { name, from, state: Array.from(numbers, (number) => header.states[number] ?? "separation") };
   });
-  return { samples: header.samples, start: header.start, interval: header.interval, columns, contacts };
+  return {
+    samples: header.samples,
+    start: header.start,
+    interval: header.interval,
+    columns,
+    contacts,
+    outline: header.outline ?? [],
+  };
 }
 
 /** Index of the last element that is at most the value; -1 if all are above it. Ascending order. */

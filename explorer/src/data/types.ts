@@ -11,13 +11,11 @@ import type {
   Phase,
   QuietReason,
   Scale,
-  StabilityKind,
-  VerdictWord,
 } from "../program/words.ts";
 import type { Axis } from "../state/state.ts";
 
 /** What a document begins with. */
-interface Document {
+export interface Document {
   schema: string;
   version: string;
   commit: string;
@@ -31,8 +29,22 @@ export type Units = Record<string, string>;
  * Several joints are a list, each with its name and its contact.
  */
 export type Case = { title: string } & Record<string, Section | JointPart[] | string>;
-export type Section = Record<string, number | string | (number | string)[]>;
+export type Section = Record<string, number | string | (number | string)[] | OwnContact[]>;
 export type JointPart = { name: string; contact: Section } & Record<string, number | string | Section>;
+
+/** A contact of a structure of the user's own, as [structure] lists it. */
+export interface OwnContact {
+  name: string;
+  initial_gap: number;
+  static_friction: number;
+  kinetic_friction: number;
+  drive_share: number;
+  /** None of one that a load or a negative gap presses. */
+  preload?: number;
+  interface?: string;
+  /** Where it is [m], if the file or the builder says. */
+  position?: number[];
+}
 
 /** "drive.kind": ["constant"]: the choices without which a field means nothing; empty if it always does. */
 export type Homes = Record<string, string[]>;
@@ -139,10 +151,37 @@ export interface Verdict {
   reasons: string[];
 }
 
+/** A contact by itself; without a verdict where it carries nothing. */
+export interface ContactResult {
+  name: string;
+  rates: Rates;
+  verdict: Verdict | null;
+}
+
+/** Contacts that are judged as a whole. */
+export interface InterfaceResult {
+  contacts: {
+    name: string;
+    normal_force: number;
+    load_share: number;
+    friction_power: number;
+    is_loaded: boolean;
+  }[];
+  rates: { sticks: number; partly: number; slides: number; open: number };
+  free_together: number | null; // none where no contact makes a noise
+  leading: string;
+  differs: boolean;
+  category: Category;
+}
+
 export interface PhaseResult {
   phase: Phase;
   window: { from: number; to: number; duration: number; judged: number };
   verdict: Verdict;
+  /** Of several joints and of an own structure. */
+  contacts?: ContactResult[];
+  /** Of an own structure. */
+  interfaces?: InterfaceResult[];
 }
 
 /** Step, beta_2, the step it is compared with and the limit of the step belong to the engine of this name. */
@@ -219,189 +258,8 @@ export interface MotionHeader {
   start: number;
   interval: number;
   columns: { name: string; unit: string; sentence: string }[];
-  contacts: { name: string; intervals: number }[]; // names of their joints
+  contacts: { name: string; intervals: number }[]; // names of their joints, or their own
+  /** Points of the line as which a structure is drawn [m]: along the sliding direction, the normal, across both. */
+  outline?: number[][];
   states: ContactState[];
-}
-
-export interface Mode {
-  growth: number;
-  frequency: number;
-}
-
-/** Steady sliding with one value of what is varied. */
-export interface SlidingStability {
-  kind: StabilityKind;
-  growth: number;
-  frequency: number | null;
-  normal_force: number;
-  modes: Mode[];
-}
-
-export interface StabilityPoint extends SlidingStability {
-  value: number;
-}
-
-export interface StabilityDirection extends SlidingStability {
-  direction: Direction;
-  points: StabilityPoint[];
-  boundaries: { value: number; below: StabilityKind; above: StabilityKind; frequency: number | null }[];
-}
-
-export interface Stability extends Document {
-  case: Case;
-  over?: { parameter: string; unit: string };
-  directions: StabilityDirection[];
-  units: Units;
-}
-
-export interface Analysis {
-  schema: string;
-  unit: string;
-  rate: number;
-  duration: number;
-  level: { time: number[]; decibels: (number | null)[]; unit: string };
-  spectrum: { frequency: number[]; level: (number | null)[]; unit: string };
-  spectrogram: { time: number[]; frequency: number[]; rows: number; columns: number; level: string };
-  verdict: {
-    category: Category;
-    reasons: string[];
-    segments: { from: number; to: number; category: Category; reasons: string[] }[];
-  };
-}
-
-/** What is asked of a sound. */
-export interface SoundOptions {
-  direction: Direction | "whole";
-  of: "joint" | "plate";
-  quantity: "velocity" | "acceleration";
-  rate: number;
-  seconds: number;
-}
-
-/** A verdict of a design: the loudest phase's word, each phase's, and whether it is quiet since it sticks. */
-export interface DesignVerdict {
-  category: VerdictWord;
-  phases: Partial<Record<Phase, VerdictWord>>;
-  sticks: boolean;
-}
-
-/** Where the verdict changes: the value beyond, and the last one before. */
-export interface AdviceBound extends DesignVerdict {
-  value: number;
-  before: number;
-  distance: number;
-  relative: number;
-  share: number;
-}
-
-export interface AdviceMargin {
-  key: string;
-  value: number;
-  unit: string;
-  from: number;
-  to: number;
-  scale: Scale;
-  free: boolean;
-  below: AdviceBound | null;
-  above: AdviceBound | null;
-  quiet_below: AdviceBound | null;
-  quiet_above: AdviceBound | null;
-  end_below: ScanEnd;
-  end_above: ScanEnd;
-  scan: { value: number; category: VerdictWord }[];
-}
-
-/** The last value that was tried on a side. */
-export interface ScanEnd {
-  value: number;
-  why: string;
-  reason?: string;
-}
-
-export interface Setting {
-  key: string;
-  from: number;
-  to: number;
-  unit: string;
-}
-
-export interface DesignChange {
-  set: Setting[];
-  distance: number;
-  options: string;
-  verified: DesignVerdict & { runs: number; neighbourhood: number; starts: string[] };
-}
-
-/** A share with its interval of confidence. */
-export interface Estimate {
-  share: number;
-  low: number;
-  high: number;
-}
-
-export interface Chance {
-  noise: number;
-  low: number;
-  high: number;
-  confidence: number;
-  samples: number;
-  seed: number;
-  not_quiet: Estimate;
-  by_category: Partial<Record<VerdictWord, Estimate>>;
-  tolerances: { key: string; value: number; tolerance: number; unit: string; spread: string }[];
-}
-
-export interface Advice extends Document {
-  case: Case;
-  units: Units;
-  phases: Phase[];
-  present: DesignVerdict & { quiet: boolean; message: string };
-  margins: AdviceMargin[];
-  ranking: string[];
-  nearest: (DesignVerdict & { set: Setting[]; distance: number }) | null;
-  change: DesignChange | null;
-  changes: DesignChange[];
-  chance: Chance | null;
-  runs: number;
-}
-
-export interface LibraryEntry {
-  id: number;
-  figures?: Record<string, number>;
-  category?: Category;
-  [field: string]: unknown;
-}
-
-export interface Library extends Document {
-  library: string;
-  entries: LibraryEntry[];
-  units: Units;
-}
-
-export interface ServerError {
-  what: string;
-  why: string;
-  suggestion: string;
-  /** Of the field that it is about; empty if it is about none. */
-  key?: string;
-  /** What else is wrong with the same request, and how much more of it was left out. */
-  others?: ServerError[];
-  untold?: number;
-}
-
-/** What the server says in place of an answer. */
-export interface Refusal {
-  schema: string;
-  error: ServerError;
-}
-
-export interface Value {
-  schema: string;
-  value: number;
-}
-
-export interface Shared {
-  schema: string;
-  preset: string;
-  set: string[];
 }

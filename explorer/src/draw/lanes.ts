@@ -1,25 +1,14 @@
-/** Time histories below each other on one canvas, with the contact's states above them. Painting only. */
-import type { Motion, Stays } from "../data/frames.ts";
-import { staysWithin } from "../data/motions.ts";
+/** Time histories below each other on one canvas, with the contacts' states above them. Painting only. */
+import type { Motion } from "../data/frames.ts";
 import { columns, pyramid, type Pyramid } from "../data/pyramid.ts";
-import type { ContactState } from "../program/words.ts";
+import { bandsHeight, marginLeft, marginRight, paintBands } from "./bands.ts";
 import type { Palette } from "./colours.ts";
 import { plain, unitText } from "./format.ts";
 import type { LaneSpec } from "./lane_specs.ts";
 import { ticks } from "./scale.ts";
 import { font, type Surface } from "./surface.ts";
 
-export const marginLeft = 62;
-export const marginRight = 10;
-const bandRow = 8;
-export const bandStates: readonly ContactState[] = ["separation", "stick", "slip"];
-const bandHeight = bandRow * bandStates.length + 6;
-const nameHeight = 12; // above a band, where several contacts have one each
 const axisHeight = 20;
-
-function bandsHeight({ contacts }: Motion): number {
-  return contacts.length > 1 ? contacts.length * (nameHeight + bandHeight) : bandHeight;
-}
 
 export interface LanesView {
   span: readonly [number, number];
@@ -27,6 +16,8 @@ export interface LanesView {
   playhead: number;
   hover: number | null; // [s]
   palette: Palette;
+  /** Of many contacts the one whose lanes are shown. */
+  chosen: number;
 }
 
 /** Pyramids of a motion's columns, made when first looked at. */
@@ -56,7 +47,7 @@ export function paintLanes(surface: Surface, trees: Pyramids, view: LanesView): 
   if (inner < 20) return;
   const x = (time: number): number => marginLeft + (inner * (time - view.span[0])) / (view.span[1] - view.span[0]);
   paintBands(surface, trees.motion, view, inner);
-  const bands = bandsHeight(trees.motion);
+  const bands = bandsHeight(trees.motion, height);
   const room = (height - bands - axisHeight) / Math.max(view.lanes.length, 1);
   paintTimes(surface, view, x, bands);
   view.lanes.forEach((lane, k) =>
@@ -74,63 +65,6 @@ export function paintLanes(surface: Surface, trees: Pyramids, view: LanesView): 
     pen.lineTo(x(time), height - axisHeight);
     pen.stroke();
   }
-}
-
-/** A band per contact; of several each has its name above. */
-function paintBands(surface: Surface, { contacts }: Motion, view: LanesView, inner: number): void {
-  const { pen } = surface;
-  contacts.forEach((stays, k) => {
-    if (contacts.length < 2) return paintBand(surface, stays, view, { top: 0, height: bandHeight, inner });
-    const top = k * (nameHeight + bandHeight);
-    pen.font = font(10, 600);
-    pen.textAlign = "left";
-    pen.textBaseline = "top";
-    pen.fillStyle = view.palette.ink;
-    pen.fillText(stays.name, marginLeft, top + 1);
-    paintBand(surface, stays, view, { top: top + nameHeight, height: bandHeight, inner });
-  });
-}
-
-/** A row per state; as dark as the state's share of the time in that pixel. */
-function paintBand(surface: Surface, stays: Stays, view: LanesView, box: LaneBox): void {
-  const { pen } = surface;
-  const { inner } = box;
-  const [from, to] = view.span;
-  const count = Math.round(inner);
-  const shares = bandStates.map(() => new Float32Array(count));
-  const perSecond = count / (to - from);
-  const [first, last] = staysWithin(stays, from, to);
-  for (let stay = first; stay <= last; ++stay) {
-    const share = shares[bandStates.indexOf(stays.state[stay] as ContactState)];
-    if (!share) continue;
-    const start = Math.max(0, ((stays.from[stay] as number) - from) * perSecond);
-    const end = Math.min(count, ((stays.from[stay + 1] as number) - from) * perSecond);
-    for (let k = Math.floor(start); k < end; ++k)
-      share[k] = (share[k] as number) + Math.min(end, k + 1) - Math.max(start, k);
-  }
-  pen.font = font(9);
-  pen.textAlign = "right";
-  pen.textBaseline = "middle";
-  bandStates.forEach((state, row) => {
-    const top = box.top + row * bandRow + 1;
-    pen.fillStyle = view.palette.muted;
-    pen.fillText(state, marginLeft - 5, top + bandRow / 2);
-    pen.fillStyle = view.palette.grid;
-    pen.fillRect(marginLeft, top, inner, bandRow - 1);
-    pen.fillStyle = view.palette.state[state];
-    const share = shares[row] as Float32Array;
-    for (let k = 0; k < count;) {
-      const value = share[k] as number;
-      let end = k + 1;
-      while (end < count && Math.abs((share[end] as number) - value) < 0.02) ++end;
-      if (value > 0.004) {
-        pen.globalAlpha = Math.min(1, 0.15 + 0.85 * value);
-        pen.fillRect(marginLeft + k, top, end - k, bandRow - 1);
-      }
-      k = end;
-    }
-    pen.globalAlpha = 1;
-  });
 }
 
 function paintTimes(surface: Surface, view: LanesView, x: (time: number) => number, top: number): void {

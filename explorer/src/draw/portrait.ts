@@ -3,7 +3,7 @@ import { lastAtMost, shownContact, valueAt, type Motion } from "../data/frames.t
 import type { ContactState } from "../program/words.ts";
 import { paintAxes } from "./axes.ts";
 import type { Palette } from "./colours.ts";
-import { columnOf } from "./lane_specs.ts";
+import { columnOf, isOnPlate } from "./lane_specs.ts";
 import type { Surface } from "./surface.ts";
 
 const mostPoints = 5_000;
@@ -22,7 +22,7 @@ export function paintPortrait(
   const x = motion.columns.get(place)?.values;
   const v = motion.columns.get(velocity)?.values;
   if (!x || !v) return;
-  const sign = motion.contacts.length > 1 ? "x" : "x₁";
+  const sign = motion.contacts.length > 1 || !isOnPlate(motion) ? "x" : "x₁";
   // no coarser than the orbit needs; of a longer span, the part about the present time
   const stride = Math.max(1, Math.floor(finest / motion.interval));
   const index = (time: number): number => Math.round((time - motion.start) / motion.interval);

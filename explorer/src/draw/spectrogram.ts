@@ -1,6 +1,6 @@
 /** Level over time and frequency as a picture. Painting only. */
 import { floatsOf } from "../data/frames.ts";
-import type { Analysis } from "../data/types.ts";
+import type { Analysis } from "../data/answer_types.ts";
 import { paintAxes } from "./axes.ts";
 import { sequential } from "./colours.ts";
 import { h } from "./dom.ts";

@@ -1,5 +1,7 @@
 /** Where the energy comes from and where it goes, and how the verdict came about. */
-import type { PhaseResult, Simulation } from "../data/types.ts";
+import { rubbing } from "../data/cases.ts";
+import { worstFirst } from "../data/interfaces.ts";
+import type { Case, InterfaceResult, PhaseResult, Simulation } from "../data/types.ts";
 import { h } from "../draw/dom.ts";
 import { level, percent, plain, quantity, words } from "../draw/format.ts";
 import { paintSwatch } from "../draw/theme.ts";
@@ -14,7 +16,12 @@ export class Energy implements ViewPart {
 
   show({ simulation }: Context): void {
     if (!simulation) return;
-    this.element.replaceChildren(balance(simulation), ...simulation.phases.map(reasons));
+    const several = simulation.phases.filter((phase) => (phase.contacts?.length ?? 0) > 1);
+    this.element.replaceChildren(
+      ...several.map(contacts),
+      balance(simulation),
+      ...simulation.phases.map((phase) => reasons(phase, simulation.case)),
+    );
   }
 }
 
@@ -50,7 +57,9 @@ function balance({ energy, engine }: Simulation): HTMLElement {
   );
 }
 
-function reasons({ phase, verdict }: PhaseResult): HTMLElement {
+function reasons(result: PhaseResult, resolved: Case): HTMLElement {
+  const { phase, verdict } = result;
+  const isPlate = rubbing(resolved) === "joint";
   const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
   paintSwatch(swatch, verdict.category);
   const rows = verdict.margins.map((margin) =>
@@ -70,8 +79,10 @@ function reasons({ phase, verdict }: PhaseResult): HTMLElement {
   const figures: [string, string][] = [
     ["frequency", quantity(verdict.frequency, "Hz")],
     ["period", quantity(verdict.period, "s")],
-    ["joint, velocity level", `${level(verdict.levels.joint.level)} re 1 nm/s`],
-    ["plate, velocity level", `${level(verdict.levels.plate.level)} re 1 nm/s`],
+    [`${rubbing(resolved)}, velocity level`, `${level(verdict.levels.joint.level)} re 1 nm/s`],
+    ...(isPlate
+      ? [["plate, velocity level", `${level(verdict.levels.plate.level)} re 1 nm/s`] satisfies [string, string]]
+      : []),
   ];
   return h(
     "div",
@@ -81,5 +92,56 @@ function reasons({ phase, verdict }: PhaseResult): HTMLElement {
     h("ul", {}, ...verdict.reasons.map((text) => h("li", {}, text))),
     h("table", {}, h("tbody", {}, ...rows)),
     h("dl", {}, ...figures.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)])),
+  );
+}
+
+/** What the contacts of an interface do together. */
+function together({ rates, leading, differs, contacts: all }: InterfaceResult): HTMLElement | null {
+  if (all.length < 2) return null;
+  return h(
+    "p",
+    { class: "muted" },
+    `${all.length} contacts as a whole: all stick ${percent(rates.sticks)}, some slip ${percent(rates.partly)}, ` +
+      `all slip ${percent(rates.slides)}, open ${percent(rates.open)} of the time; ${leading} leads` +
+      (differs ? ", and their verdicts differ" : ""),
+  );
+}
+
+const columns = ["contact", "verdict", "slip", "stick", "open", "frequency", "level", "load", "friction"];
+
+/** Each contact by itself, the worst first. */
+function contacts(result: PhaseResult): HTMLElement {
+  const rows = worstFirst(result).map(({ name, verdict, load }) => {
+    const shares = verdict?.judged_rates;
+    const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
+    paintSwatch(swatch, verdict?.category ?? "none");
+    const numbers = [
+      percent(shares?.slip),
+      percent(shares?.stick),
+      percent(shares?.separation),
+      quantity(verdict?.frequency, "Hz"),
+      level(verdict?.levels.joint.level ?? null),
+      load ? percent(load.load_share) : "–",
+      load ? quantity(load.friction_power, "W", 3) : "–",
+    ];
+    return h(
+      "tr",
+      { "data-contact": name },
+      h("th", { scope: "row" }, name),
+      h("td", {}, swatch, verdict?.category ?? "carries nothing"),
+      ...numbers.map((text) => h("td", { class: "number" }, text)),
+    );
+  });
+  return h(
+    "div",
+    { class: "card contacts" },
+    h("h3", {}, `${result.phase}: each contact by itself, the worst first`),
+    ...(result.interfaces ?? []).map(together),
+    h(
+      "table",
+      {},
+      h("thead", {}, h("tr", {}, ...columns.map((name) => h("th", { scope: "col" }, name)))),
+      h("tbody", {}, ...rows),
+    ),
   );
 }

@@ -1,6 +1,6 @@
 /** The recordings of the library: listed, heard, seen, and put beside the simulation. */
 import * as api from "../data/api.ts";
-import type { Library, LibraryEntry } from "../data/types.ts";
+import type { Library, LibraryEntry } from "../data/answer_types.ts";
 import { button, h, setText } from "../draw/dom.ts";
 import { quantity, words } from "../draw/format.ts";
 import { paintSwatch } from "../draw/theme.ts";

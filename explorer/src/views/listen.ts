@@ -1,6 +1,7 @@
 /** Hear the cell, and beside it another cell that was kept, or a recording of the library. */
 import * as api from "../data/api.ts";
-import type { LibraryEntry, Start } from "../data/types.ts";
+import type { LibraryEntry } from "../data/answer_types.ts";
+import type { Start } from "../data/types.ts";
 import { button, h, select, setOptions, setText } from "../draw/dom.ts";
 import { quantity, symbolText } from "../draw/format.ts";
 import type { Direction } from "../program/words.ts";
@@ -58,6 +59,7 @@ export class Listen implements ViewPart {
     this.last_ = context;
     const { state } = context;
     if (context.step === "drag") return;
+    if (context.simulation) this.picker_.offer(context.simulation.case);
     const { options } = this.picker_;
     this.a_.show(`A: ${this.nameOf_(state.design, options.direction === "whole" ? null : options.direction)}`, {
       design: state.design,

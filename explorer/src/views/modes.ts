@@ -1,6 +1,7 @@
 /** Complex eigenvalues of steady sliding over the friction coefficient: where modes couple and grow. */
 import * as api from "../data/api.ts";
-import type { QuantityField, Stability, StabilityDirection, Start } from "../data/types.ts";
+import type { Stability, StabilityDirection } from "../data/answer_types.ts";
+import type { QuantityField, Start } from "../data/types.ts";
 import { h, select, setOptions, setText } from "../draw/dom.ts";
 import { plain, quantity, symbolText, title, unitText } from "../draw/format.ts";
 import { Plot, type Curve } from "../draw/plot.ts";
@@ -102,7 +103,11 @@ export class Modes implements ViewPart {
     const onset = direction.boundaries
       .map(({ value, below, above }) => `${below} → ${above} at ${quantity(value, field?.unit ?? "", 4)}`)
       .join("; ");
-    setText(this.verdict_, `${direction.direction}: ${onset || `${direction.points[0]?.kind ?? ""} all along`}`);
+    const lifted = direction.open ? `; steady sliding lifts ${direction.open.join(", ")} off` : "";
+    setText(
+      this.verdict_,
+      `${direction.direction}: ${onset || `${direction.points[0]?.kind ?? ""} all along`}${lifted}`,
+    );
     const largest = Math.max(...direction.points.map(({ growth }) => growth));
     this.growth_.describe(`${this.verdict_.textContent}; largest growth rate ${plain(largest)} 1/s`);
   }

@@ -1,7 +1,8 @@
 /** The design's parameters: a slider and a field each, made from the program's field table; presets; resets. */
 import * as api from "../data/api.ts";
-import { jointKey, keyOfJoint, valueIn } from "../data/cases.ts";
-import type { Case, Field, Preset, QuantityField, Section, ServerError, Start } from "../data/types.ts";
+import { hasStructure, jointKey, keyOfJoint, valueIn } from "../data/cases.ts";
+import type { ServerError } from "../data/answer_types.ts";
+import type { Case, Field, Preset, QuantityField, Section, Start } from "../data/types.ts";
 import { button, h, select, symbol } from "../draw/dom.ts";
 import {
   exact,
@@ -23,6 +24,7 @@ const folded = new Set(["run", "verdict"]);
 const sectionTitles: Record<string, string> = {
   joint: "Joint",
   plate: "Plate",
+  structure: "Structure",
   contact: "Contact",
   temperature: "Temperature",
   drive: "Drive",
@@ -41,10 +43,25 @@ type Usual = NonNullable<QuantityField["usual"]>;
 /** Between which values a quantity of a case is varied, if it is: of the temperature, over its table. */
 function usualOf(field: QuantityField, resolved: Case): Usual | null {
   const { key, usual } = field;
-  if (valueIn(resolved, key) === undefined || followsTemperature(resolved, key)) return null;
-  if (key !== "temperature.value") return usual ?? null;
+  const value = valueIn(resolved, key);
+  if (value === undefined || followsTemperature(resolved, key)) return null;
+  if (key !== "temperature.value") return hasStructure(resolved) ? reached(field, Number(value)) : (usual ?? null);
   const at = (resolved.temperature as Section).at as number[];
   return { from: at[0] as number, to: at.at(-1) as number, scale: "linear" };
+}
+
+/**
+ * Usual values are those of rubber seals: a structure of another size varies its own by as much, and a quantity of a
+ * builder, which has none, about what the file says.
+ */
+function reached({ usual, section, low, high }: QuantityField, value: number): Usual | null {
+  const size = Math.abs(value);
+  if (!usual && (section !== "structure" || !(value > 0))) return null;
+  if (usual && (usual.scale === "linear" || size === 0)) return { ...usual, to: Math.max(usual.to, size) };
+  if (usual && size >= usual.from && size <= usual.to) return usual;
+  const reach = usual ? Math.sqrt(usual.to / usual.from) : 4;
+  const [from, to] = [Math.max(size / reach, low ?? 0), Math.min(size * reach, high ?? Infinity)];
+  return from > 0 ? { from, to, scale: "log" } : { from, to, scale: "linear" };
 }
 
 /** The quantities that can be varied in a case, with the values between which. */
@@ -111,13 +128,14 @@ export class Parameters {
   private readonly presets_ = new Map<string, HTMLInputElement>();
   private readonly resetAll_: HTMLButtonElement;
   private resolved_: Case;
+  private preset_: Case; // as it is without changes: a slider's ends do not move with it
 
   constructor(
     private readonly store_: Store,
     private readonly start_: Start,
     private readonly complain_: (error: unknown) => void,
   ) {
-    this.resolved_ = start_.presets[0]?.case as Case;
+    this.resolved_ = this.preset_ = start_.presets[0]?.case as Case;
     const reset = (): void => this.store_.update({ design: { ...this.store_.state.design, set: {} } });
     this.resetAll_ = button("Reset all", reset, {
       id: "reset-all",
@@ -136,6 +154,7 @@ export class Parameters {
     this.resolved_ = resolved;
     for (const [name, input] of this.presets_) input.checked = name === state.design.preset;
     const preset = this.start_.presets.find(({ name }) => name === state.design.preset)?.case ?? resolved;
+    this.preset_ = preset;
     for (const row of this.rows_) {
       const { key } = row.field;
       const value = state.design.set[key] ?? valueIn(resolved, key);
@@ -233,7 +252,8 @@ export class Parameters {
       "aria-label": `${title(key)}, ${unitText(unit) || "no unit"}`,
     });
     const reset = this.resetButton_(field);
-    const usual = field.usual ?? (key === "temperature.value" ? { from: 0, to: 1, scale: "linear" } : null);
+    const isOfCase = key === "temperature.value" || field.section === "structure"; // its ends are the case's
+    const usual = field.usual ?? (isOfCase ? { from: 0, to: 1, scale: "linear" } : null);
     const slider = usual ? new Slider(field, usual, (value, step) => this.set_(field, value, step)) : null;
 
     let shown = "";
@@ -283,7 +303,7 @@ export class Parameters {
       if (document.activeElement !== number || number.value === "") number.value = shown;
       else if (plainNumber(number.value) === known) number.value = shown;
       number.title = `${exact(known)} ${unitText(unit)}`.trim();
-      slider?.show(known, shown, usualOf(field, this.resolved_));
+      slider?.show(known, shown, usualOf(field, this.preset_));
       reset.title = base === undefined ? "Reset" : `Back to ${quantity(Number(base), unit)}`;
     };
     return { field, element, show };

@@ -4,7 +4,8 @@
  */
 import * as api from "../data/api.ts";
 import { valueIn } from "../data/cases.ts";
-import type { Advice, AdviceMargin, QuantityField, Start } from "../data/types.ts";
+import type { Advice, AdviceMargin } from "../data/answer_types.ts";
+import type { QuantityField, Start } from "../data/types.ts";
 import { button, h, select, setOptions, setText, symbol } from "../draw/dom.ts";
 import { exact, number, percent, plain, quantity, symbolParts, title } from "../draw/format.ts";
 import { share } from "../draw/scale.ts";

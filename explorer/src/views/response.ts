@@ -3,8 +3,9 @@ import { shownContact, stateAt, valueAt, type Motion } from "../data/frames.ts";
 import type { Motions } from "../data/motions.ts";
 import { button, h, setText } from "../draw/dom.ts";
 import { inRow, quantity } from "../draw/format.ts";
-import { contactColumn, jointColumn, laneSpecs, lanesOf } from "../draw/lane_specs.ts";
-import { marginLeft, marginRight, paintLanes, Pyramids, timeAt } from "../draw/lanes.ts";
+import { contactAt, marginLeft, marginRight } from "../draw/bands.ts";
+import { contactColumn, isLaned, isOnPlate, jointColumn, laneSpecs, lanesOf } from "../draw/lane_specs.ts";
+import { paintLanes, Pyramids, timeAt } from "../draw/lanes.ts";
 import { paintPortrait } from "../draw/portrait.ts";
 import { moved, stretched } from "../draw/scale.ts";
 import { surface, type Surface } from "../draw/surface.ts";
@@ -69,7 +70,10 @@ export class Response implements ViewPart {
     );
     clock_.listen(() => this.looked_ && this.follow_());
     motions_.listen(() => this.take_());
-    chosen_.listen(() => this.repaintPortrait_());
+    chosen_.listen(() => {
+      this.describe_();
+      this.repaint_();
+    });
     onTheme(() => this.repaint_());
   }
 
@@ -157,7 +161,7 @@ export class Response implements ViewPart {
     });
     canvas.addEventListener("pointermove", (event) => this.move_(event));
     canvas.addEventListener("pointerup", (event) => {
-      if (this.grip_ && !this.grip_.moved) this.clock_.seek(timeAt(this.lanes_, this.shown_, event.offsetX));
+      if (this.grip_ && !this.grip_.moved) this.choose_(event);
       this.grip_ = null;
     });
     canvas.addEventListener("pointercancel", () => (this.grip_ = null));
@@ -167,6 +171,14 @@ export class Response implements ViewPart {
     });
     canvas.addEventListener("dblclick", () => this.go_(null));
     canvas.addEventListener("keydown", (event) => this.key_(event));
+  }
+
+  /** A click goes to its time; on the states of one of several contacts it chooses that one, too. */
+  private choose_(event: PointerEvent): void {
+    const motion = this.trees_?.motion;
+    const contact = motion ? contactAt(motion, this.lanes_.height, event.offsetY) : null;
+    if (contact !== null) this.chosen_.choose(contact);
+    this.clock_.seek(timeAt(this.lanes_, this.shown_, Math.max(event.offsetX, marginLeft)));
   }
 
   private wheel_(event: WheelEvent): void {
@@ -219,7 +231,7 @@ export class Response implements ViewPart {
     if (!motion) return;
     const [from, to] = this.shown_;
     const time = this.hover_ ?? this.clock_.time;
-    const text = readAt(motion, time);
+    const text = readAt(motion, time, this.chosen_.contact);
     setText(this.readout_, text);
     this.lanes_.canvas.setAttribute(
       "aria-label",
@@ -231,13 +243,14 @@ export class Response implements ViewPart {
     if (!this.trees_) return;
     paintLanes(s, this.trees_, {
       span: this.shown_,
-      lanes: lanesOf(this.trees_.motion, this.wanted_),
+      lanes: lanesOf(this.trees_.motion, this.wanted_, this.chosen_.contact),
+      chosen: this.chosen_.contact,
       playhead: this.clock_.time,
       hover: this.hover_,
       palette: palette(),
     });
     if (this.hover_ === null && this.clock_.playing)
-      setText(this.readout_, readAt(this.trees_.motion, this.clock_.time));
+      setText(this.readout_, readAt(this.trees_.motion, this.clock_.time, this.chosen_.contact));
     this.element.dataset.draws = String(Number(this.element.dataset.draws ?? 0) + 1);
   }
 
@@ -245,23 +258,30 @@ export class Response implements ViewPart {
     if (!this.trees_) return;
     const { motion } = this.trees_;
     paintPortrait(s, motion, this.shown_, this.clock_.time, palette(), this.chosen_.contact);
-    const name = motion.contacts.length > 1 ? shownContact(motion, this.chosen_.contact).name : "the joint";
-    s.canvas.setAttribute("aria-label", `Phase portrait of ${name}`);
+    const { name } = shownContact(motion, this.chosen_.contact);
+    const who = motion.contacts.length < 2 && isOnPlate(motion) ? "the joint" : name;
+    s.canvas.setAttribute("aria-label", `Phase portrait of ${who}`);
   }
 }
 
-function readAt(motion: Motion, time: number): string {
+/** What stands at a time: of few contacts all, of many the chosen one. */
+function readAt(motion: Motion, time: number, chosen: number): string {
   const value = (name: string, unit: string): string => quantity(valueAt(motion, name, time), unit, 3);
   const several = motion.contacts.length > 1;
+  const velocity = several || !isOnPlate(motion) ? "ẋ" : "ẋ₁";
   return inRow([
     `t = ${(1000 * time).toFixed(3)} ms`,
     ...(several ? [`V = ${value("surface_velocity", "m/s")}`] : []),
-    ...motion.contacts.flatMap((contact, k) => [
-      several ? `${contact.name}: ${stateAt(contact, time)}` : stateAt(contact, time),
-      `${several ? "ẋ" : "ẋ₁"} = ${value(`${jointColumn(motion, "x", k)}_velocity`, "m/s")}`,
-      ...(several ? [] : [`V = ${value("surface_velocity", "m/s")}`]),
-      `N = ${value(contactColumn(motion, "normal_force", k), "N")}`,
-      `T = ${value(contactColumn(motion, "friction_force", k), "N")}`,
-    ]),
+    ...motion.contacts.flatMap((contact, k) =>
+      !isLaned(motion, k, chosen)
+        ? []
+        : [
+            several ? `${contact.name}: ${stateAt(contact, time)}` : stateAt(contact, time),
+            `${velocity} = ${value(`${jointColumn(motion, "x", k)}_velocity`, "m/s")}`,
+            ...(several ? [] : [`V = ${value("surface_velocity", "m/s")}`]),
+            `N = ${value(contactColumn(motion, "normal_force", k), "N")}`,
+            `T = ${value(contactColumn(motion, "friction_force", k), "N")}`,
+          ],
+    ),
   ]);
 }

@@ -1,5 +1,6 @@
 /** Ways out of the page: link, command, TOML, picture, table, report. */
 import * as api from "../data/api.ts";
+import { hasStructure } from "../data/cases.ts";
 import type { ChartData } from "../data/chart_data.ts";
 import type { Start } from "../data/types.ts";
 import { categoryAndQuiet, light } from "../draw/colours.ts";
@@ -134,7 +135,7 @@ export class Share {
     const preset = this.start_.presets.find((one) => one.name === design.preset);
     if (!preset) throw Error("no preset " + design.preset);
     const { drive } = preset.case;
-    const isOfFile = typeof drive === "object" && "file" in drive;
+    const isOfFile = hasStructure(preset.case) || (typeof drive === "object" && "file" in drive);
     return command(isOfFile ? design : await this.whole_(design));
   }
 }

@@ -1,6 +1,6 @@
 /** One sound: a player, its spectrogram and what is heard in it. It never starts by itself. */
 import * as api from "../data/api.ts";
-import type { Analysis, SoundOptions } from "../data/types.ts";
+import type { Analysis, SoundOptions } from "../data/answer_types.ts";
 import { h, setText } from "../draw/dom.ts";
 import { Spectrogram } from "../draw/spectrogram.ts";
 import type { Design } from "../state/state.ts";

@@ -1,8 +1,10 @@
 /** What the motion sounds like, seen: spectrum, spectrogram and level of one direction. */
 import * as api from "../data/api.ts";
-import type { Analysis, SoundOptions } from "../data/types.ts";
-import { h, select } from "../draw/dom.ts";
-import { plain, unitText } from "../draw/format.ts";
+import { heardIn } from "../data/cases.ts";
+import type { Analysis, ModalLines, SoundOptions } from "../data/answer_types.ts";
+import type { Case } from "../data/types.ts";
+import { h, select, setOptions } from "../draw/dom.ts";
+import { percent, plain, quantity, unitText } from "../draw/format.ts";
 import { Plot } from "../draw/plot.ts";
 import { Spectrogram } from "../draw/spectrogram.ts";
 import type { Design } from "../state/state.ts";
@@ -21,6 +23,7 @@ export const soundDefaults: SoundOptions = {
 export class SoundPicker {
   readonly element: HTMLElement;
   options: SoundOptions = { ...soundDefaults };
+  private readonly of_: HTMLSelectElement;
 
   constructor(changed: () => void) {
     const pick = <Key extends "of" | "quantity" | "direction">(
@@ -37,13 +40,22 @@ export class SoundPicker {
         },
         { "data-sound": key },
       );
+    this.of_ = pick("of", "Which part", ["joint", "plate"]);
     this.element = h(
       "span",
       { class: "bar" },
-      pick("of", "Which part", ["joint", "plate"]),
+      this.of_,
       pick("quantity", "Which quantity", ["velocity", "acceleration"]),
       pick("direction", "Which direction", ["whole", "going", "coming"]),
     );
+  }
+  /** Offers what of a case can be heard; what was chosen and is not there any more gives way to the first. */
+  offer(resolved: Case): void {
+    const heard = heardIn(resolved);
+    setOptions(this.of_, heard);
+    if (!heard.some(([name]) => name === this.options.of))
+      this.options = { ...this.options, of: heard[0]?.[0] ?? soundDefaults.of };
+    this.of_.value = this.options.of;
   }
 }
 
@@ -57,6 +69,12 @@ export class Spectra implements ViewPart {
     ({ design, options }, signal) => api.analysis(design, options, signal),
     (answer) => this.take_(answer),
   );
+  private readonly modes_ = h("ul", { class: "lines", id: "modal-lines" });
+  private readonly askedModes_ = new Asked<{ design: Design; of: string }, ModalLines>(
+    ({ design, of }, signal) => api.modalLines(design, of, signal),
+    (answer) => this.modes_.replaceChildren(...answer.lines.map(modalLine)),
+    "Taking it apart into free modes …",
+  );
   private last_: Context | null = null;
 
   constructor() {
@@ -65,13 +83,23 @@ export class Spectra implements ViewPart {
       { class: "spectra" },
       h("div", { class: "bar" }, this.picker_.element, this.asked_.note),
       h("div", { class: "three" }, this.spectrum_.element, this.spectrogram_.element, this.level_.element),
+      h(
+        "details",
+        { class: "modal", ontoggle: () => this.last_ && this.show(this.last_) },
+        h("summary", {}, "Which free modes carry the lines of the velocity"),
+        this.askedModes_.note,
+        this.modes_,
+      ),
     );
   }
 
   show(context: Context): void {
     this.last_ = context;
     if (context.step === "drag") return;
-    this.asked_.ask({ design: context.state.design, options: this.picker_.options });
+    if (context.simulation) this.picker_.offer(context.simulation.case);
+    const { design } = context.state;
+    this.asked_.ask({ design, options: this.picker_.options });
+    if (this.element.querySelector("details")?.open) this.askedModes_.ask({ design, of: this.picker_.options.of });
   }
 
   private take_(answer: Analysis): void {
@@ -95,6 +123,12 @@ export class Spectra implements ViewPart {
       curves: [{ label: "level", colour: 1, values: level.decibels }],
     });
   }
+}
+
+/** "430 Hz: mode 2 (503 Hz) 94 %, mode 3 (1592 Hz) 6 %" */
+function modalLine({ frequency, shares }: ModalLines["lines"][number]): HTMLElement {
+  const parts = shares.map((each) => `mode ${each.mode} (${quantity(each.frequency, "Hz")}) ${percent(each.share, 0)}`);
+  return h("li", {}, h("b", {}, quantity(frequency, "Hz")), `: ${parts.join(", ")}`);
 }
 
 function peakOf({ spectrum }: Analysis): { frequency: number; level: number } | null {

@@ -1,5 +1,5 @@
 /** The verdict on the present design: a chip per phase, announced to screen readers. */
-import { valueIn } from "../data/cases.ts";
+import { rubbing, valueIn } from "../data/cases.ts";
 import type { PhaseResult, Simulation } from "../data/types.ts";
 import { h, setText } from "../draw/dom.ts";
 import { level, percent, quantity } from "../draw/format.ts";
@@ -56,7 +56,7 @@ export class VerdictBar {
       const direction = directionOf(result, simulation);
       this.element.dataset[direction] = result.verdict.category;
       this.element.dataset[result.phase] = result.verdict.category;
-      return this.chip_(result, direction, chosen);
+      return this.chip_(result, direction, chosen, rubbing(simulation.case));
     });
     this.element.replaceChildren(
       ...chips,
@@ -66,7 +66,7 @@ export class VerdictBar {
     setText(this.live_, simulation.phases.map(spoken).join("; "));
   }
 
-  private chip_(result: PhaseResult, direction: Direction, chosen: Direction): HTMLElement {
+  private chip_(result: PhaseResult, direction: Direction, chosen: Direction, what: string): HTMLElement {
     const { verdict } = result;
     const swatch = h("span", { "class": "swatch", "aria-hidden": "true" });
     paintSwatch(swatch, verdict.quiet_because === "sticks" ? "none (sticks)" : verdict.category);
@@ -79,7 +79,7 @@ export class VerdictBar {
         "aria-pressed": String(direction === chosen),
         "title": [
           ...verdict.reasons,
-          "joint: its velocity level, dB re 1 nm/s; a vibration, not a sound pressure",
+          `${what}: its velocity level, dB re 1 nm/s; a vibration, not a sound pressure`,
           "(click: regard this direction)",
         ].join("\n"),
         "onclick": () => this.choose_(direction),
@@ -87,17 +87,17 @@ export class VerdictBar {
       swatch,
       h("span", { class: "phase" }, result.phase),
       h("strong", {}, verdict.category),
-      h("span", { class: "detail" }, detail(result)),
+      h("span", { class: "detail" }, detail(result, what)),
       rates(result),
     );
     return chip;
   }
 }
 
-function detail(result: PhaseResult): string {
+function detail(result: PhaseResult, rubs: string): string {
   const { verdict } = result;
   const what = verdict.category === "none" ? (verdict.quiet_because ?? "") : quantity(verdict.frequency, "Hz");
-  return `${what} · joint ${level(verdict.levels.joint.level)}`;
+  return `${what} · ${rubs} ${level(verdict.levels.joint.level)}`;
 }
 
 function rates(result: PhaseResult): HTMLElement {

@@ -1,4 +1,4 @@
-// The running program's answers against the types that the page reads them with (src/data/types.ts). Each answer
+// The running program's answers against the types that the page reads them with (src/data). Each answer
 // becomes a literal of its type, and the compiler says which key or word is missing in the one or the other.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
@@ -10,7 +10,7 @@ import { fileURLToPath } from "node:url";
 import { program, startExplorer } from "./session.mjs";
 
 const page = join(dirname(fileURLToPath(import.meta.url)), "../..");
-const types = join(page, "src/data/types.ts");
+const files = ["types.ts", "answer_types.ts"].map((name) => join(page, "src/data", name));
 
 let folder;
 let explorer;
@@ -33,11 +33,41 @@ after(async () => {
   await rm(folder, { recursive: true, force: true });
 });
 
-async function ask(path, body) {
-  const headers = { "Cookie": cookie, "Origin": explorer.origin, "Content-Type": "application/json" };
+async function ask(path, body, session = { origin: explorer.origin, cookie }) {
+  const headers = { "Cookie": session.cookie, "Origin": session.origin, "Content-Type": "application/json" };
   const content = body && { method: "POST", body: JSON.stringify(body) };
-  return fetch(explorer.origin + path, { headers, ...content });
+  return fetch(session.origin + path, { headers, ...content });
 }
+
+// two contacts of which the first, where it slides, lifts the second off
+const structure = `
+[structure]
+mass = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+stiffness = [[2, 0, 0, -1.2], [0, 2, 0, 0], [0, 0, 2, 0], [-1.2, 0, 0, 2]]
+[[structure.contact]]
+name = "a"
+normal = "u2"
+tangent = "u1"
+preload_share = 10
+interface = "lip"
+position = [0, 0, 0]
+[[structure.contact]]
+name = "b"
+normal = "u4"
+tangent = "u3"
+preload_share = 1
+interface = "lip"
+position = [0, 0, 0.01]
+[contact]
+preload = 11
+static_friction = 0.6
+kinetic_friction = 0.5
+[drive]
+kind = "constant"
+velocity = 0.1
+[run]
+duration = 20
+`;
 
 /** An answer, which is held against its type in the end. */
 async function answerOf(type, path, body) {
@@ -55,6 +85,10 @@ function kept(type, answer) {
 /** Held against its type with nothing left out: what is optional there must be here. */
 function keptWhole(type, answer) {
   kept(`Required<${type}>`, answer);
+}
+
+function without(object, keys) {
+  return Object.fromEntries(Object.entries(object).filter(([key]) => !keys.includes(key)));
 }
 
 /** What a value looks like: of two items of a list that look alike the compiler sees one. */
@@ -75,7 +109,12 @@ function shortened(value) {
 /** What the compiler says of answers that are written down as literals of their types; empty if they fit. */
 async function complaints(written) {
   const names = new Set(written.map(({ type }) => /(\w+)>?$/.exec(type)[1]));
-  const lines = [`import type { ${[...names].join(", ")} } from ${JSON.stringify(types)};`];
+  const lines = [];
+  for (const file of files) {
+    const source = await readFile(file, "utf8");
+    const here = [...names].filter((name) => new RegExp(`^export (interface|type) ${name}\\b`, "m").test(source));
+    if (here.length > 0) lines.push(`import type { ${here.join(", ")} } from ${JSON.stringify(file)};`);
+  }
   written.forEach(({ type, answer }, k) =>
     lines.push(`export const answer${k}: ${type} = ${JSON.stringify(shortened(answer), null, 1)};`),
   );
@@ -119,6 +158,41 @@ test("the header of a motion", async () => {
   kept("MotionHeader", JSON.parse(new TextDecoder().decode(bytes.slice(4, 4 + length))));
 });
 
+test("structures of one's own", async () => {
+  const own = join(folder, "own.toml");
+  const string = join(folder, "string.toml");
+  await writeFile(own, structure);
+  execFileSync(program, ["init", "string", "--output", string]);
+  for (const file of [own, string]) {
+    const server = await startExplorer([file]);
+    try {
+      const opened = await fetch(server.link(), { redirect: "manual" });
+      const session = { origin: server.origin, cookie: opened.headers.get("set-cookie").split(";")[0] };
+      const body = { preset: "file", set: ["run.duration=2"] };
+      const simulation = kept("Simulation", await (await ask("/api/simulate", body, session)).json());
+      const bytes = await (await ask("/api/motion", { ...body, to: 0.01 }, session)).arrayBuffer();
+      const length = new DataView(bytes).getUint32(0, true);
+      const header = kept("MotionHeader", JSON.parse(new TextDecoder().decode(bytes.slice(4, 4 + length))));
+      if (file === string) {
+        keptWhole("MotionHeader", header);
+        continue;
+      }
+      keptWhole("PhaseResult", simulation.phases[0]);
+      keptWhole("OwnContact", simulation.case.structure.contacts[0]);
+      const stability = kept("Stability", await (await ask("/api/stability", body, session)).json());
+      keptWhole(
+        "SlidingStability",
+        without(
+          stability.directions.find(({ open }) => open),
+          ["direction", "points", "boundaries"],
+        ),
+      );
+    } finally {
+      assert.equal(await server.stop(), 0);
+    }
+  }
+});
+
 test("the frames of a chart", async () => {
   const axis = (parameter, from, to) => ({ parameter, from, to, points: 12, scale: "linear" });
   const chart = { x: axis("contact.preload", 1, 80), y: axis("contact.kinetic_friction", 0, 0.8), refine: 1 };
@@ -156,6 +230,8 @@ test("advice", async () => {
 test("sounds and recordings", async () => {
   const options = { direction: "whole", of: "joint", quantity: "velocity", rate: 16000, seconds: 0.3 };
   await answerOf("Analysis", "/api/analysis", { preset: "squeal", set: [], ...options });
+  const modal = await answerOf("ModalLines", "/api/modal", { preset: "squeal", set: [], of: "joint" });
+  assert.ok(modal.lines.length > 2 && modal.lines.some(({ shares }) => shares[0].share > 0.9));
   const library = await answerOf("Library", "/api/library");
   await answerOf("Analysis", `/api/library/${library.entries[0].id}/analysis`);
   keptWhole("LibraryEntry", library.entries[0]);
@@ -174,7 +250,7 @@ test("every answer fits its type", async () => {
 });
 
 test("every type with keys that may be missing was met with all of them", async () => {
-  const source = await readFile(types, "utf8");
+  const source = (await Promise.all(files.map((file) => readFile(file, "utf8")))).join("\n");
   const optional = [...source.matchAll(/interface (\w+)[^{]*\{([^]*?)\n\}/g)].filter(([, , body]) => /\?:/.test(body));
   const met = answers.map(({ type }) => type);
   assert.ok(optional.length > 5);

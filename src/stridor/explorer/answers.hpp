@@ -34,15 +34,16 @@ Response start(const World& world);
 /// The verdict and figures of a case, as `simulate --json` has them.
 Response simulate(const World& world, const Json& body, const std::stop_token& stop);
 
-/// Trace and contact histories of a case in bytes: the length of a JSON header, the header, then the columns as it
-/// says.
-Response motion(const World& world, const Json& body, const std::stop_token& stop);
-
 /// Stability of sliding at the case, or over a quantity at most 2000 values, as JSON.
 Response stability(const World& world, const Json& body, const std::stop_token& stop);
 
 /// The case, or the chart where the body has one, as a TOML file.
 Response toml(const World& world, const Json& body, const std::stop_token& stop);
+
+// answers_motion.cpp
+/// Trace and contact histories of a case in bytes: the length of a JSON header, the header, then the columns as it
+/// says.
+Response motion(const World& world, const Json& body, const std::stop_token& stop);
 
 // answers_share.cpp
 
@@ -64,6 +65,10 @@ Response analysis_of(signal::Source& source);
 
 /// The sound of a case as a WAV file.
 Response sound(const World& world, const Json& body, const std::stop_token& stop);
+
+/// "stridor.explorer.modal/1": the strongest lines in the spectrum of a case's velocity, and the free modes that have
+/// most of each.
+Response modal_lines(const World& world, const Json& body, const std::stop_token& stop);
 
 /// "stridor.explorer.analysis/1" of that sound.
 Response analysis(const World& world, const Json& body, const std::stop_token& stop);

@@ -3,26 +3,19 @@
 #include "stridor/base/version.hpp"
 #include "stridor/classification/contact_rules.hpp"
 #include "stridor/explorer/answers.hpp"
-#include "stridor/explorer/bytes.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"
 #include "stridor/io/case/toml_writer.hpp"
-#include "stridor/io/simulation/dof_names.hpp"
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/field.hpp"
-#include "stridor/parameters/joints.hpp"
-#include "stridor/record/columns.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/evaluate.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <functional>
-#include <limits>
 #include <map>
 #include <span>
 #include <utility>
@@ -32,10 +25,8 @@ namespace stridor::explorer {
 
 namespace {
 
-constexpr double most_samples = 1e6;     // of a trace
-constexpr double least_interval = 1e-7;  // [s] between them
-constexpr std::size_t most_complaints =
-    12;  // of one error that the page has room for; a request may hold 200 wrong values
+// of one error that the page has room for; a request may hold 200 wrong values
+constexpr std::size_t most_complaints = 12;
 
 // {"drive.kind": ["constant", "trapezoidal"]}: the choices without which a field means nothing; none if it always does
 Json homes_object(const parameters::Field& field) {
@@ -82,119 +73,6 @@ Json preset_object(const Preset& preset) {
     return object;
 }
 
-/// A column of the motion that is sent: numbers of the trace, under the names that the page knows.
-struct SentColumn {
-    std::string name;
-    std::string_view unit;
-    std::string sentence;
-    std::function<const std::vector<double>&(const record::Trace&)> values;
-};
-
-/// A degree of freedom as the page knows it.
-struct SentDof {
-    std::string name;  // x1 and y1 of the first joint, y2 of the plate; x_lip2 and y_lip2 of a further joint
-    std::string whose;
-};
-
-std::vector<SentDof> dofs_of(const parameters::Case& c) {
-    std::vector<std::string> names = io::dof_names(parameters::Case{});
-    std::vector<SentDof> dofs;
-    for (std::size_t dof = 0; dof < names.size(); ++dof)
-        dofs.push_back({names[dof], std::string(io::dof_sentences[dof])});
-    if (c.further_joints.empty()) return dofs;
-    names = io::dof_names(c);
-    const SentDof plate = dofs.back();
-    dofs.pop_back();
-    for (std::size_t dof = dofs.size(); dof + 1 < names.size(); ++dof)
-        dofs.push_back({names[dof], dofs[dof % 2].whose});
-    for (std::size_t dof = 0; dof < dofs.size(); ++dof)
-        dofs[dof].whose.replace(0, std::string_view("of the joint").size(), "of " + parameters::joint_name(c, dof / 2));
-    dofs.push_back(plate);
-    return dofs;
-}
-
-// displacements and velocities of the rubbing system ("x1", "x1_velocity"), the surface's velocity, each contact's
-std::vector<SentColumn> columns_of(const parameters::Case& c) {
-    std::vector<SentColumn> columns;
-    const std::size_t contacts = parameters::joint_count(c);
-    const std::vector<SentDof> dofs = dofs_of(c);
-    for (const record::DofColumn& column : std::span(record::dof_columns).first(2))
-        for (std::size_t dof = 0; dof < dofs.size(); ++dof) {
-            const bool is_place = column.samples == &record::Trace::displacement;
-            columns.push_back(
-                {dofs[dof].name + (is_place ? "" : "_" + std::string(column.name)), column.unit,
-                 std::string(is_place ? "displacement" : column.name) + " " + dofs[dof].whose,
-                 [member = column.samples, dof](const record::Trace& trace) -> const std::vector<double>& {
-                     return (trace.*member)[dof];
-                 }});
-        }
-    columns.push_back({std::string(record::surface_column.name), record::surface_column.unit,
-                       std::string(record::surface_column.sentence),
-                       [](const record::Trace& trace) -> const std::vector<double>& {
-                           return trace.*record::surface_column.samples;
-                       }});
-    for (std::size_t contact = 0; contact < contacts; ++contact)
-        for (const record::ContactColumn& column : record::contact_columns)
-            columns.push_back(
-                {std::string(column.name) + record::contact_ending(contact, contacts), column.unit,
-                 std::string(column.sentence),
-                 [member = column.samples, contact](const record::Trace& trace) -> const std::vector<double>& {
-                     return trace.contacts[contact].*member;
-                 }});
-    return columns;
-}
-
-record::TraceRequest trace_in(const Json& body, const parameters::Case& c) {
-    const double from = std::max(0.0, number_in(body, "from", 0.0));
-    const double to = std::min(c.run.duration, number_in(body, "to", c.run.duration));
-    const double interval = number_in(body, "interval", std::max(least_interval, (to - from) / most_samples));
-    const bool is_possible = from < to && interval >= least_interval && (to - from) / interval <= 1.01 * most_samples;
-    if (!is_possible)
-        throw Error(ErrorKind::input, {"there is no such trace",
-                                       "its times must rise within the run, and a million samples "
-                                       "are the most",
-                                       ""});
-    record::TraceRequest request;
-    request.from = from;
-    request.to = to;
-    request.interval = interval;
-    return request;
-}
-
-void pad(std::string& bytes) {
-    bytes.resize((bytes.size() + 7) / 8 * 8, '\0');
-}
-
-std::string motion_header(const parameters::Case& c, const record::TraceRequest& trace,
-                          const std::vector<SentColumn>& columns, std::size_t samples,
-                          const std::vector<record::ContactHistory>& histories) {
-    Json header{{"schema", "stridor.explorer.motion/1"},
-                {"samples", samples},
-                {"start", trace.from},
-                {"interval", trace.interval},
-                {"columns", Json::array()}};
-    for (const SentColumn& column : columns)
-        header["columns"].push_back({{"name", column.name}, {"unit", column.unit}, {"sentence", column.sentence}});
-    header["contacts"] = Json::array();
-    for (std::size_t k = 0; k < histories.size(); ++k)
-        header["contacts"].push_back({{"name", parameters::joint_name(c, k)}, {"intervals", histories[k].size()}});
-    header["states"] = model::contact_state_names;
-    std::string text = header.dump();
-    text.resize((text.size() + 4 + 7) / 8 * 8 - 4, ' ');  // the arrays after it begin at a multiple of 8
-    return text;
-}
-
-std::string history_bytes(const record::ContactHistory& history) {
-    std::vector<double> times;
-    std::vector<std::uint8_t> states;
-    for (const record::ContactInterval& interval : history) {
-        times.push_back(interval.from);
-        states.push_back(static_cast<std::uint8_t>(interval.state));
-    }
-    times.push_back(history.empty() ? 0.0 : history.back().to);
-    return bytes_of<double>(times) + bytes_of<std::uint8_t>(states);
-}
-
 // the key of the field that a message is about; empty if it names none
 std::string key_in(const std::string& message) {
     // of one of several joints it is longer: "joint.lip2.contact.preload"
@@ -210,6 +88,21 @@ std::string key_in(const std::string& message) {
         if (!field.section.empty() && message.find(parameters::key_of(field)) != std::string::npos)
             return parameters::key_of(field);
     return {};
+}
+
+// eigenvalues take the cube of the rows, and are not stopped: so many values of a quantity take some ten seconds
+int most_stability_points(const parameters::Case& c) {
+    constexpr int most = 2000;
+    constexpr int least = 5;         // fewer are no curve
+    constexpr double cubes = 2.5e7;  // [1] of rows, in that time
+    if (!c.own_structure) return most;
+    const auto rows = static_cast<double>(c.own_structure->row.size());
+    const double points = cubes / (rows * rows * rows);
+    if (points < least)
+        throw Error(ErrorKind::input, {"the stability of " + std::to_string(c.own_structure->row.size()) +
+                                           " rows is not computed while you wait",
+                                       "it takes the cube of them", "Run it on the command line: stridor stability."});
+    return static_cast<int>(std::min(points, static_cast<double>(most)));
 }
 
 Json problem_object(const base::Problem& problem) {
@@ -268,37 +161,11 @@ Response simulate(const World& world, const Json& body, const std::stop_token& s
     return json(io::simulation_json(c, motion, integration::cost(c), verdicts));
 }
 
-Response motion(const World& world, const Json& body, const std::stop_token& stop) {
-    const parameters::Case c = case_in(world, body);
-    record::Request request{record::KeepHistory::yes, trace_in(body, c)};
-    const std::vector<SentColumn> columns = columns_of(c);
-    std::vector<std::vector<float>> values(columns.size());
-    // block by block into the half as large numbers that are sent: a trace of doubles would be 100 MB
-    request.trace.taker = [&](const record::Trace& trace) {
-        for (std::size_t k = 0; k < columns.size(); ++k)
-            for (const double value : columns[k].values(trace))
-                values[k].push_back(static_cast<float>(value));
-    };
-    const integration::Motion motion = run_case(c, request, stop);
-    const std::string header = motion_header(c, request.trace, columns, values.front().size(), motion.record.histories);
-    const auto length = static_cast<std::uint32_t>(header.size());
-    std::string bytes = bytes_of<std::uint32_t>({&length, 1}) + header;
-    for (const std::vector<float>& column : values) {
-        bytes += bytes_of<float>(column);
-        pad(bytes);
-    }
-    for (const record::ContactHistory& history : motion.record.histories) {
-        bytes += history_bytes(history);
-        pad(bytes);
-    }
-    return {200, "application/octet-stream", std::move(bytes)};
-}
-
 Response stability(const World& world, const Json& body, const std::stop_token&) {
     const parameters::Case c = case_in(world, body);
+    const int most = most_stability_points(c);
     std::optional<analysis::ScanRange> range;
     if (body.contains("over")) {
-        constexpr int most = 2000;
         constexpr int usual = 201;  // fewer leave a kink where modes begin to couple
         const Json& over = object_in(body, "over");
         range = {text_in(over, "key"), number_in(over, "from"), number_in(over, "to"),

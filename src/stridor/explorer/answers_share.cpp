@@ -1,4 +1,5 @@
 #include "stridor/base/error.hpp"
+#include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/explorer/answers.hpp"
 #include "stridor/io/case/toml_case.hpp"
@@ -45,6 +46,14 @@ Case read_preset(const Preset& preset, const std::vector<std::string>& set) {
     return io::read_case(io::parse_toml(source), readers_of(preset));
 }
 
+// as `--set` would take it; a number of a builder has no place in a case without its structure
+double number_of(const Field& field, const std::string& text) {
+    if (parameters::is_of_builder(field)) return base::parse_quantity(text, std::get<Quantity>(field.kind).unit);
+    Case c;
+    parameters::set_from_text(c, field, text);
+    return parameters::get_quantity(c, field);
+}
+
 }  // namespace
 
 Response value(const World&, const Json& body, const std::stop_token&) {
@@ -55,13 +64,13 @@ Response value(const World&, const Json& body, const std::stop_token&) {
         throw Error(ErrorKind::input, {"\"key\" must name a quantity", "", "GET /api/start lists them."});
     if (text.size() > longest_value)
         throw Error(ErrorKind::input, {key + ": the text is too long for a number", "", ""});
-    Case c;
+    double number = 0.0;
     try {
-        parameters::set_from_text(c, *field, text);
+        number = number_of(*field, text);
     } catch (const Error& error) {
         throw io::located(error, key, {});
     }
-    return json(Json{{"schema", "stridor.explorer.value/1"}, {"value", parameters::get_quantity(c, *field)}}.dump());
+    return json(Json{{"schema", "stridor.explorer.value/1"}, {"value", number}}.dump());
 }
 
 Response share(const World& world, const Json& body, const std::stop_token&) {
@@ -69,6 +78,9 @@ Response share(const World& world, const Json& body, const std::stop_token&) {
     if (parameters::is_of_file(c.drive))
         throw Error(ErrorKind::input, {"a sampled drive does not travel in a link",
                                        "its samples are in a file of this machine", "Send the case with that file."});
+    if (c.own_structure)
+        throw Error(ErrorKind::input, {"a structure of its own does not travel in a link",
+                                       "a link holds changes to a built-in case", "Send the case as a file."});
     if (!c.further_joints.empty())
         throw Error(ErrorKind::input, {"several joints do not travel in a link",
                                        "a link holds changes to a built-in case", "Send the case as a file."});

@@ -3,14 +3,18 @@
 #include "stridor/classification/sound_rules.hpp"
 #include "stridor/explorer/answers.hpp"
 #include "stridor/explorer/bytes.hpp"
+#include "stridor/hearing/heard_modes.hpp"
 #include "stridor/hearing/heard_motion.hpp"
 #include "stridor/hearing/run_sound.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/sound/analysis.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -61,6 +65,24 @@ Listening listening_in(const World& world, const Json& body) {
     else if (direction != "whole")
         throw none_of("going, coming, whole", direction);
     return listening;
+}
+
+constexpr std::size_t most_modal_rows = 400;  // more take minutes to be taken apart
+constexpr std::size_t most_shares = 4;        // of a line
+constexpr double least_share = 0.03;          // [1] of one that is told
+
+// the modes that have most of a line
+Json shares_array(const analysis::ModalLine& line, const analysis::OpenModes& modes) {
+    std::vector<std::size_t> order(line.shares.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return std::abs(line.shares[a]) > std::abs(line.shares[b]); });
+    Json shares = Json::array();
+    for (const std::size_t mode : order) {
+        if (shares.size() == most_shares || std::abs(line.shares[mode]) < least_share) break;
+        shares.push_back({{"mode", mode + 1}, {"frequency", modes.frequencies[mode]}, {"share", line.shares[mode]}});
+    }
+    return shares;
 }
 
 signal::Signal sound_of(const Listening& listening, const std::stop_token& stop) {
@@ -159,6 +181,19 @@ Response sound(const World& world, const Json& body, const std::stop_token& stop
     for (const double sample : sound.samples)
         peak = std::max(peak, std::abs(sample));
     return {200, "audio/wav", recordings::wav_bytes(sound, {peak / loudest_sample, sound.unit})};
+}
+
+Response modal_lines(const World& world, const Json& body, const std::stop_token& stop) {
+    const parameters::Case c = case_in(world, body);
+    const std::size_t rows = c.own_structure ? c.own_structure->row.size() : 0;
+    if (rows > most_modal_rows)
+        throw Error(ErrorKind::input, {"the modes of " + std::to_string(rows) + " rows are not found while you wait",
+                                       "", "Run it on the command line: stridor figure modal-spectrum."});
+    const hearing::HeardModes heard = hearing::heard_modes(c, {text_in(body, "of", "joint")}, stop);
+    Json document{{"schema", "stridor.explorer.modal/1"}, {"of", heard.of}, {"lines", Json::array()}};
+    for (const analysis::ModalLine& line : analysis::modal_lines(heard.spectrum))
+        document["lines"].push_back({{"frequency", line.frequency}, {"shares", shares_array(line, heard.modes)}});
+    return json(document.dump());
 }
 
 Response analysis(const World& world, const Json& body, const std::stop_token& stop) {

@@ -15,7 +15,7 @@ namespace stridor::explorer {
 using base::Json;
 
 /// Most that a request may ask for.
-inline constexpr double longest_run = 60.0;  // [s] simulated
+inline constexpr double longest_run = 60.0;  // [s] simulated; longer of own structures that are slow
 inline constexpr int most_chart_points = 256;
 
 /// Throws `Error` (input) for text that is no JSON object.

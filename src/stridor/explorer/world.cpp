@@ -5,10 +5,12 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/noise_library/library.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 
 namespace stridor::explorer {
@@ -32,9 +34,9 @@ io::CaseReaders readers_of(const Preset& preset) {
                 if (!preset.samples_file.empty() && path == preset.samples_file) return preset.samples;
                 throw not_at_hand("the samples of this drive are");
             },
-            [&preset](const io::TomlDocument&) {
-                if (preset.structure) return preset.structure;
-                throw not_at_hand("this structure is");
+            [&preset](const io::TomlDocument& document) {
+                if (!preset.structure) throw not_at_hand("this structure is");
+                return preset.structure->recipe ? io::read_enclosed_structure(document) : preset.structure;
             }};
 }
 
@@ -67,7 +69,48 @@ io::AxisTexts axes_over_temperature(const parameters::Case& c) {
             "temperature.value=" + base::shortest(at.front()) + ":" + base::shortest(at.back()) + ":64"};
 }
 
+// a range about a value, in equal ratios
+std::string axis_about(const std::string& key, double value, int points) {
+    constexpr double reach = 8.0;
+    return key + "=" + base::shortest(value / reach) + ":" + base::shortest(value * reach) + ":" +
+           std::to_string(points) + ":log";
+}
+
+// over the first two that the case has; where a cell costs more than one of the paper's the chart has fewer
+io::AxisTexts axes_of_structure(const parameters::Case& c) {
+    constexpr double wait = 40.0;  // [s] of one core, for a chart
+    constexpr int fewest = 8, most = 24;
+    const int points =
+        static_cast<int>(std::clamp(std::sqrt(wait / structure_seconds(c)), double{fewest}, double{most}));
+    std::vector<std::string> axes;
+    if (parameters::belongs(c, "contact.preload") && c.contact.preload > 0.0)
+        axes.push_back(axis_about("contact.preload", c.contact.preload, points));
+    if (parameters::belongs(c, "contact.kinetic_friction") && c.contact.static_friction > 0.0)
+        axes.push_back("contact.kinetic_friction=0:" + base::shortest(c.contact.static_friction) + ":" +
+                       std::to_string(points));
+    if (parameters::belongs(c, "drive.velocity"))
+        axes.push_back(axis_about("drive.velocity", std::abs(c.drive.velocity), points));
+    axes.push_back(axis_about("structure.stiffness_scale", c.structure_scales.stiffness, points));
+    if (axes.size() < 2) axes.push_back("structure.damping_scale=0.1:10:" + std::to_string(points) + ":log");
+    return {axes[0], axes[1]};
+}
+
 }  // namespace
+
+double structure_seconds(const parameters::Case& c) {
+    constexpr double step = 3.3e-8;  // [s] of one core for a row; a contact takes as much again
+    const parameters::OwnStructure& own = *c.own_structure;
+    const std::size_t rows = own.row.size();
+    double highest = 0.0;  // [1/s^2] square of the angular frequency; Gershgorin's bound where the mass is diagonal
+    for (std::size_t row = 0; row < rows; ++row) {
+        double stiffness = 0.0;
+        for (std::size_t column = 0; column < rows; ++column)
+            stiffness += std::abs(own.stiffness[row * rows + column]);
+        highest = std::max(highest, stiffness / own.mass[row * rows + row]);
+    }
+    const double steps = c.run.duration * std::sqrt(highest * c.structure_scales.stiffness);
+    return steps * static_cast<double>(rows * (1 + own.contacts.size())) * step;
+}
 
 Preset preset_of(const io::TomlSource& source) {
     Preset preset{"file", source.text, source.name, source.overrides};
@@ -78,15 +121,13 @@ Preset preset_of(const io::TomlSource& source) {
     const io::TomlDocument document = io::parse_toml(source);
     // what is wrong is said here and not in the page
     const parameters::Case c = io::read_case(document, {keep, io::read_own_structure});
-    if (c.own_structure)
-        throw Error(ErrorKind::input,
-                    {"the page shows joints on a plate", "the file has a structure of its own, as [structure]",
-                     "Look at it with `stridor simulate --figure`, `stridor chart` and `stridor report`."},
-                    document.find("structure")->key_place);
+    preset.structure = c.own_structure;
     if (document.find("chart") != nullptr)
         preset.study = io::read_study(source);
     else if (parameters::temperature_column(c, "contact.kinetic_friction") != nullptr)
         preset.study = io::read_study(source, axes_over_temperature(c));
+    else if (c.own_structure)
+        preset.study = io::read_study(source, axes_of_structure(c));
     return preset;
 }
 

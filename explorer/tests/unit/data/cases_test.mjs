@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { jointKey, jointsOf, valueIn, withJoints } from "../../../src/data/cases.ts";
+import { heardIn, jointKey, jointsOf, placesOf, rubbing, valueIn, withJoints } from "../../../src/data/cases.ts";
 
 const one = { title: "one", joint: { mass: 0.1 }, contact: { preload: 20, friction: "coulomb" }, plate: { mass: 0.4 } };
 const two = {
@@ -54,4 +54,31 @@ test("each joint of a preset has its own fields, in front of those of one", () =
   );
   assert.equal(all[1].section, "joint.upper.contact");
   assert.deepEqual(withJoints(fields, presets.slice(0, 1)), fields);
+});
+
+const structure = (contacts, more = {}) => ({ title: "own", structure: { contacts, ...more } });
+
+test("contacts stand along the line where all places are known, else in their order", () => {
+  const at = (...position) => ({ name: "c", position });
+  assert.deepEqual(placesOf([at(0, 5, 1), at(0.5, 1, 1), at(1, 2, 1)]), { places: [1, 0, 0.25], known: true });
+  assert.deepEqual(placesOf([at(0, 5, 1), { name: "c" }, at(1, 2, 1)]), { places: [0, 0.5, 1], known: false });
+  assert.deepEqual(placesOf([at(1, 2, 3), at(1, 2, 3)]), { places: [0, 1], known: false });
+  assert.deepEqual(placesOf([{ name: "c" }]), { places: [0.5], known: false });
+});
+
+test("what is heard of a case has a name that the server takes", () => {
+  const names = (resolved) => heardIn(resolved).map(([name]) => name);
+  assert.deepEqual(names({ title: "", joint: {} }), ["joint", "plate"]);
+  assert.deepEqual(names({ title: "", joint: [{ name: "lip1" }, { name: "lip2" }] }), [
+    "joint",
+    "plate",
+    "lip1",
+    "lip2",
+  ]);
+  const two = [{ name: "a" }, { name: "b" }];
+  assert.deepEqual(names(structure(two)), ["joint", "a", "b"]);
+  assert.deepEqual(names(structure([{ name: "a" }])), ["a"]);
+  assert.deepEqual(names(structure(two, { outputs: ["ear"] })), ["ear", "a", "b"]);
+  assert.equal(rubbing(structure(two)), "contact");
+  assert.equal(rubbing({ title: "" }), "joint");
 });

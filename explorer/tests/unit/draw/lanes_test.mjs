@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { motionOf } from "../../../src/data/frames.ts";
 import { columnOf, laneSpecs, lanesOf } from "../../../src/draw/lane_specs.ts";
+import { bandsHeight, contactAt, sharesOf } from "../../../src/draw/bands.ts";
 import { paintLanes, Pyramids } from "../../../src/draw/lanes.ts";
 
 const perContact = ["normal_force", "friction_force", "gap"];
@@ -136,4 +137,56 @@ test("each of several contacts has its own columns, the first those of a motion 
       for (const { column } of lane.curves) assert.ok(motion.columns.has(column), column);
   }
   assert.equal(columnOf(answer(["joint"]), "x1", 0), "x1");
+});
+
+/** A motion of a structure of one's own, as far as lanes look at it. */
+function ofStructure(count, outputs = []) {
+  const names = Array.from({ length: count }, (_, k) => `n${k + 1}`);
+  const ending = (name, k) => (count > 1 ? `_${name}` : String(k + 1));
+  const columns = names.flatMap((name, k) => ["x", "y"].map((axis) => axis + ending(name, k)));
+  const values = { unit: "m", sentence: "", values: new Float32Array(2) };
+  return {
+    samples: 2,
+    start: 0,
+    interval: 1,
+    columns: new Map(
+      [...columns, ...columns.map((name) => `${name}_velocity`), ...outputs].map((name) => [name, values]),
+    ),
+    contacts: names.map((name) => ({ name, from: new Float64Array([0, 1]), state: ["stick"] })),
+    outline: [],
+  };
+}
+
+test("of many contacts the chosen one has lanes, and each a row of states", () => {
+  const motion = ofStructure(12);
+  const lanes = lanesOf(motion, new Set(["velocity"]), 7);
+  assert.deepEqual(
+    lanes.map(({ title }) => title),
+    ["n8: velocity"],
+  );
+  assert.equal(lanes[0].curves[1].column, "x_n8_velocity");
+  const height = 400;
+  const rows = bandsHeight(motion, height);
+  assert.ok(rows < 0.6 * height);
+  const met = new Set();
+  for (let y = 0; y < height; ++y) met.add(contactAt(motion, height, y));
+  assert.equal(met.size, 13); // each of them, and none
+  assert.equal(contactAt(motion, height, rows + 10), null);
+  assert.ok(bandsHeight(ofStructure(300), height) < 0.6 * height);
+  assert.equal(contactAt(ofStructure(1), height, 10), null);
+});
+
+test("a structure has a surface and contacts, no plate and joint, and its outputs below", () => {
+  const lanes = lanesOf(ofStructure(1, ["velocity_ear"]), new Set(["velocity", "displacement"]));
+  assert.deepEqual(
+    lanes.map(({ curves }) => curves.map(({ label }) => label)),
+    [["surface V", "contact ẋ"], ["x", "y"], ["ear"]],
+  );
+});
+
+test("the shares of a row's parts add up to the time that was seen", () => {
+  const stays = { name: "", from: new Float64Array([0, 0.25, 0.5, 2]), state: ["stick", "slip", "separation"] };
+  const [separation, stick, slip] = sharesOf(stays, [0, 1], 10);
+  for (let k = 0; k < 10; ++k) assert.ok(Math.abs(separation[k] + stick[k] + slip[k] - 1) < 1e-6);
+  assert.ok(Math.abs(stick[2] - 0.5) < 1e-6 && Math.abs(slip[2] - 0.5) < 1e-6 && separation[9] === 1);
 });

@@ -1,0 +1,178 @@
+// The page with structures of one's own: their fields, contacts, drawing, verdicts, sounds, and what is refused.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, test } from "node:test";
+import { openPage, program, startExplorer } from "./session.mjs";
+
+const folder = await mkdtemp(join(tmpdir(), "stridor-structure-"));
+after(() => rm(folder, { recursive: true, force: true }));
+
+/** Opens a case file in the page, and gives the page to `look`. */
+async function withFile(name, text, look, { refuses = false } = {}) {
+  const file = join(folder, name);
+  await writeFile(file, text);
+  const explorer = await startExplorer([file]);
+  const browser = await openPage(explorer);
+  try {
+    await browser.goto();
+    await browser.page.waitForSelector('#verdict[aria-busy="false"]');
+    await browser.page.waitForSelector('.response[data-draws]:not([data-draws="0"])');
+    await look(browser.page);
+    // the browser itself notes each answer that refuses
+    const noted = browser.sins.filter((sin) => !(refuses && /status of 400/.test(sin)));
+    assert.deepEqual(noted, []);
+  } finally {
+    await browser.close();
+    assert.equal(await explorer.stop(), 0);
+  }
+}
+
+function ready(name, changes = []) {
+  const text = execFileSync(program, ["init", name], { encoding: "utf8" });
+  return changes.reduce((whole, [from, to]) => {
+    assert.ok(from instanceof RegExp ? from.test(whole) : whole.includes(from), String(from));
+    return whole.replace(from, to);
+  }, text);
+}
+
+/** How many colours are seen in a canvas: of one that nothing was painted on, one. */
+async function colours(page, selector) {
+  return page.locator(selector).evaluate((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    return new Set(new Uint32Array(data.buffer)).size;
+  });
+}
+
+const chain = (blocks) =>
+  ready("chain", [
+    ["blocks = 2", `blocks = ${blocks}`],
+    [/duration = "200 s"/, 'duration = "60 s"'],
+    [/window = "200 s"/, 'window = "60 s"'],
+  ]);
+
+test("a chain shows its fields, its contacts and their verdicts", async () => {
+  await withFile("chain.toml", chain(6), async (page) => {
+    assert.equal(await page.locator('[data-field="structure.coupling"]').inputValue(), "1.2 N/m");
+    assert.ok(await page.locator('[data-row="joint.mass"]').isHidden());
+    assert.deepEqual(await page.locator("#contact option").allInnerTexts(), [
+      "block1",
+      "block2",
+      "block3",
+      "block4",
+      "block5",
+      "block6",
+    ]);
+    assert.ok((await colours(page, "#mechanism")) > 20);
+    assert.match(await page.locator("#verdict .chip").first().innerText(), /contact -?[\d.]+ dB/);
+    // a click on a row of states chooses that contact
+    const box = await page.locator("#response").boundingBox();
+    await page.mouse.click(box.x + box.width / 2, box.y + 14 + 10 * 4.5);
+    assert.equal(await page.locator("#contact").inputValue(), "4");
+    assert.match(await page.locator("#response-readout").innerText(), /block5:\s(stick|slip|separation)/);
+    await page.locator("#tab-energy").click();
+    const rows = await page.locator("#view-energy tr[data-contact]").count();
+    assert.equal(rows, 6);
+    assert.match(await page.locator("#view-energy").innerText(), /6 contacts as a whole: all stick/);
+    await page.locator("#tab-spectra").click();
+    assert.equal(await page.locator('#view-spectra [data-sound="of"] option').first().innerText(), "strongest contact");
+    await page.locator(".modal summary").click();
+    await page.waitForSelector("#modal-lines li");
+    assert.match(await page.locator("#modal-lines li").first().innerText(), /Hz: mode \d+ \(.*Hz\) -?\d+/);
+    await page.locator("#tab-modes").click();
+    await page.waitForSelector("#modes-readout:not(:empty)");
+  });
+});
+
+test("a slider of its builder makes the structure anew, and the chart is over its own quantities", async () => {
+  await withFile(
+    "chain.toml",
+    chain(2),
+    async (page) => {
+      await page.waitForSelector('#chart[data-done="true"]', { timeout: 60000 });
+      assert.equal(await page.locator("#axis-x").inputValue(), "contact.preload");
+      const options = await page.locator("#axis-x option").evaluateAll((all) => all.map(({ value }) => value));
+      assert.ok(options.includes("structure.coupling") && options.includes("structure.stiffness_scale"));
+      assert.ok(!options.includes("joint.mass"));
+      const field = page.locator('[data-field="structure.coupling"]');
+      await field.fill("0.5 N/m");
+      await field.press("Enter");
+      await page.waitForFunction(() => location.hash.includes("structure.coupling=0.5"));
+      await page.waitForSelector('#verdict[aria-busy="false"]');
+      assert.ok(await page.locator("#complaint").isHidden());
+      // counts of a builder are the file's
+      await page.evaluate(() => (location.hash = `${location.hash}&structure.blocks=100`));
+      await page.waitForSelector("#complaint:not([hidden])");
+      assert.match(await page.locator("#complaint").innerText(), /structure\.blocks cannot be set here/);
+    },
+    { refuses: true },
+  );
+});
+
+test("a bowed string moves in Helmholtz' motion, and is heard", async () => {
+  const short = ready("string", [
+    [/duration = "3 s"/, 'duration = "0.6 s"'],
+    [/window = "1 s"/, 'window = "0.5 s"'],
+  ]);
+  await withFile("string.toml", short, async (page) => {
+    assert.ok((await colours(page, "#mechanism")) > 20);
+    const shown = Number(await page.locator("#verdict").evaluate(({ dataset }) => dataset.all !== undefined));
+    assert.equal(shown, 1);
+    await page.locator("#tab-listen").click();
+    await page.waitForSelector('[data-slot="A"][data-bytes]', { timeout: 60000 });
+    assert.ok(await page.locator("#contact").isHidden());
+  });
+});
+
+test("what cannot be shown of a structure is said by name", async () => {
+  await withFile(
+    "chain.toml",
+    chain(2),
+    async (page) => {
+      await page.locator("#share summary").click();
+      await page.locator("#copy-link").click();
+      await page.waitForFunction(() => /link/.test(document.querySelector("#share-note").textContent));
+      assert.match(await page.locator("#share-note").innerText(), /a structure of its own does not travel in a link/);
+    },
+    { refuses: true },
+  );
+  await withFile(
+    "long.toml",
+    chain(100),
+    async (page) => {
+      await page.locator("#tab-modes").click();
+      await page.waitForFunction(() => /200 rows/.test(document.querySelector("#view-modes").textContent));
+    },
+    { refuses: true },
+  );
+});
+
+test("a structure of matrices in files is read once, and drawn at the places of its contacts", async () => {
+  const masses = join(folder, "m.csv");
+  await writeFile(masses, "1,0,0,0\n0,1,0,0\n0,0,1,0\n0,0,0,1\n");
+  const contact = (k, z) =>
+    `[[structure.contact]]\nname = "c${k}"\nnormal = "u${2 * k}"\ntangent = "u${2 * k - 1}"\nposition = [0, 0, ${z}]\n`;
+  const text =
+    '[structure]\nmass = "m.csv"\nstiffness = [[2,0,-1,0],[0,2,0,0],[-1,0,2,0],[0,0,0,2]]\n' +
+    `${contact(1, 0)}${contact(2, 0.01)}` +
+    '[[structure.output]]\nname = "apart"\ndirection = "u3 -u1"\n' +
+    ready("chain").replace(/[^]*(?=\[contact\])/, "");
+  await withFile("own.toml", text, async (page) => {
+    await rm(masses);
+    const field = page.locator('[data-field="contact.preload"]');
+    await field.fill("3 N");
+    await field.press("Enter");
+    await page.waitForFunction(() => location.hash.includes("contact.preload=3"));
+    await page.waitForSelector('#verdict[aria-busy="false"]');
+    assert.ok(await page.locator("#complaint").isHidden());
+    await page.locator("#tab-spectra").click();
+    assert.deepEqual(await page.locator('#view-spectra [data-sound="of"] option').allInnerTexts(), [
+      "apart",
+      "c1",
+      "c2",
+    ]);
+  });
+  await assert.rejects(readFile(masses));
+});

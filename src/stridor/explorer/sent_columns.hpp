@@ -1,0 +1,28 @@
+#pragma once
+
+#include "stridor/parameters/case.hpp"
+#include "stridor/record/trace.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace stridor::explorer {
+
+/// A column of the motion that is sent to the page, under the name that the page knows.
+struct SentColumn {
+    std::string name;
+    std::string unit;
+    std::string sentence;
+    std::function<void(const record::Trace&, std::vector<float>&)> add;  // its samples of a block, behind those before
+};
+
+/// The columns of a case's motion: displacements and velocities, the surface's velocity, each contact's forces and gap.
+///
+/// Of joints on a plate "x1", "y1" and "y2", of several joints "x_lip2" and "y_plate". Of an own structure the motion
+/// of its contacts, along the tangent ("x1", of several "x_NAME") and along the normal ("y1", "y_NAME"), the velocity
+/// of its outputs ("velocity_NAME") and the points of its outline ("outline_3_x", "outline_3_y", from 1 on; without
+/// those that cannot move). Its rows are not sent: a part has thousands.
+std::vector<SentColumn> sent_columns(const parameters::Case& c);
+
+}  // namespace stridor::explorer
