@@ -72,7 +72,10 @@ export class Spectra implements ViewPart {
   private readonly modes_ = h("ul", { class: "lines", id: "modal-lines" });
   private readonly askedModes_ = new Asked<{ design: Design; of: string }, ModalLines>(
     ({ design, of }, signal) => api.modalLines(design, of, signal),
-    (answer) => this.modes_.replaceChildren(...answer.lines.map(modalLine)),
+    ({ lines }) =>
+      this.modes_.replaceChildren(
+        ...(lines.length > 0 ? lines.map(modalLine) : [h("li", {}, "none: it does not vibrate")]),
+      ),
     "Taking it apart into free modes …",
   );
   private last_: Context | null = null;

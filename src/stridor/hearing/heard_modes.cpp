@@ -1,12 +1,15 @@
 #include "stridor/hearing/heard_modes.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/hearing/run_sound.hpp"
 #include "stridor/integration/failure.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/model/case_structure.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -43,6 +46,26 @@ record::TraceRequest trace_of(const parameters::Case& c, const std::vector<doubl
     return trace;
 }
 
+// takes the mean away, which is no vibration; what is left of a motion that has died out is none either
+void keep_vibration(std::vector<std::vector<double>>& velocities) {
+    for (std::vector<double>& velocity : velocities) {
+        const double sum = std::accumulate(velocity.begin(), velocity.end(), 0.0);
+        const double mean = velocity.empty() ? 0.0 : sum / static_cast<double>(velocity.size());
+        for (double& value : velocity)
+            value -= mean;
+    }
+    double most = 0.0;  // [m/s]
+    for (std::size_t sample = 0; !velocities.empty() && sample < velocities.front().size(); ++sample) {
+        double sum = 0.0;
+        for (const std::vector<double>& velocity : velocities)
+            sum += velocity[sample];
+        most = std::max(most, std::abs(sum));
+    }
+    if (most > least_motion) return;
+    for (std::vector<double>& velocity : velocities)
+        std::fill(velocity.begin(), velocity.end(), 0.0);
+}
+
 }  // namespace
 
 HeardModes heard_modes(const parameters::Case& c, const AskedMotion& asked, const std::stop_token& stop) {
@@ -67,6 +90,7 @@ HeardModes heard_modes(const parameters::Case& c, const AskedMotion& asked, cons
     };
     const integration::Motion run = integration::simulate(c, request, stop);
     if (const std::optional<Error> failure = integration::failure(c, run)) throw *failure;
+    keep_vibration(velocities);
     const double samples = velocities.empty() ? 0.0 : static_cast<double>(velocities.front().size());
     const auto size = std::max(least_frame, 2 * static_cast<std::size_t>(samples / (frames + 1.0)));
     heard.spectrum = analysis::modal_spectrum(velocities, 1.0 / request.trace.interval, size);

@@ -21,9 +21,9 @@ struct HeardModes {
 /// Runs a case, and takes the velocity that is asked for apart into its free modes (`analysis::modal_spectrum`).
 ///
 /// The stretch is the part of the run that is judged, or as much of its end as memory holds. It is sampled at forty
-/// times the highest free frequency, at 1 MHz at most, in frames of a quarter of it. Throws `Error` (input) for what is
-/// not in the case and for a quantity that is no velocity, (numerical) for a run without a result, (interrupted) if it
-/// was stopped.
+/// times the highest free frequency, at 1 MHz at most, in four frames, half overlapped. The mean is left out, and a
+/// motion about it that nowhere exceeds `least_motion` is silence. Throws `Error` (input) for what is not in the case
+/// and for a quantity that is no velocity, (numerical) for a run without a result, (interrupted) if it was stopped.
 HeardModes heard_modes(const parameters::Case& c, const AskedMotion& asked, const std::stop_token& stop = {});
 
 }  // namespace stridor::hearing

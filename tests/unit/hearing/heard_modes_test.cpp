@@ -51,6 +51,15 @@ TEST(HeardModes, OfTheJointAndThePlateAddUp) {
     }
 }
 
+TEST(HeardModes, OfAMotionThatHasDiedOutAreNone) {
+    parameters::Case c = parameters::paper_case(parameters::PaperCase::quiet);
+    c.drive = {};
+    c.drive.kind = parameters::DriveKind::constant;
+    c.drive.velocity = 0.1;
+    c.run.duration = 20.0;
+    EXPECT_TRUE(analysis::modal_lines(heard_modes(c, {}).spectrum).empty());
+}
+
 TEST(HeardModes, AreOfAVelocity) {
     const parameters::Case c = parameters::paper_case(parameters::PaperCase::squeal);
     EXPECT_EQ(support::thrown_by([&] {
