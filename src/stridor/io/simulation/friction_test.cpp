@@ -4,6 +4,7 @@
 #include "stridor/base/quantity.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/recordings/rig_channels.hpp"
 
