@@ -16,14 +16,12 @@
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/many_contacts.hpp"
 #include "stridor/pictures/picture_files.hpp"
+#include "stridor/storage/file_ending.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <initializer_list>
 #include <memory>
 
 namespace stridor::app {
@@ -53,19 +51,6 @@ record::Request request_for(const SimulateOptions& options, const parameters::Ca
     return request;
 }
 
-// a name without an ending is taken as it is: /dev/stdout, or - for standard output
-void require_ending(const std::string& option, const std::string& file,
-                    std::initializer_list<std::string_view> endings) {
-    const std::string ending = std::filesystem::path(file).extension().string();
-    if (ending.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
-    std::string known;
-    for (const std::string_view each : endings)
-        known += (known.empty() ? "" : " or ") + std::string(each);
-    throw Error(ErrorKind::input,
-                {option + " " + file + " has an ending that says nothing", "the ending chooses the format: " + known,
-                 "Name it " + std::filesystem::path(file).replace_extension(*endings.begin()).string() + "."});
-}
-
 void write_records(const SimulateOptions& options, const parameters::Case& c, integration::Motion& motion,
                    double interval) {
     if (!options.figure.empty()) pictures::draw(pictures::motion_scene(c, motion.record, options.zoom), options.figure);
@@ -78,8 +63,8 @@ void write_records(const SimulateOptions& options, const parameters::Case& c, in
 }
 
 void simulate(const SimulateOptions& options) {
-    require_ending("--trace", options.trace, {".csv", ".nc"});
-    require_ending("--history", options.history, {".csv"});
+    storage::expect_ending("--trace", options.trace, {".csv", ".nc"});
+    storage::expect_ending("--history", options.history, {".csv"});
     const parameters::Case c = load_case(options.input);
     const record::Request request = request_for(options, c);
     const Interrupt interrupt;

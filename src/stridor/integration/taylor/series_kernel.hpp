@@ -39,8 +39,8 @@ struct SeriesRoom {
     Lanes* right;         // of one coefficient, shape [2][row]
 };
 
-/// The inner loops of a Taylor block, compiled once per instruction set. All give the same bits: each number is computed
-/// by the same additions and multiplications in the same order, only more of them at a time.
+/// The inner loops of a Taylor block, compiled once per instruction set. All give the same bits: each number is
+/// computed by the same additions and multiplications in the same order, only more of them at a time.
 struct SeriesKernel {
     /// The coefficients up to `order`, as `TaylorBlock` has them.
     void (*expand)(const SeriesProblem& problem, int order, const SeriesRoom& room);
