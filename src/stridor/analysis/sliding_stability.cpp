@@ -1,5 +1,6 @@
 #include "stridor/analysis/sliding_stability.hpp"
 
+#include "stridor/base/error.hpp"
 #include "stridor/model/complement.hpp"
 #include "stridor/model/equilibrium.hpp"
 
@@ -83,6 +84,10 @@ SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenva
 }
 
 SteadySliding steady_sliding(const model::Structure& structure, parameters::Direction direction) {
+    model::expect_one_tangent(structure, "the stability of steady sliding");
+    if (structure.mass.diagonal().minCoeff() <= 0.0)
+        base::refuse("the stability of steady sliding needs inertia", "a row of the structure has no mass",
+                     "Give it one.");
     std::vector<double> ratios =
         model::sliding_ratios(structure, direction == parameters::Direction::going ? 1.0 : -1.0);
     model::ClosedContacts found = model::closed_contacts(structure, ratios);

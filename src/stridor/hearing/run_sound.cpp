@@ -26,7 +26,7 @@ using sound::Stretch;
 constexpr double lead_in = 0.1;  // [s] before the sound begins, for the high pass at 20 Hz to forget its start
 
 Phase phase_of(const Case& c, Direction direction) {
-    if (parameters::is_steady(c.drive)) return Phase::all;
+    if (parameters::has_one_phase(c.drive)) return Phase::all;
     return direction == Direction::going ? Phase::going : Phase::coming;
 }
 

@@ -13,7 +13,7 @@ namespace stridor::integration {
 struct EnergyBalance {
     double stored = 0.0;         // change of kinetic and elastic energy
     double preload_work = 0.0;   // work of the constant load f0
-    double drive_work = 0.0;     // work of the imposed motion, T V
+    double drive_work = 0.0;     // work of the imposed motion, T V, or of an imposed force
     double dashpot_loss = 0.0;   // v.C v
     double friction_loss = 0.0;  // -T w
     double impact_loss = 0.0;    // -N g', spent when surfaces meet

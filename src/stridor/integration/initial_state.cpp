@@ -7,21 +7,34 @@
 
 #include <Eigen/Cholesky>
 
+#include <utility>
+#include <vector>
+
 namespace stridor::integration {
 
 namespace {
 
 // closed contacts move with these tangential velocities, and the structure with the least kinetic energy:
-// v = M^-1 R (R'M^-1 R)^-1 (0; w)
-Eigen::VectorXd least_velocity(const model::Structure& structure, const Eigen::VectorXd& tangential) {
+// v = M^-1 R (R'M^-1 R)^-1 (0; w); a second tangent moves with its share of the surface
+Eigen::VectorXd least_velocity(const model::Structure& structure, const Eigen::VectorXd& tangential,
+                               double surface_velocity = 0.0) {
     const auto p = static_cast<Eigen::Index>(structure.contacts.size());
-    Eigen::MatrixXd rows(model::dofs_of(structure), 2 * p);
+    std::vector<std::pair<const Eigen::VectorXd*, double>> seconds;
+    for (const model::ContactPoint& contact : structure.contacts)
+        if (model::has_two_tangents(contact))
+            seconds.emplace_back(&contact.second_tangent, contact.second_drive_share * surface_velocity);
+    const auto more = static_cast<Eigen::Index>(seconds.size());
+    Eigen::MatrixXd rows(model::dofs_of(structure), 2 * p + more);
     for (Eigen::Index k = 0; k < p; ++k) {
         rows.col(k) = structure.contacts[static_cast<std::size_t>(k)].normal;
         rows.col(p + k) = structure.contacts[static_cast<std::size_t>(k)].tangent;
     }
-    Eigen::VectorXd velocities = Eigen::VectorXd::Zero(2 * p);
-    velocities.tail(p) = tangential;
+    Eigen::VectorXd velocities = Eigen::VectorXd::Zero(2 * p + more);
+    velocities.segment(p, p) = tangential;
+    for (Eigen::Index k = 0; k < more; ++k) {
+        rows.col(2 * p + k) = *seconds[static_cast<std::size_t>(k)].first;
+        velocities(2 * p + k) = seconds[static_cast<std::size_t>(k)].second;
+    }
     const Eigen::MatrixXd pushed = structure.mass.ldlt().solve(rows);
     const Eigen::MatrixXd compliance = rows.transpose() * pushed;
     return pushed * compliance.ldlt().solve(velocities);
@@ -56,7 +69,11 @@ InitialState initial_state(const model::Structure& given, const Start& start, do
             tangential(k) = structure.contacts[static_cast<std::size_t>(k)].drive_share * surface_velocity;
         if (start.kind == Initial::sliding) tangential(k) = start.perturbation;
     }
-    if (p > 1) return {balance.displacement, least_velocity(structure, tangential)};
+    const bool has_plane = model::has_two_tangents(structure.contacts.front());
+    if (p > 1 || has_plane) {
+        const double carried = start.kind == Initial::stuck ? surface_velocity : 0.0;
+        return {balance.displacement, least_velocity(structure, tangential, carried)};
+    }
     const model::ContactPoint& contact = structure.contacts.front();
     return {balance.displacement, contact.tangent / contact.tangent.squaredNorm() * tangential(0)};
 }
@@ -72,7 +89,7 @@ InitialState initial_state(const parameters::Case& c, const model::Structure& st
         Eigen::VectorXd tangential(static_cast<Eigen::Index>(closed.contacts.size()));
         for (std::size_t k = 0; k < closed.contacts.size(); ++k)
             tangential(static_cast<Eigen::Index>(k)) = closed.contacts[k].drive_share * surface_velocity;
-        start.velocity = least_velocity(closed, tangential);
+        start.velocity = least_velocity(closed, tangential, surface_velocity);
     }
     for (std::size_t row = 0; row < own.initial_displacement.size(); ++row)
         start.displacement(static_cast<Eigen::Index>(row)) += own.initial_displacement[row];

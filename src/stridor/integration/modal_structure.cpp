@@ -32,6 +32,10 @@ ModalContact modal_contact(const model::ContactPoint& contact, const Eigen::Matr
     ModalContact result;
     result.normal = numbers_of(shapes.transpose() * contact.normal);
     result.tangent = numbers_of(shapes.transpose() * contact.tangent);
+    if (model::has_two_tangents(contact)) {
+        result.second_tangent = numbers_of(shapes.transpose() * contact.second_tangent);
+        result.second_drive_share = contact.second_drive_share;
+    }
     result.initial_gap = contact.initial_gap;
     result.drive_share = contact.drive_share;
     for (const model::Slip way : model::slips) {
@@ -65,6 +69,28 @@ double sum_of_terms(std::size_t count, Term term) {
 
 }  // namespace
 
+ContactRowPlan row_plan(const std::vector<ModalContact>& contacts) {
+    ContactRowPlan plan;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        plan.first.push_back(plan.rows());
+        plan.contact.insert(plan.contact.end(), contacts[k].second_tangent.empty() ? 2 : 3, k);
+    }
+    plan.first.push_back(plan.rows());
+    return plan;
+}
+
+std::span<const double> row_of(const std::vector<ModalContact>& contacts, const ContactRowPlan& plan, std::size_t row) {
+    const ModalContact& contact = contacts[plan.contact[row]];
+    const std::size_t place = row - plan.first[plan.contact[row]];
+    return place == 0 ? contact.normal : place == 1 ? contact.tangent : contact.second_tangent;
+}
+
+double drive_share_of(const std::vector<ModalContact>& contacts, const ContactRowPlan& plan, std::size_t row) {
+    const ModalContact& contact = contacts[plan.contact[row]];
+    const std::size_t place = row - plan.first[plan.contact[row]];
+    return place == 0 ? 0.0 : place == 1 ? contact.drive_share : contact.second_drive_share;
+}
+
 double dot(std::span<const double> a, std::span<const double> b) {
     return sum_of_terms(a.size(), [&](std::size_t j) { return a[j] * b[j]; });
 }
@@ -95,10 +121,15 @@ ModalStructure modal_structure(const model::Structure& structure) {
                     {"the mass matrix is not positive definite", "some motion of the structure would have no inertia",
                      "Give every degree of freedom a mass, or remove those without."});
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(structure.stiffness, structure.mass);
+    return in_modes(structure, solver.eigenvectors(), solver.eigenvalues());
+}
+
+ModalStructure in_modes(const model::Structure& structure, const Eigen::MatrixXd& shapes,
+                        const Eigen::VectorXd& square_frequency) {
     ModalStructure modal;
-    modal.shapes = solver.eigenvectors();
+    modal.shapes = shapes;
     modal.channels = structure.measured.size() == 0 ? modal.shapes : structure.measured * modal.shapes;
-    modal.square_frequency = numbers_of(solver.eigenvalues());
+    modal.square_frequency = numbers_of(square_frequency);
     modal.load = numbers_of(modal.shapes.transpose() * structure.load);
     const Eigen::MatrixXd damping = modal.shapes.transpose() * structure.damping * modal.shapes;
     const Eigen::MatrixXd beside = damping - Eigen::MatrixXd(damping.diagonal().asDiagonal());

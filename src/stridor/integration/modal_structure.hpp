@@ -13,13 +13,31 @@ namespace stridor::integration {
 
 /// A contact as the modes of its structure see it.
 struct ModalContact {
-    std::vector<double> normal;     // [1/√kg] n, shape [mode]
-    std::vector<double> tangent;    // [1/√kg] t, shape [mode]
-    double initial_gap = 0.0;       // [m] g0
-    double drive_share = 1.0;       // [1] of V(t)
-    std::array<double, 2> limit{};  // [1] of the stick, shape [slip]
-    std::array<double, 2> ratio{};  // [1] T/N of the slip, shape [slip]
+    std::vector<double> normal;            // [1/√kg] n, shape [mode]
+    std::vector<double> tangent;           // [1/√kg] t, shape [mode]
+    double initial_gap = 0.0;              // [m] g0
+    double drive_share = 1.0;              // [1] of V(t)
+    std::vector<double> second_tangent{};  // [1/√kg] shape [mode]; empty: slip has one direction
+    double second_drive_share = 0.0;       // [1] of V(t) along it
+    std::array<double, 2> limit{};         // [1] of the stick, shape [slip]
+    std::array<double, 2> ratio{};         // [1] T/N of the slip, shape [slip]
 };
+
+/// Where normals and tangents of contacts stand in one list of rows: n0, t0, n1, t1, ...; a second tangent stands
+/// behind the first.
+struct ContactRowPlan {
+    std::vector<std::size_t> first;    // row of each contact's normal, and behind them the number of rows
+    std::vector<std::size_t> contact;  // of each row
+
+    std::size_t rows() const { return contact.size(); }
+    bool is_normal(std::size_t row) const { return first[contact[row]] == row; }
+    bool has_two_tangents(std::size_t k) const { return first[k + 1] - first[k] > 2; }
+};
+ContactRowPlan row_plan(const std::vector<ModalContact>& contacts);
+
+/// The normal or tangent [1/√kg] at a row, shape [mode], and the share of V(t) that the surface has along it [1].
+std::span<const double> row_of(const std::vector<ModalContact>& contacts, const ContactRowPlan& plan, std::size_t row);
+double drive_share_of(const std::vector<ModalContact>& contacts, const ContactRowPlan& plan, std::size_t row);
 
 /// Sum of products [1], and that of their sizes: what rounding works on. Eight sums side by side that do not wait for
 /// each other become one at the end.
@@ -52,6 +70,11 @@ struct ModalStructure {
     std::size_t modes() const { return square_frequency.size(); }
     bool is_damped_by_mode() const { return damping.size() == modes(); }
 };
+
+/// A structure in the coordinates of these modes alone, M-orthonormal: `shapes` [1/√kg], shape [dof][mode], with ω²
+/// [rad²/s²], rising.
+ModalStructure in_modes(const model::Structure& structure, const Eigen::MatrixXd& shapes,
+                        const Eigen::VectorXd& square_frequency);
 
 /// Throws `Error` (input) where the mass matrix is not positive definite or a matrix is not symmetric.
 ModalStructure modal_structure(const model::Structure& structure);

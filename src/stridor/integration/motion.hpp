@@ -25,6 +25,12 @@ struct LimitCycle {
     int events = 0;         // [1] changes of contact state or of the slip's direction, and impacts, per period
 };
 
+/// The same run with contacts that have no inertia, to compare.
+struct MasslessTwin {
+    Outcome outcome;
+    std::vector<record::Tally> phases;
+};
+
 /// A run: how it ended, its energy balance and what was kept of it.
 struct Motion {
     Outcome outcome;
@@ -34,6 +40,7 @@ struct Motion {
     std::optional<LimitCycle> cycle = std::nullopt;  // likewise
     // of a run of the Taylor engine without a result: what each contact did where it ended, shape [contact]
     std::vector<model::ContactState> last_set{};
+    std::optional<MasslessTwin> massless = std::nullopt;  // where both formulations were asked for
 };
 
 }  // namespace stridor::integration

@@ -4,12 +4,14 @@
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/imposed_motion.hpp"
 #include "stridor/integration/initial_state.hpp"
+#include "stridor/integration/massless/massless_structure.hpp"
 #include "stridor/integration/moreau/moreau_twice.hpp"
 #include "stridor/integration/taylor/taylor.hpp"
 #include "stridor/model/case_structure.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/own_structure.hpp"
 #include "stridor/record/schedule.hpp"
 
 #include <cmath>
@@ -30,13 +32,17 @@ Motion simulate_any_size(const parameters::Case& c, const record::Request& reque
     const double velocity = ImposedMotion(c.drive, 1.0).at(0.0).velocity;
     const InitialState start = initial_state(c, structure, velocity);
     if (c.run.engine == parameters::Engine::moreau)
-        return integrate_moreau_twice(structure, c.drive, start, {c.run.step}, std::move(recorder), stop);
+        return integrate_twice(structure, c.drive, start, {c.run.step, c.run.formulation, c.run.massless_above},
+                               std::move(recorder), stop);
     return integrate_taylor(structure, c.drive, start, {c.run.early_ending}, std::move(recorder), stop);
 }
 
 }  // namespace
 
 Cost cost(const parameters::Case& c) {
+    if (parameters::is_without_inertia(c))
+        return {std::ceil(1.5 * c.run.duration / c.run.step),
+                0.5 * longest_step(massless_structure(model::structure_of(c), c.run.massless_above))};
     const double fastest = model::natural_frequencies(model::structure_of(c), model::ContactState::separation).back();
     if (c.run.engine == parameters::Engine::exact)
         return {std::ceil(c.run.duration * fastest), std::numeric_limits<double>::infinity()};

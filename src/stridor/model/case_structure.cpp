@@ -69,6 +69,7 @@ Structure structure_of(const parameters::Case& c) {
     structure.stiffness = c.structure_scales.stiffness * matrix_of(own.stiffness, rows);
     structure.damping = c.structure_scales.damping * damping_of(own, structure);
     structure.load = vector_of(own.load, rows);
+    if (parameters::is_by_force(c.drive)) structure.shaken = vector_of(own.force, rows);
     structure.measured = Eigen::MatrixXd(2 * count, rows);
     const std::vector<int> interfaces = parameters::interface_numbers(own);
     for (Index k = 0; k < count; ++k) {
@@ -77,6 +78,10 @@ Structure structure_of(const parameters::Case& c) {
         ContactPoint& contact = structure.contacts[static_cast<std::size_t>(k)];
         contact.normal = vector_of(given.normal, rows);
         contact.tangent = vector_of(given.tangent, rows);
+        if (!given.second_tangent.empty()) {
+            contact.second_tangent = vector_of(given.second_tangent, rows);
+            contact.second_drive_share = given.second_drive_share;
+        }
         contact.initial_gap = given.initial_gap;
         contact.drive_share = given.drive_share;
         contact.interface = interfaces[static_cast<std::size_t>(k)];

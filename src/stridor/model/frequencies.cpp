@@ -1,6 +1,7 @@
 #include "stridor/model/frequencies.hpp"
 
 #include "stridor/model/complement.hpp"
+#include "stridor/model/inertial_part.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -13,8 +14,13 @@ std::vector<double> natural_frequencies(const Eigen::MatrixXd& mass, const Eigen
                                         const Eigen::MatrixXd& blocked) {
     const Eigen::MatrixXd free = orthogonal_complement(blocked);
     if (free.cols() == 0) return {};
-    const Eigen::MatrixXd free_mass = reduced(free, mass, free);
-    const Eigen::MatrixXd free_stiffness = reduced(free, stiffness, free);
+    Eigen::MatrixXd free_mass = reduced(free, mass, free);
+    Eigen::MatrixXd free_stiffness = reduced(free, stiffness, free);
+    if (Eigen::LLT<Eigen::MatrixXd>(free_mass).info() != Eigen::Success) {
+        const InertialPart part = inertial_part(free_mass, free_stiffness);
+        free_mass = reduced(part.inertial, free_mass, part.inertial);
+        free_stiffness = reduced(part.shape, free_stiffness, part.shape);
+    }
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(free_stiffness, free_mass,
                                                                            Eigen::EigenvaluesOnly);
     std::vector<double> frequencies;
@@ -24,14 +30,16 @@ std::vector<double> natural_frequencies(const Eigen::MatrixXd& mass, const Eigen
 }
 
 std::vector<double> natural_frequencies(const Structure& structure, ContactState state) {
-    const Eigen::Index each = state == ContactState::separation ? 0 : state == ContactState::slip ? 1 : 2;
-    const auto contacts = static_cast<Eigen::Index>(structure.contacts.size());
-    Eigen::MatrixXd blocked(dofs_of(structure), each * contacts);
-    for (Eigen::Index k = 0; k < contacts; ++k) {
-        const ContactPoint& contact = structure.contacts[static_cast<std::size_t>(k)];
-        if (each > 0) blocked.col(each * k) = contact.normal;
-        if (each > 1) blocked.col(each * k + 1) = contact.tangent;
+    std::vector<const Eigen::VectorXd*> held;
+    for (const ContactPoint& contact : structure.contacts) {
+        if (state != ContactState::separation) held.push_back(&contact.normal);
+        if (state != ContactState::stick) continue;
+        held.push_back(&contact.tangent);
+        if (has_two_tangents(contact)) held.push_back(&contact.second_tangent);
     }
+    Eigen::MatrixXd blocked(dofs_of(structure), static_cast<Eigen::Index>(held.size()));
+    for (std::size_t k = 0; k < held.size(); ++k)
+        blocked.col(static_cast<Eigen::Index>(k)) = *held[k];
     return natural_frequencies(structure.mass, structure.stiffness, blocked);
 }
 

@@ -43,6 +43,10 @@ std::vector<std::size_t> canonical_order(const Structure& structure) {
         const ContactPoint& b = structure.contacts[second];
         if (a.normal != b.normal) return is_before(a.normal, b.normal);
         if (a.tangent != b.tangent) return is_before(a.tangent, b.tangent);
+        if (a.second_tangent.size() != b.second_tangent.size())
+            return a.second_tangent.size() < b.second_tangent.size();
+        if (a.second_tangent != b.second_tangent) return is_before(a.second_tangent, b.second_tangent);
+        if (a.second_drive_share != b.second_drive_share) return a.second_drive_share < b.second_drive_share;
         if (a.initial_gap != b.initial_gap) return a.initial_gap < b.initial_gap;
         return a.drive_share < b.drive_share;
     });
@@ -57,7 +61,15 @@ Structure in_canonical_order(const Structure& structure) {
     return ordered;
 }
 
+void expect_one_tangent(const Structure& structure, std::string_view solver) {
+    if (std::none_of(structure.contacts.begin(), structure.contacts.end(), has_two_tangents)) return;
+    throw Error(ErrorKind::input, {std::string(solver) + " cannot solve this structure",
+                                   "a contact of it slips in two directions, it knows one",
+                                   "run.engine = \"moreau\" solves its motion."});
+}
+
 const ContactPoint& only_contact(const Structure& structure, std::string_view solver) {
+    expect_one_tangent(structure, solver);
     const auto refusal = [solver](const std::string& why) {
         return Error(ErrorKind::input, {std::string(solver) + " cannot solve this structure", why, ""});
     };

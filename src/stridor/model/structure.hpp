@@ -19,12 +19,15 @@ struct ContactPoint {
     FrictionLaw friction{};
     ImpactLaw impact{};
     double drive_share = 1.0;  // [1] of V(t) that the surface has here
-    int interface = -1;        // contacts of one number are one interface, judged as a whole; below 0: one by itself
+    // [1] the other direction of slip, shape [dof]: friction has a circular cone then; empty: slip is along t alone
+    Eigen::VectorXd second_tangent{};
+    double second_drive_share = 0.0;  // [1] of V(t) along it
+    int interface = -1;  // contacts of one number are one interface, judged as a whole; below 0: one by itself
 };
 
 /// A linear structure with unilateral frictional contacts, what every engine sees:
 ///
-///     M u'' + C u' + K u = f0 + sum over contacts of (n N + t T)
+///     M u'' + C u' + K u = f0 + shaken F(t) + sum over contacts of (n N + t T)
 ///     gap g = g0 + n.u >= 0,    slip velocity w = t.u' - share V,    N >= 0
 ///
 /// Displacements are measured from the preloaded rest position. The paper's joint on a plate is one builder
@@ -36,6 +39,7 @@ struct Structure {
     Eigen::MatrixXd stiffness;  // [N/m] K, symmetric, shape [dof][dof]
     Eigen::VectorXd load;       // [N] f0, constant, shape [dof]
     std::vector<ContactPoint> contacts;
+    Eigen::VectorXd shaken{};  // [1] share of an imposed force that acts on each; shape [dof]; empty: none does
     // [1] what is recorded as vibration: the velocities measured * u'; shape [channel][dof]; empty: u' itself
     Eigen::MatrixXd measured{};
     std::vector<int> body{};  // number of the body that each channel belongs to, rising; empty: each its own
@@ -63,5 +67,14 @@ Structure in_canonical_order(const Structure& structure);
 /// The contact of a structure that has one, closed at rest, on a surface that moves with all of V(t). `solver` says who
 /// can solve no other: throws `Error` (input) with its name.
 const ContactPoint& only_contact(const Structure& structure, std::string_view solver);
+
+/// Can a contact slip in two directions?
+inline bool has_two_tangents(const ContactPoint& contact) {
+    return contact.second_tangent.size() != 0;
+}
+
+/// Refuses a structure with a contact that slips in two directions, for a `solver` that knows one: throws `Error`
+/// (input) with its name.
+void expect_one_tangent(const Structure& structure, std::string_view solver);
 
 }  // namespace stridor::model

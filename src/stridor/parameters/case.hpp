@@ -98,6 +98,13 @@ enum class Engine {
     moreau,  // time stepping for many contacts, compared with itself at twice the step
 };
 
+/// What the moreau engine makes of the inertia at contacts.
+enum class Formulation {
+    standard,  // as the structure has it: surfaces that meet have an impact
+    massless,  // contacts move without inertia, and have no impacts
+    both,      // standard, and massless beside it to compare
+};
+
 /// May a run end before its time, with its record filled to the end?
 enum class EarlyEnding {
     proven,  // exact engine, constant drive: once silence is proven or a limit cycle found
@@ -112,8 +119,10 @@ struct Run {
     double perturbation = 1e-3;  // [m/s] initial = sliding: tangential velocity added to mass 1
     Engine engine = Engine::exact;
     EarlyEnding early_ending = EarlyEnding::proven;
-    double step = 1e-6;   // [s] h, beta_2 and moreau: time step
-    double beta_2 = 0.5;  // [1] beta_2: 0.5 central difference, second order; above it damps, first order
+    double step = 1e-6;                               // [s] h, beta_2 and moreau: time step
+    Formulation formulation = Formulation::standard;  // moreau
+    double massless_above = 0.0;  // [Hz] massless: modes above move without inertia; 0: as few as contacts need
+    double beta_2 = 0.5;          // [1] beta_2: 0.5 central difference, second order; above it damps, first order
 };
 
 /// Where one category ends and the next begins. The paper chose its values by judgement and does not print them;

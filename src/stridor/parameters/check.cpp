@@ -57,8 +57,44 @@ void check_own_friction(const Case& c, std::vector<Finding>& found) {
     }
 }
 
+// friction in a plane: the engine of steps alone knows the cone
+void check_planes(const Case& c, std::vector<Finding>& found) {
+    const auto slips_in_a_plane = [](const OwnContact& contact) { return !contact.second_tangent.empty(); };
+    const std::vector<OwnContact>& contacts = c.own_structure->contacts;
+    const auto plane = std::find_if(contacts.begin(), contacts.end(), slips_in_a_plane);
+    if (plane == contacts.end()) return;
+    if (c.run.engine == Engine::exact)
+        found.push_back({"run.engine",
+                         {"the exact engine cannot solve contact \"" + plane->name + "\"",
+                          "it slips in two directions, and events know one", "Set run.engine = \"moreau\"."}});
+    if (c.contact.friction != FrictionKind::coulomb)
+        found.push_back({"contact.friction",
+                         {"contact \"" + plane->name + "\" slips in two directions",
+                          "its cone of friction is circular, the same every way", "Set friction = \"coulomb\"."}});
+}
+
+// rows without mass move as their forces say: only a formulation without inertia knows them
+void check_massless_rows(const Case& c, std::vector<Finding>& found) {
+    const std::optional<std::size_t> row = massless_row(*c.own_structure);
+    if (!row) return;
+    const std::string what = "row " + c.own_structure->row[*row] + " has no mass";
+    if (!is_without_inertia(c))
+        found.push_back({"run.engine",
+                         {what, "events and impacts need inertia in each row",
+                          "Set run.engine = \"moreau\" and run.formulation = \"massless\"."},
+                         {"run.formulation"}});
+    if (c.own_structure->following.ratio + c.own_structure->following.loss_factor != 0.0)
+        found.push_back({"run.formulation",
+                         {what + ", and damping_ratio has no critical damping there", "",
+                          "Give the damping as a matrix, with zeros in that row."}});
+    if (c.run.initial != Initial::rest)
+        found.push_back({"run.initial", {what + ", and no velocity at the start", "", "Start with \"rest\"."}});
+}
+
 void check_own_structure(const Case& c, std::vector<Finding>& found) {
     check_own_friction(c, found);
+    check_massless_rows(c, found);
+    check_planes(c, found);
     if (c.run.engine == Engine::beta_2)
         found.push_back({"run.engine",
                          {"a structure of one's own is solved from event to event only",
@@ -136,7 +172,7 @@ void check_ramp(const Case& c, std::vector<Finding>& found) {
     const Field& field = *find_field("drive.ramp");
     if (!field.belongs(c)) return;
     const double longest = 0.25 / c.drive.frequency;
-    if (c.drive.ramp > longest * (1.0 + 1e-9))
+    if (!is_by_force(c.drive) && c.drive.ramp > longest * (1.0 + 1e-9))
         found.push_back({"drive.ramp",
                          {"drive.ramp = " + shortest(c.drive.ramp) + " s is longer than a quarter of the period",
                           "half a period has two ramps, one to full velocity and one back",
@@ -161,7 +197,22 @@ void check_zeros(const Case& c, std::vector<Finding>& found) {
     }
 }
 
+void check_force(const Case& c, std::vector<Finding>& found) {
+    if (!is_by_force(c.drive)) return;
+    if (!c.own_structure || c.own_structure->force.empty())
+        found.push_back({"drive.kind",
+                         {"a drive by force has nothing that it shakes",
+                          "structure.force says how much of it acts on each row of a structure of one's own",
+                          "Add structure.force, or let the surface move."}});
+    else if (c.run.engine == Engine::exact)
+        found.push_back({"run.engine",
+                         {"the exact engine knows no drive by force", "its events follow a surface that moves",
+                          "Set run.engine = \"moreau\"."},
+                         {"drive.kind"}});
+}
+
 void check_drive(const Case& c, std::vector<Finding>& found) {
+    check_force(c, found);
     if (is_of_file(c.drive)) check_samples(c, found);
     check_ramp(c, found);
     // a window of one and a half periods holds a complete going and a complete coming phase wherever it starts
@@ -219,7 +270,7 @@ void check_run(const Case& c, std::vector<Finding>& found) {
 }
 
 void check_verdict(const Case& c, std::vector<Finding>& found) {
-    if (is_steady(c.drive) || c.verdict.settling + c.verdict.reversal <= most_cut) return;
+    if (has_one_phase(c.drive) || c.verdict.settling + c.verdict.reversal <= most_cut) return;
     found.push_back({"verdict.settling",
                      {"verdict.settling + verdict.reversal = " + shortest(c.verdict.settling + c.verdict.reversal) +
                           " leaves nothing to judge",

@@ -56,12 +56,22 @@ VelocityProfile velocity_profile(const Drive& drive, double until) {
             return {.times = drive.times, .velocities = drive.velocities};
         case DriveKind::trapezoidal:
             return trapezoidal(drive, until);
+        case DriveKind::force:
+            return {.times = {}, .velocities = {}};
     }
     return {};
 }
 
 bool is_steady(const Drive& drive) {
     return drive.kind == DriveKind::constant;
+}
+
+bool has_one_phase(const Drive& drive) {
+    return is_steady(drive) || is_by_force(drive);
+}
+
+bool is_by_force(const Drive& drive) {
+    return drive.kind == DriveKind::force;
 }
 
 double repetition_rate(const Drive& drive) {

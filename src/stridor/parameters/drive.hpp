@@ -5,14 +5,15 @@
 #include <string_view>
 #include <vector>
 
-/// The imposed motion of the plate, and what the rest of the program asks of it. Which kind it is, only this file pair,
+/// The imposed motion of the plate, or a force, and what the program asks of it. Which kind it is, only this file pair,
 /// the field table and the check know.
 namespace stridor::parameters {
 
 /// How the plate's velocity V follows time.
-enum class DriveKind { sinusoidal, constant, sampled, trapezoidal };
+enum class DriveKind { sinusoidal, constant, sampled, trapezoidal, force };
 
-inline constexpr std::array<std::string_view, 4> drive_names{"sinusoidal", "constant", "sampled", "trapezoidal"};
+inline constexpr std::array<std::string_view, 5> drive_names{"sinusoidal", "constant", "sampled", "trapezoidal",
+                                                             "force"};
 
 /// Which way the plate moves under the joint: going is V > 0, coming V < 0.
 enum class Direction { going, coming };
@@ -23,9 +24,10 @@ inline constexpr std::array<std::string_view, 2> direction_names{"going", "comin
 struct Drive {
     DriveKind kind = DriveKind::sinusoidal;
     double amplitude = 4e-3;         // [m] A_exc, sinusoidal: x2 = A sin(2 pi f t)
-    double frequency = 5.0;          // [Hz] f_exc, sinusoidal and trapezoidal
+    double frequency = 5.0;          // [Hz] f_exc, sinusoidal, trapezoidal and force
     double velocity = 0.1;           // [m/s] constant: V; trapezoidal: V on the way there, -V on the way back
-    double ramp = 0.02;              // [s] trapezoidal: from standing still to full velocity, or back
+    double ramp = 0.02;              // [s] trapezoidal: from standing still to full velocity, or back; force: to full
+    double force = 1.0;              // [N] force: F of F cos(2 pi f t) while the surface stands still
     std::string file;                // sampled: a CSV with the columns time and velocity
     std::vector<double> times;       // [s] sampled: instants, strictly increasing from 0, shape [sample]
     std::vector<double> velocities;  // [m/s] sampled: V at them, linear in between, shape [sample]
@@ -50,8 +52,14 @@ std::string_view kind_name(const Drive& drive);
 /// V(t) from 0 to `until` [s] at least. A sampled drive ends with its samples.
 VelocityProfile velocity_profile(const Drive& drive, double until = 0.0);
 
-/// Is V the same for ever? Then a run has one phase, and may end once its future is proven.
+/// Is V the same for ever, and nothing else moves the structure? Then a run may end once its future is proven.
 bool is_steady(const Drive& drive);
+
+/// Does the surface never turn round? Then a run has one phase.
+bool has_one_phase(const Drive& drive);
+
+/// Does a force shake the structure while the surface stands still?
+bool is_by_force(const Drive& drive);
 
 /// How often the motion repeats itself, with one going and one coming phase [Hz]; 0 if it does not.
 double repetition_rate(const Drive& drive);

@@ -23,6 +23,7 @@ constexpr std::array<std::string_view, 2> friction_names{"coulomb", "directional
 constexpr std::array<std::string_view, 3> impact_names{"plastic", "normal-only", "restitution"};
 constexpr std::array<std::string_view, 3> initial_names{"rest", "stuck", "sliding"};
 constexpr std::array<std::string_view, 3> engine_names{"exact", "beta_2", "moreau"};
+constexpr std::array<std::string_view, 3> formulation_names{"standard", "massless", "both"};
 constexpr std::array<std::string_view, 2> early_ending_names{"proven", "never"};
 
 template <auto part, auto member>
@@ -143,12 +144,14 @@ const std::array table{
           always},
     Field{"drive", "amplitude", "A_exc", "displacement amplitude of the plate",
           quantity<&Case::drive, &Drive::amplitude>("m", positive, octaves(4e-4, 4e-2)), is_sinusoidal},
-    Field{"drive", "frequency", "f_exc", "frequency of the plate's motion",
+    Field{"drive", "frequency", "f_exc", "frequency of the plate's motion, or of the force",
           quantity<&Case::drive, &Drive::frequency>("Hz", positive, usual_frequency), has_frequency},
     Field{"drive", "velocity", "V", "velocity of the plate; going if positive, coming if negative",
           quantity<&Case::drive, &Drive::velocity>("m/s", not_zero, usual_velocity), has_velocity},
-    Field{"drive", "ramp", "", "time from standing still to full velocity, at most a quarter of the period",
-          quantity<&Case::drive, &Drive::ramp>("s", positive, octaves(2e-3, 0.05)), is_trapezoidal},
+    Field{"drive", "force", "F_exc", "amplitude of the force that shakes the structure, in the shape structure.force",
+          quantity<&Case::drive, &Drive::force>("N", positive, octaves(0.1, 10.0)), is_driven_by_force},
+    Field{"drive", "ramp", "", "time to full velocity, at most a quarter of the period, or to full force",
+          quantity<&Case::drive, &Drive::ramp>("s", positive, octaves(2e-3, 0.05)), has_ramp},
     Field{"drive", "file", "", "CSV file with the columns time and velocity", drive_file, is_sampled},
 
     Field{"run", "duration", "", "simulated time", quantity<&Case::run, &Run::duration>("s", positive), always},
@@ -164,11 +167,17 @@ const std::array table{
           choice<&Case::run, &Run::early_ending, EarlyEnding>(early_ending_names), always},
     Field{"run", "step", "h", "time step of the beta_2 and moreau engines",
           quantity<&Case::run, &Run::step>("s", positive), has_steps},
+    Field{"run", "formulation", "", "moreau engine: contacts with their inertia, without, or both to compare",
+          choice<&Case::run, &Run::formulation, Formulation>(formulation_names, Choice::Canonical::unless_first),
+          has_formulation},
+    Field{"run", "massless_above", "",
+          "natural frequency above which modes move without inertia; 0: as few modes as the contacts need",
+          quantity<&Case::run, &Run::massless_above>("Hz", not_negative), is_massless},
     Field{"run", "beta_2", "beta_2", "0.5: central difference, second order; above it numerical damping, first order",
           quantity<&Case::run, &Run::beta_2>("1", Range{0.5, 1.0}), has_beta_2},
 
     Field{"verdict", "start", "", "share of the run that is not judged, at its start, while the start dies out",
-          quantity<&Case::verdict, &Thresholds::start>("1", before_the_end), is_constant},
+          quantity<&Case::verdict, &Thresholds::start>("1", before_the_end), has_no_phases},
     Field{"verdict", "settling", "",
           "share of each going or coming phase cut at its start, while the reversal rings down",
           quantity<&Case::verdict, &Thresholds::settling>("1", share), has_phases},

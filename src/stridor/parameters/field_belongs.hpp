@@ -45,14 +45,23 @@ inline bool is_sampled(const Case& c) {
 inline bool is_trapezoidal(const Case& c) {
     return c.drive.kind == DriveKind::trapezoidal;
 }
+inline bool is_driven_by_force(const Case& c) {
+    return is_by_force(c.drive);
+}
 inline bool has_frequency(const Case& c) {
-    return is_sinusoidal(c) || is_trapezoidal(c);
+    return is_sinusoidal(c) || is_trapezoidal(c) || is_driven_by_force(c);
+}
+inline bool has_ramp(const Case& c) {
+    return is_trapezoidal(c) || is_driven_by_force(c);
 }
 inline bool has_velocity(const Case& c) {
     return is_constant(c) || is_trapezoidal(c);
 }
 inline bool has_phases(const Case& c) {
-    return !is_steady(c.drive);
+    return !has_one_phase(c.drive);
+}
+inline bool has_no_phases(const Case& c) {
+    return has_one_phase(c.drive);
 }
 inline bool has_friction_each_way(const Case& c) {
     return c.contact.friction == FrictionKind::directional;
@@ -65,6 +74,12 @@ inline bool has_steps(const Case& c) {
 }
 inline bool has_beta_2(const Case& c) {
     return c.run.engine == Engine::beta_2;
+}
+inline bool has_formulation(const Case& c) {
+    return c.run.engine == Engine::moreau;
+}
+inline bool is_massless(const Case& c) {
+    return has_formulation(c) && c.run.formulation != Formulation::standard;
 }
 inline bool starts_sliding(const Case& c) {
     return c.run.initial == Initial::sliding;

@@ -30,6 +30,16 @@ bool is_preloaded(const OwnStructure& structure) {
                        [](const OwnContact& contact) { return contact.preload_share > 0.0; });
 }
 
+std::optional<std::size_t> massless_row(const OwnStructure& structure) {
+    for (std::size_t row = 0; row < structure.row.size(); ++row)
+        if (structure.mass[row * (structure.row.size() + 1)] == 0.0) return row;
+    return std::nullopt;
+}
+
+bool is_without_inertia(const Case& c) {
+    return c.run.engine == Engine::moreau && c.run.formulation == Formulation::massless;
+}
+
 const double* recipe_number(const Case& c, std::string_view key) {
     if (!c.own_structure || !c.own_structure->recipe) return nullptr;
     const auto& numbers = c.own_structure->recipe->numbers;
@@ -43,6 +53,7 @@ void rebuild(Case& c, std::string_view key, double value) {
     recipe.numbers.find(key)->second = value;
     OwnStructure anew = recipe.build(recipe);
     // what a case file adds to what is built
+    anew.force = c.own_structure->force;
     anew.initial_displacement = c.own_structure->initial_displacement;
     anew.outputs = c.own_structure->outputs;
     c.own_structure = std::make_shared<const OwnStructure>(std::move(anew));
@@ -53,11 +64,16 @@ std::string content_hash(const OwnStructure& structure) {
     for (const auto& numbers : {structure.mass, structure.stiffness, structure.damping, structure.load,
                                 structure.initial_displacement, structure.initial_velocity})
         put(text, numbers);
+    if (!structure.force.empty()) put(text, structure.force);
     const FollowingDamping& following = structure.following;
     put(text, {following.ratio, following.loss_factor, following.rayleigh_mass, following.rayleigh_stiffness});
     for (const OwnContact& contact : structure.contacts) {
         put(text, contact.normal);
         put(text, contact.tangent);
+        if (!contact.second_tangent.empty()) {
+            put(text, contact.second_tangent);
+            put(text, std::optional(contact.second_drive_share));
+        }
         put(text, {contact.initial_gap, contact.preload_share, contact.drive_share});
         text += contact.interface + ";";
         put(text, contact.static_friction);

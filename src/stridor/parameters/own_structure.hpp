@@ -25,12 +25,15 @@ struct OwnContact {
     std::string name{};             // "lip 1"
     std::vector<double> normal{};   // [1] n, shape [row]: gap g = g0 + n.u
     std::vector<double> tangent{};  // [1] t, shape [row]: tangential position t.u
-    double initial_gap = 0.0;       // [m] g0, of the structure without load; negative: pressed together so far
-    std::string interface {};       // contacts of one name are judged as a whole; empty: with all others of no name
+    // [1] the other direction of slip, at right angles to both; shape [row]; empty: slip is along t alone
+    std::vector<double> second_tangent{};
+    double initial_gap = 0.0;  // [m] g0, of the structure without load; negative: pressed together so far
+    std::string interface {};  // contacts of one name are judged as a whole; empty: with all others of no name
     std::optional<double> static_friction{};          // [1] mu_s in the place of the case's
     std::optional<double> kinetic_friction{};         // [1] mu_d likewise
     double preload_share = 0.0;                       // [1] of contact.preload, all shares being one together
     double drive_share = 1.0;                         // [1] of V(t) that the surface has here
+    double second_drive_share = 0.0;                  // [1] of V(t) along the second tangent
     std::optional<std::array<double, 3>> position{};  // [m] where it is, for pictures; it changes no result
 };
 
@@ -74,6 +77,7 @@ struct OwnStructure {
     std::vector<double> damping{};    // [N*s/m] shape [row][row], symmetric; empty: none but what follows
     FollowingDamping following{};
     std::vector<double> load{};                  // [N] constant, beside the preload; shape [row] or empty
+    std::vector<double> force{};                 // [1] of a drive by force, per its newtons; shape [row] or empty
     std::vector<double> initial_displacement{};  // [m] added to the start; shape [row] or empty
     std::vector<double> initial_velocity{};      // [1] added to the start, per imposed velocity; shape [row] or empty
     std::vector<OwnContact> contacts{};
@@ -84,6 +88,12 @@ struct OwnStructure {
 
 /// Is it pressed by contact.preload? Else by a load, or by gaps that are negative.
 bool is_preloaded(const OwnStructure& structure);
+
+/// A row without mass; nothing where all have one.
+std::optional<std::size_t> massless_row(const OwnStructure& structure);
+
+/// Do the contacts of a case move without inertia alone?
+bool is_without_inertia(const Case& c);
 
 /// A number of the recipe of a case's structure; nothing where no builder made it, or not from this.
 const double* recipe_number(const Case& c, std::string_view key);

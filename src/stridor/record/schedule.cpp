@@ -90,7 +90,7 @@ double end_of(const Schedule& schedule) {
 
 Schedule schedule(const Case& c) {
     Schedule plan;
-    if (parameters::is_steady(c.drive)) {
+    if (parameters::has_one_phase(c.drive)) {
         add_constant_drive(plan.spans, c);
         plan.phases = {Phase::all};
         return plan;

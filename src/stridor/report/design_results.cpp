@@ -27,7 +27,7 @@ constexpr double trace_samples = 5e4;    // [1] of the picture's trace
 constexpr double normal_peak = 0.89125;  // [1] of full scale, where the largest sample of a sound lies: -1 dB
 
 std::vector<Direction> directions_of(const Case& c) {
-    if (!parameters::is_steady(c.drive)) return {Direction::going, Direction::coming};
+    if (!parameters::has_one_phase(c.drive)) return {Direction::going, Direction::coming};
     return {parameters::steady_direction(c.drive)};
 }
 

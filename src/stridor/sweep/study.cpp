@@ -38,7 +38,7 @@ std::string in_quotes(std::string_view text) {
 }
 
 bool is_constant(const Study& study) {
-    return parameters::is_steady(study.base.drive);
+    return parameters::has_one_phase(study.base.drive);
 }
 
 std::string_view direction_name(Direction direction) {
@@ -345,7 +345,7 @@ std::string reproduce_command(const Study& study, const CellPlace& place, const 
         "stridor simulate " + base::shell_word((is_option ? "./" : "") + file) + setting(c, study.x.parameter);
     if (!has_one_axis(study)) command += setting(c, study.y.parameter);
     const bool is_axis = study.x.parameter == velocity || study.y.parameter == velocity;
-    if (is_constant(study) && !is_axis) command += setting(c, std::string(velocity));
+    if (parameters::is_steady(c.drive) && !is_axis) command += setting(c, std::string(velocity));
     if (!study.starts.empty())
         command += " --set " + std::string(initial_key) + "=" + std::string(start_name(c.run.initial));
     return command;

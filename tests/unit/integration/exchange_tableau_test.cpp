@@ -89,6 +89,26 @@ TEST(ExchangeTableau, ShearsBothWays) {
     }
 }
 
+// x0 follows, x1 is kept and has a share of it: as if sheared before
+TEST(ExchangeTableau, ShearsWhatIsKeptByWhatFollows) {
+    Eigen::MatrixXd sheared = relation();
+    sheared.col(0) += 0.3 * sheared.col(1);
+    ExchangeTableau wanted(sheared);
+    wanted.set(constants());
+    wanted.exchange(0);
+
+    ExchangeTableau tableau(relation());
+    tableau.set(constants());
+    tableau.exchange(0);
+    tableau.shear(0, 1, -0.2);
+    tableau.shear(0, 1, 0.5);
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+        EXPECT_NEAR(tableau.follows(k), wanted.follows(k), 1e-13);
+    for (std::size_t row = 0; row < wanted.size(); ++row)
+        for (std::size_t column = 0; column < wanted.size(); ++column)
+            EXPECT_NEAR(tableau.entry(row, column), wanted.entry(row, column), 1e-13);
+}
+
 TEST(ExchangeTableau, StaysExactOverManyExchanges) {
     ExchangeTableau tableau(relation());
     for (std::size_t n = 0; n < 220; ++n)

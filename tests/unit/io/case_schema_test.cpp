@@ -80,7 +80,7 @@ TEST(CaseSchema, RequiresWhatTheReaderRequires) {
 TEST(CaseSchema, OffersNamesForChoicesAndAxes) {
     const Json schema = Json::parse(json_schema());
     EXPECT_EQ(schema["properties"]["drive"]["properties"]["kind"]["enum"],
-              Json::array({"sinusoidal", "constant", "sampled", "trapezoidal"}));
+              Json::array({"sinusoidal", "constant", "sampled", "trapezoidal", "force"}));
     const Json& axis = schema["properties"]["chart"]["properties"]["x"];
     EXPECT_TRUE(lists(axis["properties"]["parameter"]["enum"], "contact.preload"));
     EXPECT_FALSE(lists(axis["properties"]["parameter"]["enum"], "drive.kind"));

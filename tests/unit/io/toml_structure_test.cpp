@@ -6,6 +6,7 @@
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/storage/atomic_file.hpp"
 #include "stridor/sweep/study.hpp"
@@ -80,6 +81,42 @@ TEST(TomlStructure, IsWrittenAndReadBack) {
         EXPECT_NE(parameters::canonical_text(c).find("structure.content = "), std::string::npos);
         EXPECT_EQ(again.own_structure->contacts.back().position, c.own_structure->contacts.back().position);
     }
+}
+
+constexpr const char* three_rows =
+    "[structure]\nmass = [[1, 0, 0], [0, 2, 0], [0, 0, 3]]\nstiffness = [[3, 0, 0], [0, 4, 0], [0, 0, 5]]\n";
+constexpr const char* plane_contact =
+    "[[structure.contact]]\nname = \"pad\"\nnormal = \"u3\"\ntangent = \"u1\"\nsecond_tangent = \"-u2\"\n";
+
+TEST(TomlStructure, HasContactsThatSlipInAPlane) {
+    const std::string text = whole_case(std::string(three_rows) + plane_contact + "second_drive_share = 0.25\n");
+    const Case c = read_structure_text(text, {"run.engine=moreau"});
+    const parameters::OwnContact& contact = c.own_structure->contacts[0];
+    EXPECT_EQ(contact.second_tangent, (std::vector<double>{0, -1, 0}));
+    EXPECT_EQ(contact.second_drive_share, 0.25);
+    EXPECT_TRUE(parameters::findings(c).empty());
+    EXPECT_EQ(parameters::canonical_text(read_structure_text(case_toml(c))), parameters::canonical_text(c));
+    expect_structure_refused(text, "the exact engine cannot solve contact \"pad\"");
+    expect_structure_refused(whole_case(std::string(three_rows) + replaced(plane_contact, "-u2", "u1")),
+                             "the second tangent is the first one");
+    expect_structure_refused(whole_case(std::string(matrices) + tip_contact + "second_drive_share = 1\n"),
+                             "second_drive_share stands without a second_tangent");
+}
+
+TEST(TomlStructure, IsShakenByAForce) {
+    const std::string drive = "kind = \"force\"\nforce = \"3 N\"\nfrequency = \"7 Hz\"\nramp = \"20 ms\"";
+    const std::string constant = "kind = \"constant\"\nvelocity = 0.1";
+    const std::string shaken =
+        replaced(whole_case(std::string(matrices) + "force = [0.5, -1]\n" + tip_contact), constant, drive);
+    const Case c = read_structure_text(shaken, {"run.engine=moreau"});
+    EXPECT_EQ(c.own_structure->force, (std::vector<double>{0.5, -1}));
+    EXPECT_EQ(c.drive.force, 3.0);
+    EXPECT_EQ(parameters::canonical_text(read_structure_text(case_toml(c))), parameters::canonical_text(c));
+    expect_structure_refused(shaken, "the exact engine knows no drive by force");
+    expect_structure_refused(replaced(whole_case(std::string(matrices) + tip_contact), constant, drive),
+                             "a drive by force has nothing that it shakes");
+    expect_structure_refused(whole_case(std::string(matrices) + "force = [1]\n" + tip_contact),
+                             "structure.force has 1 numbers");
 }
 
 TEST(TomlStructure, HasItsMatricesInFilesBesideIt) {
@@ -244,7 +281,8 @@ TEST(TomlStructure, ThatIsWrongIsRefusedWithOneSentence) {
     expect_structure_refused(with("[[1, 0], [0, 2]]", "[[1]]"), "the stiffness has 2 rows, the mass 1");
     expect_structure_refused(with("[-1, 4]", "[-2, 4]"), "not symmetric");
     expect_structure_refused(with("[0, 2]]", "[0, -2]]"), "the mass is negative for some motion");
-    expect_structure_refused(with("[0, 2]]", "[0, 0]]"), "the mass is not positive definite");
+    expect_structure_refused(with("[0, 2]]", "[0, 0]]"), "row y has no mass");
+    expect_structure_refused(with("[[1, 0], [0, 2]]", "[[0, 1], [1, 0]]"), "mass");
     expect_structure_refused(with("[0, 2]]", "[0, nan]]"), "the mass holds nan");
     expect_structure_refused(with("\"x\", \"y\"", "\"x\", \"x\""), "x");
     expect_structure_refused(with("\"x\", \"y\"", "\"x\""), "structure.rows has 1 names");

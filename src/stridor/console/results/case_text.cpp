@@ -114,6 +114,7 @@ constexpr double least_shared = 1e-12;
 // can several contacts be believed?
 std::string belief_text(const parameters::Case& c, const model::Structure& structure) {
     if (structure.contacts.size() < 2) return "";
+    if (parameters::is_without_inertia(c)) return "\ncontacts have no inertia: no impacts, none throws another off\n";
     const Eigen::MatrixXd compliance = model::contact_compliance(structure);
     const model::SharedInertia shared = model::most_shared_inertia(compliance);
     const model::NormalGiving giving = model::least_normal_giving(structure, compliance);

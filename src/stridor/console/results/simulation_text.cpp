@@ -63,7 +63,9 @@ std::string engine_text(const parameters::Case& c) {
     if (c.run.engine == parameters::Engine::beta_2)
         return fmt::format("beta_2 = {:g}, step {:g} s", c.run.beta_2, c.run.step);
     if (c.run.engine == parameters::Engine::moreau)
-        return fmt::format("moreau, step {:g} s, compared with {:g} s", c.run.step, 2.0 * c.run.step);
+        return fmt::format("moreau{}, step {:g} s, compared with {:g} s",
+                           parameters::is_without_inertia(c) ? " without inertia at the contacts" : "", c.run.step,
+                           2.0 * c.run.step);
     return "exact, impact " + parameters::value_text(c, *parameters::find_field("contact.impact"));
 }
 
@@ -80,7 +82,7 @@ std::string proof_text(const integration::Motion& motion) {
 
 // what of the window no verdict looks at
 std::string left_out(const parameters::Case& c, const std::vector<Verdict>& verdicts) {
-    if (!parameters::is_steady(c.drive))
+    if (!parameters::has_one_phase(c.drive))
         return "shares are of the whole phase; the verdict is made from its steady part (verdict.settling, "
                "verdict.reversal).\n";
     const analysis::Evidence& e = verdicts.front().evidence;
@@ -119,6 +121,11 @@ std::string contact_text(const parameters::Case& c, std::size_t contact) {
     return base::visible(parameters::contact_name(c, contact));
 }
 
+std::string rates_text(const analysis::Rates& rates) {
+    return fmt::format("slip {:.2f} %, stick {:.2f} %, separation {:.2f} %", 100.0 * rates.slip, 100.0 * rates.stick,
+                       100.0 * rates.separation);
+}
+
 // by how much the shares of a phase's contacts changed from twice the step
 std::string step_change_text(const integration::Motion& motion) {
     analysis::Rates most;
@@ -133,10 +140,36 @@ std::string step_change_text(const integration::Motion& motion) {
             most.separation = std::max(most.separation, change->separation);
         }
     if (!was_compared) return "";
-    return fmt::format(
-        "shares changed from twice the step by at most: slip {:.2f} %, stick {:.2f} %, separation "
-        "{:.2f} %\n",
-        100.0 * most.slip, 100.0 * most.stick, 100.0 * most.separation);
+    return "shares changed from twice the step by at most: " + rates_text(most) + "\n";
+}
+
+// what the same run makes of contacts without inertia, and whether its verdicts agree
+std::string massless_text(const parameters::Case& c, const integration::Motion& motion) {
+    if (!motion.massless) return "";
+    if (!integration::has_result(motion.massless->outcome))
+        return fmt::format("without inertia at the contacts it has no result: {}\n",
+                           integration::reason_names[static_cast<std::size_t>(motion.massless->outcome.reason)]);
+    std::string text;
+    for (std::size_t n = 0; n < motion.massless->phases.size(); ++n) {
+        const record::Tally& with = motion.record.phases[n];
+        const record::Tally& without = motion.massless->phases[n];
+        analysis::Rates most;
+        for (std::size_t k = 0; k < with.contacts.size(); ++k) {
+            const analysis::Rates a = analysis::rates(with.contacts[k].time);
+            const analysis::Rates b = analysis::rates(without.contacts[k].time);
+            most.slip = std::max(most.slip, std::abs(a.slip - b.slip));
+            most.stick = std::max(most.stick, std::abs(a.stick - b.stick));
+            most.separation = std::max(most.separation, std::abs(a.separation - b.separation));
+        }
+        const Category first = classification::classify_all(with, c.verdict).whole.category;
+        const Category second = classification::classify_all(without, c.verdict).whole.category;
+        text += "without inertia at the contacts shares differ by at most: " + rates_text(most) + "\n";
+        if (first != second)
+            text += fmt::format("{}: the formulations disagree: {} with inertia at the contacts, {} without\n",
+                                record::phase_names[static_cast<std::size_t>(with.phase)], classification::name(first),
+                                classification::name(second));
+    }
+    return text;
 }
 
 // what the contacts of an interface do as a whole
@@ -196,7 +229,7 @@ std::string simulation_text(const parameters::Case& c, const integration::Motion
                         "separ.", "regularity", "frequency", c.own_structure ? "level" : "joint level");
     for (const Verdict& verdict : verdicts)
         text += verdict_row(verdict);
-    text += contacts_text(c, motion) + step_change_text(motion) + "\n";
+    text += contacts_text(c, motion) + step_change_text(motion) + massless_text(c, motion) + "\n";
     for (const Verdict& verdict : verdicts) {
         text += fmt::format("{}: ", record::phase_names[static_cast<std::size_t>(verdict.evidence.phase)]);
         for (std::size_t k = 0; k < verdict.reasons.size(); ++k)

@@ -4,13 +4,13 @@ namespace stridor::integration {
 
 ContactRows::ContactRows(const ModalStructure& structure, InstructionSet set)
     : kernel_(&row_kernel(set)),
-      rows_(2 * structure.contacts.size()),
+      plan_(row_plan(structure.contacts)),
+      rows_(plan_.rows()),
       blocks_((structure.modes() + row_lanes - 1) / row_lanes),
       numbers_(rows_ * blocks_ * row_lanes, 0.0),
       partial_(rows_ * row_lanes, 0.0) {
     for (std::size_t row = 0; row < rows_; ++row) {
-        const ModalContact& contact = structure.contacts[row / 2];
-        const std::vector<double>& from = row % 2 == 0 ? contact.normal : contact.tangent;
+        const std::span<const double> from = row_of(structure.contacts, plan_, row);
         for (std::size_t j = 0; j < from.size(); ++j)
             numbers_[(j / row_lanes * rows_ + row) * row_lanes + j % row_lanes] = from[j];
     }

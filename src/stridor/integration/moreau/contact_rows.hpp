@@ -8,8 +8,8 @@
 
 namespace stridor::integration {
 
-/// The normals and tangents of all contacts over the modes, row 2k the normal and 2k+1 the tangent of contact k, as a
-/// step multiplies by them: in blocks of eight modes that hold all rows, so that many rows share one pass.
+/// The normals and tangents of all contacts over the modes (`ContactRowPlan`), as a step multiplies by them: in blocks
+/// of eight modes that hold all rows, so that many rows share one pass.
 class ContactRows {
 public:
     explicit ContactRows(const ModalStructure& structure, InstructionSet set = widest_instruction_set());
@@ -20,6 +20,8 @@ public:
     /// Sum of the rows `which` times their share, shape [row], into `sum`, shape [mode].
     void combine(const std::vector<std::size_t>& which, const std::vector<double>& share, std::vector<double>& sum);
 
+    const ContactRowPlan& plan() const { return plan_; }
+
     /// As many numbers as x and sums must hold: the modes, filled up to whole blocks.
     std::size_t padded_modes() const { return blocks_ * row_lanes; }
 
@@ -29,6 +31,7 @@ private:
     }
 
     const RowKernel* kernel_;
+    ContactRowPlan plan_;
     std::size_t rows_;
     std::size_t blocks_;
     std::vector<double> numbers_;  // [1/√kg] shape [block][row][lane]

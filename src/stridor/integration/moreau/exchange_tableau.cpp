@@ -44,9 +44,27 @@ void ExchangeTableau::exchange(std::size_t k) {
     ++exchanges_;
 }
 
+// x_from follows, and so does a share of x_to, whose rest is kept: with m = entry(from, to)
+//     x_from = a + m (share x_from + x_to') = (a + m x_to') / (1 - share m)
+void ExchangeTableau::shear_kept(std::size_t from, std::size_t to, double share) {
+    double* kept = &matrix_[to * stride_];
+    const double inverse = 1.0 / (1.0 - share * kept[from]);
+    for (std::size_t j = 0; j < size_; ++j) {
+        if (j == to) continue;
+        double* column = &matrix_[j * stride_];
+        const double part = -share * column[from] * inverse;
+        if (part != 0.0) kernel_->subtract(kept, part, column, stride_);
+    }
+    kernel_->subtract(kept, -share * follows_[from] * inverse, follows_.data(), stride_);
+    for (std::size_t i = 0; i < stride_; ++i)
+        kept[i] *= inverse;
+    ++exchanges_;
+}
+
 void ExchangeTableau::shear(std::size_t from, std::size_t to, double share) {
-    STRIDOR_EXPECT(is_exchanged_[from] == is_exchanged_[to]);
+    STRIDOR_EXPECT(is_exchanged_[from] != 0 || is_exchanged_[to] == 0);
     if (share == 0.0) return;
+    if (is_exchanged_[from] != is_exchanged_[to]) return shear_kept(from, to, share);
     if (is_exchanged_[from] != 0) {
         for (std::size_t j = 0; j < size_; ++j)
             matrix_[j * stride_ + to] -= share * matrix_[j * stride_ + from];

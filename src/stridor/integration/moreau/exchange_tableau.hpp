@@ -35,13 +35,19 @@ public:
     /// Exchanges y_k and x_k.
     void exchange(std::size_t k);
 
-    /// x_to = share x_from + a new x_to from now on. Both or none of them must be exchanged.
+    /// The entry of what follows at `row` per unit of what is kept at `column`: of W, or with all exchanges so far.
+    double entry(std::size_t row, std::size_t column) const { return matrix_[column * stride_ + row]; }
+
+    /// x_to = share x_from + a new x_to from now on. Where x_to alone is exchanged that has no meaning. Costs an
+    /// exchange where x_from alone is, else next to nothing.
     void shear(std::size_t from, std::size_t to, double share);
 
     /// Exchanges since all began with W.
     long exchanges() const { return exchanges_; }
 
 private:
+    void shear_kept(std::size_t from, std::size_t to, double share);
+
     const RowKernel* kernel_;
     std::size_t size_;
     std::size_t stride_;

@@ -50,11 +50,6 @@ MatrixXd scaled_rate(const MatrixXd& stiffness, const MatrixXd& damping, double 
     return rate;
 }
 
-std::span<const double> row_of(const ModalStructure& structure, Index row) {
-    const ModalContact& contact = structure.contacts[static_cast<std::size_t>(row / 2)];
-    return row % 2 == 0 ? contact.normal : contact.tangent;
-}
-
 }  // namespace
 
 FreePropagation::FreePropagation(const ModalStructure& structure, double step) : structure_(structure) {
@@ -135,11 +130,13 @@ void FreePropagation::push(const std::vector<double>& r, std::vector<double>& q,
 }
 
 Eigen::MatrixXd FreePropagation::response() const {
-    const auto rows = static_cast<Index>(2 * structure_.contacts.size());
+    const ContactRowPlan plan = row_plan(structure_.contacts);
+    const auto rows = static_cast<Index>(plan.rows());
     const auto n = static_cast<Index>(structure_.modes());
     MatrixXd contact(rows, n);
     for (Index i = 0; i < rows; ++i)
-        contact.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row_of(structure_, i).data(), n);
+        contact.row(i) = Eigen::Map<const Eigen::RowVectorXd>(
+            row_of(structure_.contacts, plan, static_cast<std::size_t>(i)).data(), n);
     if (state_.size() == 0)
         return contact * Eigen::Map<const Eigen::VectorXd>(v_push_.data(), n).asDiagonal() * contact.transpose();
     return contact * push_.bottomRows(n) * contact.transpose();

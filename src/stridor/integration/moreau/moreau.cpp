@@ -12,6 +12,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/imposed_force.hpp"
 #include "stridor/integration/moreau/moreau_run.hpp"
 #include "stridor/integration/step_samples.hpp"
 
@@ -43,13 +44,16 @@ std::vector<ContactMode> first_set(const ModalStructure& structure, const std::v
     std::vector<ContactMode> set;
     const std::size_t n = structure.modes();
     for (const ModalContact& c : structure.contacts) {
+        // of a slip in a plane the first step finds the direction
+        const double second = std::abs(c.second_tangent.empty() ? 0.0 : dot(c.second_tangent, {v.data(), n}));
         const double size = dot_of_sizes(c.normal, {q.data(), n}) + std::abs(c.initial_gap);
         const double w = slip_velocity(c, {v.data(), n}, surface_velocity);
         const double speed = dot_of_sizes(c.tangent, {v.data(), n}) + std::abs(c.drive_share * surface_velocity);
         if (gap(c, {q.data(), n}) > closed_rounding * size)
             set.push_back(ContactMode::open);
         else
-            set.push_back(std::abs(w) > still_rounding * speed ? slip_mode(model::slip_of(w)) : ContactMode::stick);
+            set.push_back(std::abs(w) + second > still_rounding * speed ? slip_mode(model::slip_of(w))
+                                                                        : ContactMode::stick);
     }
     return set;
 }
@@ -76,6 +80,7 @@ MoreauRun::MoreauRun(const model::Structure& structure, ModalStructure modal_one
       structure_(std::move(modal_one)),
       step_(step),
       motion_(drive, step, record::end_of(recorder.schedule())),
+      drive_(drive),
       recorder_(recorder),
       propagation_(structure_, step),
       rows_(structure_),
@@ -93,7 +98,7 @@ MoreauRun::MoreauRun(const model::Structure& structure, ModalStructure modal_one
       set_(contacts_.set()),
       touches_(set_.size(), 0),
       touched_(set_.size(), 0),
-      rates_(2 * set_.size(), 0.0),
+      rates_(rows_.plan().rows(), 0.0),
       free_rates_(rates_),
       products_(rates_),
       forces_(rates_),
@@ -101,6 +106,10 @@ MoreauRun::MoreauRun(const model::Structure& structure, ModalStructure modal_one
       vibration_(static_cast<std::size_t>(model::channels_of(structure))),
       load_(structure.contacts.size()),
       travel_{q_, std::vector<double>(structure_.modes(), 0.0), std::vector<double>(structure_.modes(), 0.0)} {
+    for (std::size_t row = 0; row < rates_.size(); ++row)
+        share_.push_back(drive_share_of(structure_.contacts, rows_.plan(), row));
+    if (structure.shaken.size() != 0)
+        shaken_ = padded(structure_.shapes.transpose() * structure.shaken, rows_.padded_modes());
     surface_velocity_ = motion_.at(0.0).velocity;
     dashpot_power_ = dashpot_power(structure_, v_);
     initial_energy_ = stored_energy(structure_, q_, v_);
@@ -108,32 +117,43 @@ MoreauRun::MoreauRun(const model::Structure& structure, ModalStructure modal_one
 
 // who takes part: the closed ones, and the open ones whose gap would close
 void MoreauRun::find_touching() {
+    const std::vector<std::size_t>& first = rows_.plan().first;
     which_.clear();
     for (std::size_t k = 0; k < set_.size(); ++k)
-        if (set_[k] == ContactMode::open) which_.push_back(2 * k);
+        if (set_[k] == ContactMode::open) which_.push_back(first[k]);
     if (!which_.empty()) rows_.multiply(which_, q_, products_);
     for (std::size_t k = 0; k < set_.size(); ++k)
         touches_[k] =
-            set_[k] != ContactMode::open || products_[2 * k] + structure_.contacts[k].initial_gap <= 0.0 ? 1 : 0;
+            set_[k] != ContactMode::open || products_[first[k]] + structure_.contacts[k].initial_gap <= 0.0 ? 1 : 0;
+}
+
+// puts the rows of a contact into those that are asked for
+void MoreauRun::ask_for(std::size_t contact) {
+    for (std::size_t row = rows_.plan().first[contact]; row < rows_.plan().first[contact + 1]; ++row)
+        which_.push_back(row);
+}
+
+// takes the surface's velocity from the rates at tangents
+void MoreauRun::subtract_surface(double velocity, std::vector<double>& rates) const {
+    for (const std::size_t row : which_)
+        if (!rows_.plan().is_normal(row)) rates[row] -= share_[row] * velocity;
 }
 
 // rates of those that take part: at the free end, and where they are not known at the begin, too
 void MoreauRun::find_free_rates(double surface_velocity) {
     which_.clear();
     for (std::size_t k = 0; k < set_.size(); ++k)
-        if (touches_[k] != 0 && touched_[k] == 0) which_.insert(which_.end(), {2 * k, 2 * k + 1});
+        if (touches_[k] != 0 && touched_[k] == 0) ask_for(k);
     if (!which_.empty()) {
         rows_.multiply(which_, v_before_, rates_);
-        for (const std::size_t row : which_)
-            if (row % 2 == 1) rates_[row] -= structure_.contacts[row / 2].drive_share * surface_velocity_;
+        subtract_surface(surface_velocity_, rates_);
     }
     which_.clear();
     for (std::size_t k = 0; k < set_.size(); ++k)
-        if (touches_[k] != 0) which_.insert(which_.end(), {2 * k, 2 * k + 1});
+        if (touches_[k] != 0) ask_for(k);
     std::fill(free_rates_.begin(), free_rates_.end(), 0.0);
     if (!which_.empty()) rows_.multiply(which_, v_, free_rates_);
-    for (std::size_t k = 0; k < set_.size(); ++k)
-        if (touches_[k] != 0) free_rates_[2 * k + 1] -= structure_.contacts[k].drive_share * surface_velocity;
+    subtract_surface(surface_velocity, free_rates_);
 }
 
 // sets the gaps of closed contacts to zero
@@ -142,22 +162,30 @@ void MoreauRun::project() {
     which_.clear();
     for (std::size_t k = 0; k < set.size(); ++k) {
         const bool is_closed = set[k] != ContactMode::open;
-        if (is_closed) which_.push_back(2 * k);
+        if (is_closed) which_.push_back(rows_.plan().first[k]);
         if (closing_.is_exchanged(k) != is_closed) closing_.exchange(k);
     }
     if (which_.empty()) return;
     rows_.multiply(which_, q_, products_);
     std::vector<double> gaps(set.size(), 0.0), share(products_.size(), 0.0);
     for (const std::size_t row : which_)
-        gaps[row / 2] = products_[row] + structure_.contacts[row / 2].initial_gap;
+        gaps[rows_.plan().contact[row]] = products_[row] + structure_.contacts[rows_.plan().contact[row]].initial_gap;
     closing_.set(gaps);
     for (const std::size_t row : which_)
-        share[row] = closing_.follows(row / 2);
+        share[row] = closing_.follows(rows_.plan().contact[row]);
     const double before = elastic();
     rows_.combine(which_, share, scratch_);
     for (std::size_t j = 0; j < q_.size(); ++j)
         q_[j] += scratch_[j];
     work_.impact_loss += before - elastic();
+}
+
+// the force in the middle of the step, as if it were that all the time
+void MoreauRun::shake() {
+    force_ = imposed_force(drive_, (static_cast<double>(n_) + 0.5) * step_);
+    for (std::size_t j = 0; j < shaken_.size(); ++j)
+        scratch_[j] = force_ * shaken_[j];
+    propagation_.push(scratch_, q_, v_);
 }
 
 // one step; returns false if no contact forces obey the laws
@@ -166,6 +194,7 @@ bool MoreauRun::advance() {
     q_before_ = q_;
     v_before_ = v_;
     propagation_.advance(q_, v_);
+    if (!shaken_.empty()) shake();
     find_touching();
     find_free_rates(end_velocity);
     if (!contacts_.solve(free_rates_, touches_)) return false;
@@ -173,10 +202,10 @@ bool MoreauRun::advance() {
     which_.clear();
     bool has_closed = false;
     for (std::size_t k = 0; k < set.size(); ++k) {
-        forces_[2 * k] = contacts_.normal_force(k);
-        forces_[2 * k + 1] = contacts_.friction_force(k);
+        for (std::size_t row = rows_.plan().first[k]; row < rows_.plan().first[k + 1]; ++row)
+            forces_[row] = contacts_.force(row);
         if (set[k] == ContactMode::open) continue;
-        which_.insert(which_.end(), {2 * k, 2 * k + 1});
+        ask_for(k);
         has_closed = has_closed || set_[k] == ContactMode::open;
     }
     rows_.combine(which_, forces_, push_);
@@ -222,13 +251,23 @@ Outcome MoreauRun::run(const std::stop_token& stop) {
     return is_finite() ? Outcome{Reason::completed, time()} : Outcome{Reason::diverged, time()};
 }
 
+void expect_circular_cones(const model::Structure& structure) {
+    for (const model::ContactPoint& contact : structure.contacts)
+        if (model::has_two_tangents(contact) && !std::holds_alternative<model::Coulomb>(contact.friction))
+            throw Error(ErrorKind::input, {"the moreau engine cannot solve this structure",
+                                           "friction in a plane has a circular cone: the same coefficients every way",
+                                           "Use friction = \"coulomb\"."});
+}
+
 Motion integrate_moreau(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                         const Moreau& settings, record::Recorder recorder, const std::stop_token& stop) {
-    for (const model::ContactPoint& contact : structure.contacts)
+    expect_circular_cones(structure);
+    for (const model::ContactPoint& contact : structure.contacts) {
         if (!std::holds_alternative<model::Plastic>(contact.impact))
             throw Error(ErrorKind::input,
                         {"the moreau engine cannot solve this structure",
                          "its impacts are what its steps make of them: plastic", "Use impact = \"plastic\"."});
+    }
     ModalStructure modal = modal_structure(structure);
     if (settings.step > longest_step(modal)) return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     MoreauRun runner(structure, std::move(modal), drive, start, settings.step, recorder);

@@ -19,6 +19,9 @@ struct Moreau {
 /// other way. Accuracy asks for far less.
 double longest_step(const ModalStructure& structure);
 
+/// Refuses friction that depends on the direction where a contact slips in a plane: throws `Error` (input).
+void expect_circular_cones(const model::Structure& structure);
+
 /// Solves the motion of a structure with many contacts by time steps: the free structure moves exactly, and contact
 /// forces are constant within a step.
 ///

@@ -17,19 +17,22 @@ void MoreauRun::note(double start_velocity, double end_velocity) {
     for (std::size_t k = 0; k < set_.size(); ++k) {
         if (contact_of(contacts_.set()[k]) != contact_of(set_[k]) || n_ == 0) tell(k);
         if (touches_[k] == 0) continue;
-        const double gap_rate = contacts_.gap_velocity(k);
-        const double slip_rate = contacts_.slip_velocity(k);
-        const double T = forces_[2 * k + 1];
-        work_.impact_loss -= step_ * forces_[2 * k] * 0.5 * (rates_[2 * k] + gap_rate);
-        const double friction_loss = -step_ * T * 0.5 * (rates_[2 * k + 1] + slip_rate);
-        work_.friction_loss += friction_loss;
+        const std::size_t normal = rows_.plan().first[k];
         record::Load& load = load_[structure_.number[k]];
-        load.normal_impulse += step_ * forces_[2 * k];
-        load.friction_loss += friction_loss;
-        work_.drive_work += step_ * T * structure_.contacts[k].drive_share * mean_surface;
-        rates_[2 * k] = gap_rate;
-        rates_[2 * k + 1] = slip_rate;
+        load.normal_impulse += step_ * forces_[normal];
+        work_.impact_loss -= step_ * forces_[normal] * 0.5 * (rates_[normal] + contacts_.rate(normal));
+        rates_[normal] = contacts_.rate(normal);
+        for (std::size_t row = normal + 1; row < rows_.plan().first[k + 1]; ++row) {
+            const double T = forces_[row];
+            const double friction_loss = -step_ * T * 0.5 * (rates_[row] + contacts_.rate(row));
+            work_.friction_loss += friction_loss;
+            load.friction_loss += friction_loss;
+            work_.drive_work += step_ * T * share_[row] * mean_surface;
+            rates_[row] = contacts_.rate(row);
+        }
     }
+    for (std::size_t j = 0; j < shaken_.size(); ++j)
+        work_.drive_work += force_ * shaken_[j] * (q_[j] - q_before_[j]);
     const double power = dashpot_power(structure_, v_);
     work_.dashpot_loss += step_ * 0.5 * (dashpot_power_ + power);
     dashpot_power_ = power;
@@ -37,8 +40,12 @@ void MoreauRun::note(double start_velocity, double end_velocity) {
 
 // the recorder of a contact's new state, which it has from the step's begin on
 void MoreauRun::tell(std::size_t contact) {
+    const std::size_t row = rows_.plan().first[contact];
+    double slip_velocity = rates_[row + 1];
+    if (rows_.plan().has_two_tangents(contact))
+        slip_velocity = std::sqrt(rates_[row + 1] * rates_[row + 1] + rates_[row + 2] * rates_[row + 2]);
     recorder_.enter(structure_.number[contact],
-                    {contact_of(contacts_.set()[contact]), time(), 0.0, rates_[2 * contact + 1], rates_[2 * contact]});
+                    {contact_of(contacts_.set()[contact]), time(), 0.0, slip_velocity, rates_[row]});
 }
 
 // velocities at this instant stand for the steps until the next ones
@@ -55,6 +62,7 @@ void MoreauRun::sample() {
     const Eigen::Map<const Eigen::VectorXd> q(q_before_.data(), n), v(v_before_.data(), n), r(push_.data(), n),
         square(structure_.square_frequency.data(), n), load(structure_.load.data(), n);
     Eigen::VectorXd a = load + r - square.cwiseProduct(q);
+    if (!shaken_.empty()) a += force_ * Eigen::Map<const Eigen::VectorXd>(shaken_.data(), n);
     if (structure_.is_damped_by_mode())
         a -= Eigen::Map<const Eigen::VectorXd>(structure_.damping.data(), n).cwiseProduct(v);
     else
@@ -63,8 +71,8 @@ void MoreauRun::sample() {
     for (std::size_t k = 0; k < set_.size(); ++k) {
         record::ContactSample& sample = contacts[structure_.number[k]];
         sample.state = contact_of(set_[k]);
-        sample.normal_force = forces_[2 * k];
-        sample.friction_force = forces_[2 * k + 1];
+        sample.normal_force = forces_[rows_.plan().first[k]];
+        sample.friction_force = forces_[rows_.plan().first[k] + 1];
         if (set_[k] == ContactMode::open)
             sample.gap = std::max(0.0, gap(structure_.contacts[k], {q_before_.data(), structure_.modes()}));
     }

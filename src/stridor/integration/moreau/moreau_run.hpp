@@ -26,7 +26,10 @@ public:
 private:
     double time() const { return static_cast<double>(n_) * step_; }
     bool advance();
+    void shake();
     void find_touching();
+    void ask_for(std::size_t contact);
+    void subtract_surface(double velocity, std::vector<double>& rates) const;
     void find_free_rates(double surface_velocity);
     void project();
     void note(double start_velocity, double end_velocity);
@@ -40,6 +43,7 @@ private:
     ModalStructure structure_;
     double step_;  // [s]
     ImposedMotion motion_;
+    parameters::Drive drive_;
     record::Recorder& recorder_;
     FreePropagation propagation_;
     ContactRows rows_;
@@ -53,6 +57,9 @@ private:
     std::vector<char> touches_, touched_;       // in this step and the one before, shape [contact]
     std::vector<double> rates_, free_rates_;    // [m/s] g' and w at the step's begin, and its free end, shape [row]
     std::vector<double> products_, forces_;     // shape [row]
+    std::vector<double> share_;                 // [1] of V along a tangent, shape [row]
+    std::vector<double> shaken_;                // [1/√kg] of an imposed force, shape [mode], filled up; empty: none
+    double force_ = 0.0;                        // [N] imposed in the step
     std::vector<std::size_t> which_;            // rows
     double surface_velocity_ = 0.0;             // [m/s] at the step's begin
     double dashpot_power_ = 0.0;                // [W] likewise

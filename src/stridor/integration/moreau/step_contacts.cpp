@@ -1,6 +1,6 @@
-// Row and column 2k of the tableau are the gap velocity and N of contact k, 2k+1 its slip velocity and what T has
-// beside ratio N. So a contact is open with none of both exchanged, slips with N exchanged (T = ratio N), sticks with
-// both; a change of the ratio is a shear.
+// Rows and columns of the tableau are those of `ContactRowPlan`: the gap velocity and N of a contact, then its slip
+// velocity and what T has beside ratio N. So a contact is open with none exchanged, slips with N exchanged (T = ratio
+// N), sticks with all; a change of the ratio is a shear. Of two tangents each has its ratio, -mu_d times the direction.
 
 #include "stridor/integration/moreau/step_contacts.hpp"
 
@@ -23,18 +23,23 @@ constexpr long exchanges_per_row = 20;       // before the tableau begins anew: 
 StepContacts::StepContacts(const ModalStructure& structure, Eigen::MatrixXd response,
                            const std::vector<ContactMode>& set)
     : structure_(structure),
+      plan_(row_plan(structure.contacts)),
       response_(std::move(response)),
       tableau_(response_),
       set_(set.size(), ContactMode::open),
-      friction_(set.size(), 0.0),
-      tried_(set.size()) {
+      friction_(plan_.rows(), 0.0),
+      direction_(set.size(), {1.0, 0.0}),
+      tried_(set.size()),
+      force_(plan_.rows(), 0.0),
+      rate_(plan_.rows(), 0.0) {
+    // in a plane a slip has no sign: it begins as a stick, and finds its direction
     for (std::size_t k = 0; k < set.size(); ++k)
-        change(k, set[k]);
+        change(k, is_slip(set[k]) && plan_.has_two_tangents(k) ? ContactMode::stick : set[k]);
 }
 
-void StepContacts::set_friction(std::size_t contact, double ratio) {
-    tableau_.shear(2 * contact, 2 * contact + 1, ratio - friction_[contact]);
-    friction_[contact] = ratio;
+void StepContacts::set_friction(std::size_t row, double ratio) {
+    tableau_.shear(plan_.first[plan_.contact[row]], row, ratio - friction_[row]);
+    friction_[row] = ratio;
 }
 
 // lets a force follow; a row that others make up has no force of its own
@@ -45,28 +50,43 @@ void StepContacts::take_up(std::size_t row) {
 }
 
 void StepContacts::change(std::size_t contact, ContactMode mode) {
-    const std::size_t normal = 2 * contact;
-    const std::size_t tangent = normal + 1;
+    const std::size_t normal = plan_.first[contact];
+    const std::size_t end = plan_.first[contact + 1];
     if (set_[contact] == mode) return;
     // by way of stick, whose forces know no ratio
     if (set_[contact] == ContactMode::open) {
-        set_friction(contact, 0.0);
+        for (std::size_t tangent = normal + 1; tangent < end; ++tangent)
+            set_friction(tangent, 0.0);
         take_up(normal);
     }
-    if (set_[contact] != ContactMode::stick) take_up(tangent);
+    for (std::size_t tangent = normal + 1; tangent < end && set_[contact] != ContactMode::stick; ++tangent)
+        take_up(tangent);
     set_[contact] = mode;
     if (mode == ContactMode::stick) return;
-    if (is_slip(mode)) set_friction(contact, structure_.contacts[contact].ratio[index_of(way_of(mode))]);
-    tableau_.exchange(tangent);
+    if (is_slip(mode)) set_directions(contact);
+    for (std::size_t tangent = normal + 1; tangent < end; ++tangent)
+        tableau_.exchange(tangent);
     if (mode == ContactMode::open) tableau_.exchange(normal);
+}
+
+// the ratios of T and N of a contact that slips
+void StepContacts::set_directions(std::size_t contact) {
+    const std::size_t tangent = plan_.first[contact] + 1;
+    const double ratio = structure_.contacts[contact].ratio[index_of(way_of(set_[contact]))];
+    if (!plan_.has_two_tangents(contact)) return set_friction(tangent, ratio);
+    set_friction(tangent, -std::abs(ratio) * direction_[contact][0]);
+    set_friction(tangent + 1, -std::abs(ratio) * direction_[contact][1]);
 }
 
 // Painleve: friction of this slip presses the contact together more than N parts it
 bool StepContacts::is_pressed_by(std::size_t contact, ContactMode mode) const {
     if (!is_slip(mode)) return false;
-    const auto at = static_cast<Eigen::Index>(2 * contact);
+    const auto at = static_cast<Eigen::Index>(plan_.first[contact]);
     const double ratio = structure_.contacts[contact].ratio[index_of(way_of(mode))];
-    return !(response_(at, at) + ratio * response_(at, at + 1) > 0.0);
+    if (!plan_.has_two_tangents(contact)) return !(response_(at, at) + ratio * response_(at, at + 1) > 0.0);
+    const std::array<double, 2>& along = direction_[contact];
+    const double across = along[0] * response_(at, at + 1) + along[1] * response_(at, at + 2);
+    return !(response_(at, at) - std::abs(ratio) * across > 0.0);
 }
 
 void StepContacts::rebuild() {
@@ -79,16 +99,30 @@ void StepContacts::rebuild() {
 }
 
 void StepContacts::look(std::size_t contact) {
+    if (plan_.has_two_tangents(contact)) return look_at_plane(contact);
     TriedContact& tried = tried_[contact];
-    const double at_normal = tableau_.follows(2 * contact);
-    const double at_tangent = tableau_.follows(2 * contact + 1);
+    const std::size_t row = plan_.first[contact];
+    const double at_normal = tableau_.follows(row);
+    const double at_tangent = tableau_.follows(row + 1);
     tried.mode = set_[contact];
     const bool is_open = tried.mode == ContactMode::open;
     const bool is_stuck = tried.mode == ContactMode::stick;
     tried.normal = is_open ? 0.0 : at_normal;
-    tried.tangential = friction_[contact] * tried.normal + (is_stuck ? at_tangent : 0.0);
+    tried.tangential = friction_[row + 1] * tried.normal + (is_stuck ? at_tangent : 0.0);
     tried.gap_velocity = is_open ? at_normal : 0.0;
     tried.slip_velocity = is_stuck ? 0.0 : at_tangent;
+    force_[row] = tried.normal;
+    force_[row + 1] = tried.tangential;
+    rate_[row] = tried.gap_velocity;
+    rate_[row + 1] = tried.slip_velocity;
+}
+
+// a contact that does not take part
+void StepContacts::forget(std::size_t contact) {
+    change(contact, ContactMode::open);
+    tried_[contact] = {};
+    for (std::size_t row = plan_.first[contact]; row < plan_.first[contact + 1]; ++row)
+        force_[row] = rate_[row] = 0.0;
 }
 
 StepContacts::Search StepContacts::search(const std::vector<double>& free_rates, const std::vector<char>& touches) {
@@ -98,16 +132,21 @@ StepContacts::Search StepContacts::search(const std::vector<double>& free_rates,
     for (std::size_t k = 0; k < p; ++k)
         if (is_pressed_by(k, set_[k])) return Search::singular;
     tableau_.set(free_rates);
+    speed_ = 0.0;
+    for (const double rate : free_rates)
+        speed_ = std::max(speed_, std::abs(rate));
     const std::size_t most_changes = 40 + 20 * p;
     for (std::size_t round = 0; round < most_changes; ++round) {
+        if (!settle_directions()) return Search::endless;
         TrialScale scale{.rounding = trial_rounding};
         for (std::size_t k = 0; k < p; ++k) {
             if (touches[k] == 0) continue;
             look(k);
             const TriedContact& tried = tried_[k];
             scale.push = std::max({scale.push, std::abs(tried.normal), std::abs(tried.tangential)});
-            scale.speed = std::max({scale.speed, std::abs(free_rates[2 * k]), std::abs(free_rates[2 * k + 1]),
-                                    std::abs(tried.gap_velocity), std::abs(tried.slip_velocity)});
+            scale.speed = std::max({scale.speed, std::abs(tried.gap_velocity), std::abs(tried.slip_velocity)});
+            for (std::size_t row = plan_.first[k]; row < plan_.first[k + 1]; ++row)
+                scale.speed = std::max(scale.speed, std::abs(free_rates[row]));
         }
         ContactViolation worst;
         std::size_t contact = 0;
@@ -119,6 +158,7 @@ StepContacts::Search StepContacts::search(const std::vector<double>& free_rates,
             contact = k;
         }
         if (worst.size == 0.0) return Search::found;
+        if (plan_.has_two_tangents(contact) && is_slip(worst.mode)) worst.mode = begin_slip(contact);
         if (is_pressed_by(contact, worst.mode)) return Search::singular;
         if (set_[contact] == ContactMode::stick && is_slip(worst.mode)) tried_[contact].limit = StickLimit::fallen;
         change(contact, worst.mode);
@@ -129,11 +169,8 @@ StepContacts::Search StepContacts::search(const std::vector<double>& free_rates,
 }
 
 bool StepContacts::solve(const std::vector<double>& free_rates, const std::vector<char>& touches) {
-    for (std::size_t k = 0; k < set_.size(); ++k) {
-        if (touches[k] != 0) continue;
-        change(k, ContactMode::open);
-        tried_[k] = {};
-    }
+    for (std::size_t k = 0; k < set_.size(); ++k)
+        if (touches[k] == 0) forget(k);
     if (tableau_.exchanges() > exchanges_per_row * static_cast<long>(tableau_.size())) rebuild();
     Search result = is_singular_ ? Search::singular : search(free_rates, touches);
     if (result == Search::endless) {

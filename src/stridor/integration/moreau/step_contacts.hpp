@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace stridor::integration {
 ///
 ///     (g', w) at its end = (g', w) without them + W_h (N, T);   N >= 0, g' >= 0, one of them 0;
 ///     w = 0 with |T| <= limit N, or T = ratio N against w
+///
+/// Where a contact has two tangents w and T are vectors in the plane of contact and the cone of friction is circular:
+/// the direction of each slip follows from Newton's method over the angles of all (step_directions.cpp), to rounding.
 ///
 /// Begins with the states of the step before, and changes the contact that is farthest from its law until none is. A
 /// limit that broke is that of the slip until the step has ended. The solved system of a set of states is kept and
@@ -30,10 +34,10 @@ public:
     bool solve(const std::vector<double>& free_rates, const std::vector<char>& touches);
 
     const std::vector<ContactMode>& set() const { return set_; }
-    double normal_force(std::size_t contact) const { return tried_[contact].normal; }          // [N]
-    double friction_force(std::size_t contact) const { return tried_[contact].tangential; }    // [N]
-    double gap_velocity(std::size_t contact) const { return tried_[contact].gap_velocity; }    // [m/s] at its end
-    double slip_velocity(std::size_t contact) const { return tried_[contact].slip_velocity; }  // [m/s] likewise
+    double force(std::size_t row) const { return force_[row]; }  // [N] along a normal or tangent
+    double rate(std::size_t row) const { return rate_[row]; }    // [m/s] likewise, at its end: of the gap, or of slip
+    /// [m/s] at its end: signed, or of two tangents its size.
+    double slip_velocity(std::size_t contact) const { return tried_[contact].slip_velocity; }
     long changes() const { return changes_; }    // [1] of states so far, all trials
     long restarts() const { return restarts_; }  // [1] searches that began again with all contacts stuck
 
@@ -42,18 +46,28 @@ private:
 
     void change(std::size_t contact, ContactMode mode);
     void take_up(std::size_t row);
-    void set_friction(std::size_t contact, double ratio);
+    void set_friction(std::size_t row, double ratio);
+    void set_directions(std::size_t contact);
+    bool settle_directions();
+    std::vector<std::size_t> turning();
     bool is_pressed_by(std::size_t contact, ContactMode mode) const;
     void rebuild();
     void look(std::size_t contact);
+    void look_at_plane(std::size_t contact);
+    ContactMode begin_slip(std::size_t contact);
+    void forget(std::size_t contact);
     Search search(const std::vector<double>& free_rates, const std::vector<char>& touches);
 
     const ModalStructure& structure_;
+    ContactRowPlan plan_;
     Eigen::MatrixXd response_;
     ExchangeTableau tableau_;
     std::vector<ContactMode> set_;
-    std::vector<double> friction_;     // [1] share of N that T has beside what follows, shape [contact]
-    std::vector<TriedContact> tried_;  // shape [contact]
+    std::vector<double> friction_;                  // [1] share of N that T has beside what follows, shape [row]
+    std::vector<std::array<double, 2>> direction_;  // [1] of a slip of two tangents, length one, shape [contact]
+    std::vector<TriedContact> tried_;               // shape [contact]
+    std::vector<double> force_, rate_;              // of the trial, shape [row]
+    double speed_ = 0.0;                            // [m/s] what directions are held against
     bool is_singular_ = false;
     long changes_ = 0;
     long restarts_ = 0;

@@ -252,6 +252,12 @@ Motion TaylorRun::run(const std::stop_token& stop) {
 
 Motion integrate_taylor(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                         const Taylor& settings, record::Recorder recorder, const std::stop_token& stop) {
+    model::expect_one_tangent(structure, "the Taylor engine");
+    if (structure.shaken.size() != 0)
+        throw Error(ErrorKind::input, {"the Taylor engine cannot solve this structure",
+                                       "a force shakes it, and its events follow a "
+                                       "surface that moves",
+                                       "Set run.engine = \"moreau\"."});
     for (const model::ContactPoint& contact : structure.contacts)
         if (!std::holds_alternative<model::Plastic>(contact.impact))
             throw Error(ErrorKind::input, {"the Taylor engine cannot solve this structure",

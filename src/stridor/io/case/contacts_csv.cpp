@@ -30,17 +30,30 @@ enum class TableKey : std::size_t {
     interface,
     normal,
     tangent,
+    second_tangent,
     initial_gap,
     static_friction,
     kinetic_friction,
     preload_share,
     drive_share,
+    second_drive_share,
     position
 };
-constexpr std::array<std::string_view, 13> contact_column_names{
-    "name",          "node",        "set",         "against",         "interface",
-    "normal",        "tangent",     "initial_gap", "static_friction", "kinetic_friction",
-    "preload_share", "drive_share", "position"};
+constexpr std::array<std::string_view, 15> contact_column_names{"name",
+                                                                "node",
+                                                                "set",
+                                                                "against",
+                                                                "interface",
+                                                                "normal",
+                                                                "tangent",
+                                                                "second_tangent",
+                                                                "initial_gap",
+                                                                "static_friction",
+                                                                "kinetic_friction",
+                                                                "preload_share",
+                                                                "drive_share",
+                                                                "second_drive_share",
+                                                                "position"};
 
 constexpr std::size_t index_of(TableKey column) {
     return static_cast<std::size_t>(column);
@@ -71,11 +84,15 @@ public:
                 .interface = text(TableKey::interface),
                 .normal = text(TableKey::normal),
                 .tangent = text(TableKey::tangent),
+                .second_tangent = text(TableKey::second_tangent).empty()
+                                      ? std::nullopt
+                                      : std::optional<NamedDirection>(text(TableKey::second_tangent)),
                 .initial_gap = length_ * number(TableKey::initial_gap).value_or(0.0),
                 .static_friction = size(TableKey::static_friction),
                 .kinetic_friction = size(TableKey::kinetic_friction),
                 .preload_share = size(TableKey::preload_share),
                 .drive_share = number(TableKey::drive_share).value_or(1.0),
+                .second_drive_share = number(TableKey::second_drive_share).value_or(0.0),
                 .position = position(),
                 .place = place_};
     }

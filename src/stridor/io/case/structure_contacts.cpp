@@ -5,6 +5,7 @@
 #include "stridor/recordings/refusal.hpp"
 #include "stridor/recordings/table/csv_table.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -62,7 +63,9 @@ public:
         if (!named.node.empty()) return take_node(named, named.node, named.name.empty() ? named.node : named.name, 1);
         if (!named.against.empty()) throw problem("the contact is against a part, and at no node", "");
         if (named.name.empty()) throw problem("this contact has no name", "one that is not at a node is called by it");
-        add(named, named.name, of_rows(named.normal, "normal"), of_rows(named.tangent, "tangent"), 1);
+        std::vector<double> second;
+        if (named.second_tangent) second = of_rows(*named.second_tangent, "second tangent");
+        add(named, named.name, {of_rows(named.normal, "normal"), of_rows(named.tangent, "tangent"), second}, 1);
     }
 
     std::vector<OwnContact> finish() { return std::move(contacts_); }
@@ -137,17 +140,30 @@ private:
                           fmt::format("their cosine is {:.3g}", normal.dot(tangent)));
         // what is left of the written digits
         const Eigen::Vector3d along = (tangent - normal.dot(tangent) * normal).normalized();
-        std::vector<double> across_rows(part_.labels.size(), 0.0);
-        std::vector<double> along_rows = across_rows;
-        put(across_rows, node, normal, 1.0);
-        put(along_rows, node, along, 1.0);
-        if (const std::string other = other_node(named, node); !other.empty()) {
-            put(across_rows, other, normal, -1.0);
-            put(along_rows, other, along, -1.0);
-        }
-        add(named, name, std::move(across_rows), std::move(along_rows), among);
+        const std::string other = other_node(named, node);
+        const auto rows_along = [&](const Eigen::Vector3d& direction) {
+            std::vector<double> rows(part_.labels.size(), 0.0);
+            put(rows, node, direction, 1.0);
+            if (!other.empty()) put(rows, other, direction, -1.0);
+            return rows;
+        };
+        std::vector<double> second;
+        if (named.second_tangent) second = rows_along(second_direction(*named.second_tangent, normal, along));
+        add(named, name, {rows_along(normal), rows_along(along), std::move(second)}, among);
         if (const auto found = part_.positions.find(node); found != part_.positions.end())
             contacts_.back().position = {found->second.x(), found->second.y(), found->second.z()};
+    }
+
+    // the one at right angles to both; what is written says which way it goes
+    Eigen::Vector3d second_direction(const NamedDirection& written, const Eigen::Vector3d& normal,
+                                     const Eigen::Vector3d& along) const {
+        const Eigen::Vector3d given = in_space(written, "second tangent");
+        const Eigen::Vector3d right = normal.cross(along);
+        const double cosine = right.dot(given);
+        if (std::abs(given.dot(normal)) > right_angle || std::abs(given.dot(along)) > right_angle)
+            throw problem("the second tangent is not at right angles to normal and tangent",
+                          fmt::format("their cosines are {:.3g} and {:.3g}", given.dot(normal), given.dot(along)));
+        return cosine < 0.0 ? Eigen::Vector3d(-right) : right;
     }
 
     const Eigen::Vector3d& position(const std::string& node) const {
@@ -231,12 +247,21 @@ private:
         return rows;
     }
 
-    void add(const NamedContact& named, const std::string& name, std::vector<double> normal,
-             std::vector<double> tangent, std::size_t among) {
+    struct Directions {
+        std::vector<double> normal;
+        std::vector<double> tangent;
+        std::vector<double> second_tangent;
+    };
+
+    void add(const NamedContact& named, const std::string& name, Directions rows, std::size_t among) {
+        if (!named.second_tangent && named.second_drive_share != 0.0)
+            throw problem("second_drive_share stands without a second_tangent", "the contact slips in one direction");
+        if (rows.second_tangent == rows.tangent)
+            throw problem("the second tangent is the first one", "a plane has two directions");
         for (const OwnContact& other : contacts_) {
             if (other.name == name)
                 throw problem(fmt::format("two contacts are called \"{}\"", name), "", "Give each a name of its own.");
-            if (other.normal == normal && other.tangent == tangent)
+            if (other.normal == rows.normal && other.tangent == rows.tangent)
                 throw problem(fmt::format("contacts \"{}\" and \"{}\" are one", other.name, name),
                               "their normals and tangents are the same, and forces between them not determined");
         }
@@ -244,14 +269,16 @@ private:
             throw problem(fmt::format("there are more than {} contacts", parameters::most_contacts),
                           "each event solves for all that touch");
         contacts_.push_back({.name = name,
-                             .normal = std::move(normal),
-                             .tangent = std::move(tangent),
+                             .normal = std::move(rows.normal),
+                             .tangent = std::move(rows.tangent),
+                             .second_tangent = std::move(rows.second_tangent),
                              .initial_gap = named.initial_gap,
                              .interface = named.interface,
                              .static_friction = named.static_friction,
                              .kinetic_friction = named.kinetic_friction,
                              .preload_share = named.preload_share.value_or(0.0) / static_cast<double>(among),
                              .drive_share = named.drive_share,
+                             .second_drive_share = named.second_drive_share,
                              .position = named.position});
     }
 

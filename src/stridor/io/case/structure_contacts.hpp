@@ -26,11 +26,13 @@ struct NamedContact {
     std::string interface {};
     NamedDirection normal{};
     NamedDirection tangent{};
+    std::optional<NamedDirection> second_tangent{};   // of a contact that slips in a plane
     double initial_gap = 0.0;                         // [m]
     std::optional<double> static_friction{};          // [1]
     std::optional<double> kinetic_friction{};         // [1]
     std::optional<double> preload_share{};            // [1] of all its nodes together
     double drive_share = 1.0;                         // [1]
+    double second_drive_share = 0.0;                  // [1] along the second tangent
     std::optional<std::array<double, 3>> position{};  // [m] of one without a node; else its node's
     base::Place place{};                              // where it stands
 };

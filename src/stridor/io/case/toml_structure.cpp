@@ -32,14 +32,25 @@ constexpr std::string_view output_opening = "structure.output.";
 constexpr std::array<std::string_view, 3> matrix_keys{"mass", "stiffness", "damping"};
 constexpr std::array<std::string_view, 4> number_keys{"damping_ratio", "loss_factor", "rayleigh_mass",
                                                       "rayleigh_stiffness"};
-constexpr std::array<std::string_view, 3> list_keys{"load", "initial_displacement", "initial_velocity"};
+constexpr std::array<std::string_view, 4> list_keys{"load", "force", "initial_displacement", "initial_velocity"};
 constexpr std::array<std::string_view, 5> text_keys{"file", "units", "labels", "rows", "contacts"};
 // what a builder leaves to others
-constexpr std::array<std::string_view, 2> common_keys{"builder", "initial_displacement"};
-constexpr std::array<std::string_view, 13> contact_keys{
-    "name",          "node",        "set",         "against",         "interface",
-    "normal",        "tangent",     "initial_gap", "static_friction", "kinetic_friction",
-    "preload_share", "drive_share", "position"};
+constexpr std::array<std::string_view, 3> common_keys{"builder", "force", "initial_displacement"};
+constexpr std::array<std::string_view, 15> contact_keys{"name",
+                                                        "node",
+                                                        "set",
+                                                        "against",
+                                                        "interface",
+                                                        "normal",
+                                                        "tangent",
+                                                        "second_tangent",
+                                                        "initial_gap",
+                                                        "static_friction",
+                                                        "kinetic_friction",
+                                                        "preload_share",
+                                                        "drive_share",
+                                                        "second_drive_share",
+                                                        "position"};
 constexpr std::array<std::string_view, 3> output_keys{"name", "node", "direction"};
 
 bool stands_below(std::string_view key, std::string_view prefix) {
@@ -135,11 +146,14 @@ NamedContact named_contact_in(const TomlSection& table) {
             .interface = table.text_or("interface", ""),
             .normal = direction_in(table, "normal"),
             .tangent = direction_in(table, "tangent"),
+            .second_tangent =
+                table.has("second_tangent") ? std::optional(direction_in(table, "second_tangent")) : std::nullopt,
             .initial_gap = table.find_quantity("initial_gap", "m", Bound::any).value_or(0.0),
             .static_friction = table.find_quantity("static_friction", "1", Bound::not_negative),
             .kinetic_friction = table.find_quantity("kinetic_friction", "1", Bound::not_negative),
             .preload_share = table.find_quantity("preload_share", "1", Bound::not_negative),
             .drive_share = table.find_quantity("drive_share", "1", Bound::any).value_or(1.0),
+            .second_drive_share = table.find_quantity("second_drive_share", "1", Bound::any).value_or(0.0),
             .position = position_in(table),
             .place = table.place()};
 }
@@ -188,8 +202,14 @@ void expect_solvable(const ElasticPart& part, const TomlSection& section) {
                      "its motion is solved in dense matrices, of at most " + std::to_string(parameters::most_rows),
                      "Reduce it with `stridor structure reduce`."},
                     section.place());
-    const Eigen::LLT<Eigen::MatrixXd> factor{Eigen::MatrixXd(part.mass)};
-    if (factor.info() != Eigen::Success)
+    // rows of zeros have no mass: what may be done with them is checked with the case
+    const Eigen::MatrixXd mass(part.mass);
+    std::vector<Eigen::Index> inert;
+    for (Eigen::Index row = 0; row < mass.rows(); ++row)
+        if (!mass.row(row).isZero(0.0)) inert.push_back(row);
+    const Eigen::MatrixXd inertial = mass(inert, inert);
+    const Eigen::LLT<Eigen::MatrixXd> factor{inertial};
+    if (inert.empty() || factor.info() != Eigen::Success)
         throw Error(
             ErrorKind::input,
             {"the mass is not positive definite", "some motion of the structure would have no inertia",
@@ -301,6 +321,7 @@ std::shared_ptr<const OwnStructure> read_own_structure(const TomlDocument& docum
     const StructureBuilder* builder = builder_of(section);
     check_keys(document, builder);
     OwnStructure own = builder != nullptr ? from_builder(*builder, document, section) : from_part(document, section);
+    if (section.has("force")) own.force = section.numbers("force", own.row.size());
     if (section.has("initial_displacement")) {
         own.initial_displacement = section.numbers("initial_displacement", own.row.size());
         expect_closed(own, section);

@@ -227,6 +227,7 @@ std::string matrix_lines(const parameters::OwnStructure& own) {
         if (!numbers.empty()) text += std::string(key) + " = " + numbers_text(numbers) + "\n";
     };
     if (own.recipe) {
+        vector("force", own.force);
         vector("initial_displacement", own.initial_displacement);
         return recipe_lines(*own.recipe) + text;
     }
@@ -239,6 +240,7 @@ std::string matrix_lines(const parameters::OwnStructure& own) {
     number("rayleigh_mass", own.following.rayleigh_mass, "1/s");
     number("rayleigh_stiffness", own.following.rayleigh_stiffness, "s");
     vector("load", own.load);
+    vector("force", own.force);
     vector("initial_displacement", own.initial_displacement);
     vector("initial_velocity", own.initial_velocity);
     return text;
@@ -257,6 +259,9 @@ std::string contact_tables(const parameters::OwnStructure& own) {
     for (const parameters::OwnContact& contact : own.contacts) {
         text += "\n[[structure.contact]]\nname = " + basic_string(contact.name) +
                 "\nnormal = " + numbers_text(contact.normal) + "\ntangent = " + numbers_text(contact.tangent) + "\n";
+        if (!contact.second_tangent.empty()) text += "second_tangent = " + numbers_text(contact.second_tangent) + "\n";
+        if (contact.second_drive_share != 0.0)
+            text += "second_drive_share = " + number_text(contact.second_drive_share) + "\n";
         if (contact.initial_gap != 0.0) text += "initial_gap = " + quantity_text(contact.initial_gap, "m") + "\n";
         if (!contact.interface.empty()) text += "interface = " + basic_string(contact.interface) + "\n";
         if (contact.static_friction) text += "static_friction = " + number_text(*contact.static_friction) + "\n";

@@ -95,6 +95,20 @@ void put_contacts(Json& object, const Case& c, const record::Tally& phase) {
     if (!interfaces.empty()) object["interfaces"] = std::move(interfaces);
 }
 
+// the same phase of contacts without inertia, and whether its verdict agrees
+Json massless_object(const Case& c, const record::Tally& with, const record::Tally& without) {
+    const classification::PhaseVerdicts verdicts = classification::classify_all(without, c.verdict);
+    Json contacts = Json::array();
+    for (std::size_t k = 0; k < verdicts.contacts.size(); ++k)
+        contacts.push_back({{"name", parameters::contact_name(c, k)},
+                            {"rates", rates_object(analysis::rates(without.contacts[k].time))},
+                            {"verdict", verdicts.contacts[k] ? verdict_object(*verdicts.contacts[k]) : Json(nullptr)}});
+    const classification::Category wanted = classification::classify_all(with, c.verdict).whole.category;
+    return {{"category", classification::name(verdicts.whole.category)},
+            {"agrees", verdicts.whole.category == wanted},
+            {"contacts", std::move(contacts)}};
+}
+
 Json phase_object(const Case& c, const classification::Verdict& verdict) {
     const analysis::Evidence& evidence = verdict.evidence;
     return {{"phase", name_of(record::phase_names, evidence.phase)},
@@ -254,6 +268,7 @@ Json outcome_object(const Case& c, const integration::Motion& motion) {
                                  {"period", motion.cycle->period},
                                  {"residual", motion.cycle->residual},
                                  {"events", motion.cycle->events}};
+    if (motion.massless) object["massless"] = name_of(integration::reason_names, motion.massless->outcome.reason);
     const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
     for (std::size_t k = 0; has_names && k < motion.last_set.size(); ++k)
         object["contacts"].push_back({{"name", parameters::contact_name(c, k)},
@@ -273,7 +288,10 @@ Json engine_object(const parameters::Case& c, const integration::Cost& cost) {
     if (c.run.engine == parameters::Engine::beta_2)
         object.update(Json{{"step", c.run.step}, {"beta_2", c.run.beta_2}, {"step_limit", cost.step_limit}});
     if (c.run.engine == parameters::Engine::moreau)
-        object.update(Json{{"step", c.run.step}, {"compared_step", 2.0 * c.run.step}, {"step_limit", cost.step_limit}});
+        object.update(Json{{"step", c.run.step},
+                           {"compared_step", 2.0 * c.run.step},
+                           {"step_limit", cost.step_limit},
+                           {"formulation", text("run.formulation")}});
     return object;
 }
 
@@ -295,6 +313,9 @@ std::string simulation_json(const parameters::Case& c, const integration::Motion
         const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
         if (has_names && k < motion.record.phases.size())
             put_contacts(document["phases"].back(), c, motion.record.phases[k]);
+        if (motion.massless && k < motion.massless->phases.size() && integration::has_result(motion.massless->outcome))
+            document["phases"].back()["massless"] =
+                massless_object(c, motion.record.phases[k], motion.massless->phases[k]);
     }
     document["units"] = simulation_units(c);
     return base::text_of(document);

@@ -78,15 +78,18 @@ MotionQuantity quantity_in(const ListeningTexts& texts) {
 // the part of the motion that is heard; all of it if no direction is named
 std::vector<sound::Stretch> stretches_in(const ListeningTexts& texts, const parameters::Case& c) {
     const std::optional<Direction> direction = direction_of(texts);
-    const bool is_steady = parameters::is_steady(c.drive);
-    if (is_steady && direction && texts.cell.empty() && *direction != parameters::steady_direction(c.drive))
+    const bool has_one_phase = parameters::has_one_phase(c.drive);
+    if (parameters::is_by_force(c.drive) && direction)
+        base::refuse("this drive has no " + texts.direction + " phase", "a force shakes the structure",
+                     "Leave out --direction.");
+    if (has_one_phase && direction && texts.cell.empty() && *direction != parameters::steady_direction(c.drive))
         base::refuse("this drive has no " + texts.direction + " phase", "its velocity is constant",
                      "Change its sign: --set drive.velocity=" + base::shortest(-c.drive.velocity));
-    if (!texts.is_judged && (is_steady || !direction)) return {{0.0, c.run.duration}};
-    if (!is_steady && !direction)
+    if (!texts.is_judged && (has_one_phase || !direction)) return {{0.0, c.run.duration}};
+    if (!has_one_phase && !direction)
         base::refuse("--judged needs a direction", "going and coming phases are judged by themselves",
                      "Add --direction going or coming.");
-    const record::Phase phase = is_steady                        ? record::Phase::all
+    const record::Phase phase = has_one_phase                    ? record::Phase::all
                                 : *direction == Direction::going ? record::Phase::going
                                                                  : record::Phase::coming;
     std::vector<sound::Stretch> found =

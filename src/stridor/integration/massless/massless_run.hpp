@@ -1,0 +1,75 @@
+#pragma once
+
+#include "stridor/integration/imposed_motion.hpp"
+#include "stridor/integration/massless/massless.hpp"
+#include "stridor/integration/modal_energy.hpp"
+#include "stridor/integration/moreau/contact_rows.hpp"
+#include "stridor/integration/moreau/free_propagation.hpp"
+#include "stridor/integration/moreau/step_contacts.hpp"
+
+#include <stop_token>
+#include <vector>
+
+namespace stridor::integration {
+
+/// One run of the time stepping without inertia at the contacts: from step to step (massless.cpp), and written down
+/// (massless_account.cpp).
+class MasslessRun {
+public:
+    MasslessRun(const model::Structure& structure, MasslessStructure massless, const parameters::Drive& drive,
+                const InitialState& start, double step, record::Recorder& recorder);
+
+    Outcome run(const std::stop_token& stop);
+    EnergyBalance energy() const;
+
+private:
+    double time() const { return static_cast<double>(n_) * step_; }
+    bool advance();
+    bool settle(double surface_travel);
+    void shake();
+    void push_by_half();
+    void note(double surface_travel);
+    void tell(std::size_t contact);
+    void watch();
+    void sample();
+    bool is_finite() const;
+    double stored() const;
+    double load_place() const;
+    double shaken_place() const;
+
+    const model::Structure& whole_;
+    MasslessStructure massless_;
+    double step_;  // [s]
+    ImposedMotion motion_;
+    parameters::Drive drive_;
+    record::Recorder& recorder_;
+    FreePropagation propagation_;
+    ContactRows rows_;
+    StepContacts contacts_;
+    Eigen::MatrixXd channels_moved_;       // [m/N] shape [channel][row]
+    Eigen::VectorXd channels_shaken_;      // [m/N] shape [channel]
+    std::vector<double> q_, v_;            // shape [mode], filled up
+    std::vector<double> push_;             // likewise
+    std::vector<double> shaken_;           // [1/√kg] of an imposed force, shape [mode], filled up; empty: none
+    std::vector<std::size_t> all_;         // rows
+    std::vector<char> touches_;            // all of them, shape [contact]
+    std::vector<ContactMode> set_;         // of the instant before
+    std::vector<double> place_, free_;     // [m] gaps and tangential places, shape [row]
+    std::vector<double> free_rates_;       // [m/s] of the step without contact forces, likewise
+    std::vector<double> forces_, before_;  // [N] at this instant and the one before, likewise
+    std::vector<double> share_;            // [1] of V along a tangent, likewise
+    double force_ = 0.0;                   // [N] imposed at this instant
+    double force_before_ = 0.0;            // [N] at the one before
+    double loads_place_ = 0.0;             // [J] work of the load on what has no inertia, up to now
+    double shakers_place_ = 0.0;           // [m] of the imposed force's point, without inertia
+    double dashpot_power_ = 0.0;           // [W]
+    long n_ = 0;                           // number of the step
+    long watched_ = 0;
+    std::vector<record::Vibration> vibration_;  // of the span so far, shape [channel]
+    std::vector<record::Load> load_;            // likewise, shape [contact]
+    EnergyBalance work_;
+    double initial_energy_ = 0.0;  // [J]
+    ModalTravel travel_;
+};
+
+}  // namespace stridor::integration
