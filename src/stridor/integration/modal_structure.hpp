@@ -17,10 +17,10 @@ struct ModalContact {
     std::vector<double> tangent;           // [1/√kg] t, shape [mode]
     double initial_gap = 0.0;              // [m] g0
     double drive_share = 1.0;              // [1] of V(t)
-    std::vector<double> second_tangent{};  // [1/√kg] shape [mode]; empty: slip has one direction
-    double second_drive_share = 0.0;       // [1] of V(t) along it
     std::array<double, 2> limit{};         // [1] of the stick, shape [slip]
     std::array<double, 2> ratio{};         // [1] T/N of the slip, shape [slip]
+    std::vector<double> second_tangent{};  // [1/√kg] shape [mode]; empty: slip has one direction
+    double second_drive_share = 0.0;       // [1] of V(t) along it
 };
 
 /// Where normals and tangents of contacts stand in one list of rows: n0, t0, n1, t1, ...; a second tangent stands

@@ -167,7 +167,7 @@ const std::array table{
           choice<&Case::run, &Run::early_ending, EarlyEnding>(early_ending_names), always},
     Field{"run", "step", "h", "time step of the beta_2 and moreau engines",
           quantity<&Case::run, &Run::step>("s", positive), has_steps},
-    Field{"run", "formulation", "", "moreau engine: contacts with their inertia, without, or both to compare",
+    Field{"run", "formulation", "", "contacts with their inertia, without, or both to compare",
           choice<&Case::run, &Run::formulation, Formulation>(formulation_names, Choice::Canonical::unless_first),
           has_formulation},
     Field{"run", "massless_above", "",
