@@ -24,11 +24,11 @@ using support::block_on_plane;
 using support::BlockOnPlane;
 using support::coupled_blocks;
 
-constexpr double step = 1e-5;  // [s]
+constexpr double plane_step = 1e-5;  // [s]
 
 // samples at each `interval` [s] over a surface of velocity V
-Motion run(const model::Structure& structure, double velocity, const InitialState& start, double duration,
-           double interval, double h = step) {
+Motion run_plane(const model::Structure& structure, double velocity, const InitialState& start, double duration,
+                 double interval, double h = plane_step) {
     const parameters::Case c = support::watched_case(velocity, {duration, duration});
     record::Request request{record::KeepHistory::yes, {}};
     request.trace = {.from = 0.0, .to = duration, .interval = interval};
@@ -40,7 +40,7 @@ Motion run(const model::Structure& structure, double velocity, const InitialStat
 // a pull of 6 N along x and 8 N along y against 3 N of friction: it slips along the pull from the first step on
 TEST(Cone, BlockSlipsAlongAnObliquePull) {
     const model::Structure block = block_on_plane({.pull_x = 6.0, .pull_y = 8.0}, {0.4, 0.3}, 0.7);
-    const Motion motion = run(block, 0.0, {Vector3d::Zero(), Vector3d::Zero()}, 0.5, 0.1);
+    const Motion motion = run_plane(block, 0.0, {Vector3d::Zero(), Vector3d::Zero()}, 0.5, 0.1);
     EXPECT_EQ(motion.outcome.reason, Reason::completed);
     const double acceleration = (10.0 - 0.3 * 10.0) / 2.0;
     for (std::size_t n = 1; n < motion.record.trace.time.size(); ++n) {
@@ -56,7 +56,7 @@ TEST(Cone, BlockSlipsAlongAnObliquePull) {
 TEST(Cone, LimitIsACircle) {
     for (const auto& [pull, holds] : std::vector<std::pair<double, bool>>{{2.82, true}, {2.84, false}}) {
         const model::Structure block = block_on_plane({.pull_x = pull, .pull_y = pull}, {0.4, 0.4});
-        const Motion motion = run(block, 0.0, {Vector3d::Zero(), Vector3d::Zero()}, 0.1, 0.0);
+        const Motion motion = run_plane(block, 0.0, {Vector3d::Zero(), Vector3d::Zero()}, 0.1, 0.0);
         EXPECT_EQ(support::shares(motion)[0][support::stick_share], holds ? 1.0 : 0.0) << pull;
     }
 }
@@ -64,13 +64,13 @@ TEST(Cone, LimitIsACircle) {
 // thrown with 0.5 m/s: it stops on a straight line after v/(mu g), and sticks
 TEST(Cone, ThrownBlockStopsOnAStraightLine) {
     const model::Structure block = block_on_plane({}, {0.4, 0.3}, -1.1);
-    const Motion motion = run(block, 0.0, {Vector3d::Zero(), Vector3d(0.3, -0.4, 0.0)}, 0.5, 0.02);
+    const Motion motion = run_plane(block, 0.0, {Vector3d::Zero(), Vector3d(0.3, -0.4, 0.0)}, 0.5, 0.02);
     const double slowing = 0.3 * 10.0 / 2.0;
     const record::ContactHistory& history = motion.record.histories[0];
     ASSERT_EQ(history.size(), 2U);
     EXPECT_EQ(history[0].state, model::ContactState::slip);
     EXPECT_NEAR(history[0].slip_velocity, 0.5, 1e-12);
-    EXPECT_NEAR(history[1].from, 0.5 / slowing, 2.0 * step);
+    EXPECT_NEAR(history[1].from, 0.5 / slowing, 2.0 * plane_step);
     EXPECT_EQ(history[1].state, model::ContactState::stick);
     const record::Trace& trace = motion.record.trace;
     for (std::size_t n = 0; n < trace.time.size(); ++n)
@@ -82,12 +82,12 @@ TEST(Cone, ThrownBlockStopsOnAStraightLine) {
 // on a moving belt the velocity relative to it is what friction is against: along a straight line in the belt's frame
 TEST(Cone, FrictionIsAgainstTheVelocityRelativeToTheBelt) {
     const model::Structure block = block_on_plane({}, {0.4, 0.3}, 0.2);
-    const Motion motion = run(block, 0.4, {Vector3d::Zero(), Vector3d(0.0, 0.3, 0.0)}, 0.3, 0.01);
+    const Motion motion = run_plane(block, 0.4, {Vector3d::Zero(), Vector3d(0.0, 0.3, 0.0)}, 0.3, 0.01);
     const record::Trace& trace = motion.record.trace;
     for (std::size_t n = 0; n < trace.time.size(); ++n) {
         const double left = std::max(0.0, 0.5 - 1.5 * trace.time[n]);  // [m/s] of w, which keeps its direction
-        EXPECT_NEAR(trace.velocity[0][n] - 0.4, -0.8 * left, 1e-10 + 2.0 * 1.5 * step);
-        EXPECT_NEAR(trace.velocity[1][n], 0.6 * left, 1e-10 + 2.0 * 1.5 * step);
+        EXPECT_NEAR(trace.velocity[0][n] - 0.4, -0.8 * left, 1e-10 + 2.0 * 1.5 * plane_step);
+        EXPECT_NEAR(trace.velocity[1][n], 0.6 * left, 1e-10 + 2.0 * 1.5 * plane_step);
         if (left < 1e-3) continue;
         // T = -mu_d N w/|w|, at right angles to nothing but w's normal
         const double c = std::cos(0.2), s = std::sin(0.2);
@@ -100,9 +100,9 @@ const BlockOnPlane curving{.mass = 2.0, .along_x = 200.0, .along_y = 900.0, .pre
 
 TEST(Cone, TurnedTangentsChangeNothing) {
     const InitialState start{Vector3d(0.0, 0.015, 0.0), Vector3d(0.02, -0.1, 0.0)};
-    const Motion straight = run(block_on_plane(curving, {0.6, 0.4}), 0.05, start, 2.0, 0.01);
+    const Motion straight = run_plane(block_on_plane(curving, {0.6, 0.4}), 0.05, start, 2.0, 0.01);
     for (const double turn : {0.3, 1.2, 2.9}) {
-        const Motion turned = run(block_on_plane(curving, {0.6, 0.4}, turn), 0.05, start, 2.0, 0.01);
+        const Motion turned = run_plane(block_on_plane(curving, {0.6, 0.4}, turn), 0.05, start, 2.0, 0.01);
         ASSERT_EQ(turned.record.histories[0].size(), straight.record.histories[0].size());
         EXPECT_GT(turned.record.histories[0].size(), 2U);
         for (std::size_t n = 0; n < straight.record.trace.time.size(); ++n)
@@ -114,8 +114,8 @@ TEST(Cone, TurnedTangentsChangeNothing) {
 
 TEST(Cone, TurnedTangentsOfCoupledContactsChangeNothing) {
     const InitialState start{Eigen::VectorXd::Zero(9), Eigen::VectorXd::Zero(9)};
-    const Motion straight = run(coupled_blocks({0.0, 0.0, 0.0}), 0.01, start, 0.6, 0.005);
-    const Motion turned = run(coupled_blocks({0.4, -1.3, 2.2}), 0.01, start, 0.6, 0.005);
+    const Motion straight = run_plane(coupled_blocks({0.0, 0.0, 0.0}), 0.01, start, 0.6, 0.005);
+    const Motion turned = run_plane(coupled_blocks({0.4, -1.3, 2.2}), 0.01, start, 0.6, 0.005);
     EXPECT_EQ(straight.outcome.reason, Reason::completed);
     for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_GT(straight.record.histories[k].size(), 3U);
@@ -162,12 +162,12 @@ TEST(Cone, IsTheLawOfOneTangentWhereTheOtherStandsStill) {
 
 TEST(Cone, BalancesItsEnergy) {
     const InitialState start{Vector3d(0.1, 0.05, 0.0), Vector3d(0.2, -0.6, 0.0)};
-    const Motion block = run(block_on_plane(curving, {0.6, 0.4}), 0.3, start, 2.0, 0.0);
+    const Motion block = run_plane(block_on_plane(curving, {0.6, 0.4}), 0.3, start, 2.0, 0.0);
     EXPECT_LT(std::abs(block.energy.relative_residual()), 1e-6);
     const InitialState rest{Eigen::VectorXd::Zero(9), Eigen::VectorXd::Zero(9)};
     double before = 0.0;
     for (const double h : {4e-5, 1e-5, 2.5e-6}) {
-        const Motion coupled = run(coupled_blocks({0.4, -1.3, 2.2}), 0.2, rest, 0.3, 0.0, h);
+        const Motion coupled = run_plane(coupled_blocks({0.4, -1.3, 2.2}), 0.2, rest, 0.3, 0.0, h);
         const double residual = std::abs(coupled.energy.relative_residual());
         EXPECT_LT(residual, 1e-4);
         if (before > 0.0) {
@@ -202,7 +202,7 @@ TEST(Cone, ForceShakesAFreeBlock) {
     EXPECT_LT(std::abs(motion.energy.relative_residual()), 1e-10);
 }
 
-std::string refusal(const model::Structure& structure, bool by_events) {
+std::string plane_refusal(const model::Structure& structure, bool by_events) {
     try {
         const InitialState start{Vector3d::Zero(), Vector3d::Zero()};
         if (by_events)
@@ -216,14 +216,14 @@ std::string refusal(const model::Structure& structure, bool by_events) {
 }
 
 TEST(Cone, IsRefusedByNameWhereItIsNotKnown) {
-    EXPECT_EQ(refusal(block_on_plane({}, {0.4, 0.3}), true),
+    EXPECT_EQ(plane_refusal(block_on_plane({}, {0.4, 0.3}), true),
               "the Taylor engine cannot solve this structure; a contact of it slips in two directions, it knows one");
     model::Structure shaken = support::painleve_example(0.3);
     shaken.shaken = Eigen::Vector2d(1.0, 0.0);
-    EXPECT_NE(refusal(shaken, true).find("a force shakes it"), std::string::npos);
+    EXPECT_NE(plane_refusal(shaken, true).find("a force shakes it"), std::string::npos);
     model::Structure directional = block_on_plane({}, {0.4, 0.3});
     directional.contacts.front().friction = model::Directional{};
-    EXPECT_NE(refusal(directional, false).find("circular cone"), std::string::npos);
+    EXPECT_NE(plane_refusal(directional, false).find("circular cone"), std::string::npos);
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ using integration::Massless;
 using integration::Motion;
 using integration::Reason;
 
-Motion run(const model::Structure& structure, double velocity, const InitialState& start, const Massless& settings,
-           const support::Watched& watched, double interval = 0.0) {
+Motion run_massless(const model::Structure& structure, double velocity, const InitialState& start,
+                    const Massless& settings, const support::Watched& watched, double interval = 0.0) {
     const parameters::Case c = support::watched_case(velocity, watched);
     record::Request request{record::KeepHistory::yes, {}};
     request.trace = {.from = 0.0, .to = watched.duration, .interval = interval};
@@ -54,7 +54,7 @@ TEST(Massless, FootOfAMassSlipsOnce) {
     const double foot = 0.5 * left * left / (limit / 2.0);
     InitialState start{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     start.velocity(0) = speed;
-    const Motion motion = run(mass_with_foot(), 0.0, start, {step}, {1.0, 1.0}, 1e-3);
+    const Motion motion = run_massless(mass_with_foot(), 0.0, start, {step}, {1.0, 1.0}, 1e-3);
     EXPECT_EQ(motion.outcome.reason, Reason::completed);
     const record::ContactHistory& history = motion.record.histories[0];
     ASSERT_EQ(history.size(), 3U);
@@ -77,7 +77,7 @@ TEST(Massless, ConvergesInSecondOrderWhereNothingChanges) {
     start.velocity(0) = 0.05;
     double before = 0.0;
     for (const double step : {4e-4, 2e-4, 1e-4}) {
-        const record::Trace trace = run(mass_with_foot(), 0.0, start, {step}, {1.0, 1.0}, 4e-4).record.trace;
+        const record::Trace trace = run_massless(mass_with_foot(), 0.0, start, {step}, {1.0, 1.0}, 4e-4).record.trace;
         double most = 0.0;
         for (std::size_t n = 0; n < trace.time.size(); ++n)
             most = std::max(most, std::abs(trace.displacement[0][n] - 0.05 / 20.0 * std::sin(20.0 * trace.time[n])));
@@ -122,8 +122,8 @@ TEST(Massless, SharesOfTheStripOfRubberAreThoseWithInertia) {
         return stick;
     };
     const double with = mean_stick(support::run_moreau(strip.structure, strip.velocity, strip.start, 1e-6, watched));
-    const double without = mean_stick(run(strip.structure, strip.velocity, strip.start, {1e-6, 0.0}, watched));
-    const double coarse = mean_stick(run(strip.structure, strip.velocity, strip.start, {2e-6, 0.0}, watched));
+    const double without = mean_stick(run_massless(strip.structure, strip.velocity, strip.start, {1e-6, 0.0}, watched));
+    const double coarse = mean_stick(run_massless(strip.structure, strip.velocity, strip.start, {2e-6, 0.0}, watched));
     EXPECT_NEAR(without, with, 0.01);
     EXPECT_NEAR(without, coarse, 0.001);
 }
@@ -154,7 +154,7 @@ TEST(Massless, BalancesTheEnergyOfAPlane) {
     const InitialState still{Eigen::VectorXd::Zero(18), Eigen::VectorXd::Zero(18)};
     double before = 0.0;
     for (const double h : {4e-5, 1e-5}) {
-        const Motion motion = run(with_feet, 0.01, still, {h}, {0.5, 0.5});
+        const Motion motion = run_massless(with_feet, 0.01, still, {h}, {0.5, 0.5});
         EXPECT_EQ(motion.outcome.reason, Reason::completed);
         EXPECT_GT(motion.record.histories[0].size(), 2U);
         const double residual = std::abs(motion.energy.relative_residual());
@@ -182,10 +182,10 @@ TEST(Massless, BothFormulationsStandSideBySide) {
     EXPECT_NE(both.record.phases[0].contacts[0].time, alone.record.phases[0].contacts[0].time);
 }
 
-std::string refusal(const model::Structure& structure, const Massless& settings) {
+std::string massless_refusal(const model::Structure& structure, const Massless& settings) {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(model::dofs_of(structure));
     try {
-        run(structure, 0.1, {zero, zero}, settings, {0.01, 0.01});
+        run_massless(structure, 0.1, {zero, zero}, settings, {0.01, 0.01});
     } catch (const Error& error) {
         return error.problem().what;
     }
@@ -195,15 +195,16 @@ std::string refusal(const model::Structure& structure, const Massless& settings)
 TEST(Massless, RefusesWhatItCannotSolve) {
     model::Structure damped = mass_with_foot();
     damped.damping(1, 1) = 1.0;
-    EXPECT_EQ(refusal(damped, {}), "a row without mass has damping");
+    EXPECT_EQ(massless_refusal(damped, {}), "a row without mass has damping");
     model::Structure loose = mass_with_foot();
     loose.stiffness(2, 2) = 0.0;
-    EXPECT_EQ(refusal(loose, {}), "the stiffness does not hold what has no mass");
+    EXPECT_EQ(massless_refusal(loose, {}), "the stiffness does not hold what has no mass");
     const support::RubberStrip strip =
         support::read_strip(STRIDOR_SOURCE_DIR "/tests/fixtures/structures/strip_s1.txt");
-    EXPECT_EQ(refusal(strip.structure, {1e-6, 1e9}), "too few modes move without inertia to carry the contacts");
-    EXPECT_EQ(refusal(strip.structure, {1e-6, 1e-3}), "no mode is left with inertia");
-    const Motion coarse = run(strip.structure, strip.velocity, strip.start, {1.0}, {10.0, 10.0});
+    EXPECT_EQ(massless_refusal(strip.structure, {1e-6, 1e9}),
+              "too few modes move without inertia to carry the contacts");
+    EXPECT_EQ(massless_refusal(strip.structure, {1e-6, 1e-3}), "no mode is left with inertia");
+    const Motion coarse = run_massless(strip.structure, strip.velocity, strip.start, {1.0}, {10.0, 10.0});
     EXPECT_EQ(coarse.outcome.reason, Reason::step_limit);
 }
 

@@ -70,7 +70,7 @@ TEST(CaseSchema, RequiresWhatTheReaderRequires) {
     EXPECT_FALSE(lists(schema["properties"]["contact"]["required"], "impact"));
     const Json& drive = schema["properties"]["drive"];
     EXPECT_EQ(drive["required"], Json::array({"kind"}));
-    ASSERT_EQ(drive["allOf"].size(), 4U);
+    ASSERT_EQ(drive["allOf"].size(), 5U);
     EXPECT_EQ(drive["allOf"][1]["if"]["properties"]["kind"]["const"], "constant");
     EXPECT_EQ(drive["allOf"][1]["then"]["required"], Json::array({"kind", "velocity"}));
     EXPECT_EQ(drive["allOf"][3]["then"]["required"], Json::array({"kind", "frequency", "velocity", "ramp"}));
