@@ -239,7 +239,8 @@ Motion painleve_run(double kinetic_friction, double velocity) {
 
 TEST(ManyContacts, RefusePainlevesConfigurationWhereItOccurs) {
     const Motion refused = painleve_run(1.3, 0.1);
-    EXPECT_EQ(refused.outcome.reason, Reason::no_forces);
+    EXPECT_EQ(refused.outcome.reason, Reason::painleve);
+    EXPECT_EQ(refused.pressed, std::vector<std::size_t>{0});
     EXPECT_EQ(refused.outcome.time, 0.0);
     EXPECT_EQ(refused.last_set, std::vector{model::ContactState::slip});
     const Motion sliding = painleve_run(1.3, -0.1);

@@ -205,7 +205,8 @@ TEST(Moreau, RefusesPainlevesConfigurationWhereItOccurs) {
         return run_moreau(support::painleve_example(kinetic_friction), velocity, Initial::rest, 1e-4, watched);
     };
     const Motion refused = run(1.3, 0.1);
-    EXPECT_EQ(refused.outcome.reason, Reason::no_forces);
+    EXPECT_EQ(refused.outcome.reason, Reason::painleve);
+    EXPECT_EQ(refused.pressed, std::vector<std::size_t>{0});
     EXPECT_EQ(refused.outcome.time, 0.0);
     const Motion sliding = run(1.3, -0.1);
     EXPECT_EQ(sliding.outcome.reason, Reason::completed);

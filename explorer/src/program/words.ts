@@ -56,6 +56,7 @@ export const endings = [
   "chattering",
   "unbalanced",
   "no_forces",
+  "painleve",
 ] as const;
 export type Ending = (typeof endings)[number];
 

@@ -43,6 +43,16 @@ std::string last_set(const parameters::Case& c, const Motion& motion) {
     return text;
 }
 
+// "lip1 and lip2"
+std::string pressed_names(const parameters::Case& c, const Motion& motion) {
+    const bool has_names = c.own_structure || parameters::contact_count(c) > 1;
+    if (!has_names || motion.pressed.empty() || motion.pressed.size() > most_named) return "the contact";
+    std::string text;
+    for (const std::size_t k : motion.pressed)
+        text += (text.empty() ? "" : " and ") + parameters::contact_name(c, k);
+    return text;
+}
+
 }  // namespace
 
 std::optional<Error> failure(const parameters::Case& c, const Motion& motion) {
@@ -66,11 +76,16 @@ std::optional<Error> failure(const parameters::Case& c, const Motion& motion) {
                                                             motion.energy.relative_residual()),
                                                 "the motion hangs on differences that double precision does not hold",
                                                 "Check the units of the case, or use a smaller run.step with beta_2."});
+        case Reason::painleve:
+            return Error(
+                ErrorKind::numerical,
+                {"no forces obey all laws of contact at " + at + last_set(c, motion),
+                 "friction presses " + pressed_names(c, motion) + " together without end: a Painleve configuration",
+                 "Use less friction, or a structure that gives way more along its normals."});
         case Reason::no_forces:
-            return Error(ErrorKind::numerical,
-                         {"no forces obey all laws of contact at " + at + last_set(c, motion),
-                          "friction presses a contact that slips together without end: a Painleve configuration",
-                          "Use less friction, or a structure that gives way more along its normals."});
+            return Error(ErrorKind::numerical, {"no contact forces were found at " + at + last_set(c, motion),
+                                                "no set of contact states that was tried obeys all laws of contact",
+                                                "Change a parameter a little, or try another run.engine."});
         case Reason::cancelled:
             return Error(ErrorKind::interrupted,
                          {"stopped at " + at, "a run that is stopped keeps nothing", "Run the same command again."});

@@ -147,6 +147,14 @@ ModalStructure in_modes(const model::Structure& structure, const Eigen::MatrixXd
     return modal;
 }
 
+std::vector<std::size_t> numbered(const ModalStructure& structure, const std::vector<std::size_t>& contacts) {
+    std::vector<std::size_t> numbers;
+    for (const std::size_t k : contacts)
+        numbers.push_back(structure.number[k]);
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+}
+
 Eigen::VectorXd modal(const ModalStructure& modal, const model::Structure& structure, const Eigen::VectorXd& u) {
     return modal.shapes.transpose() * (structure.mass * u);
 }

@@ -76,6 +76,9 @@ struct ModalStructure {
 ModalStructure in_modes(const model::Structure& structure, const Eigen::MatrixXd& shapes,
                         const Eigen::VectorXd& square_frequency);
 
+/// Those contacts as the structure's list numbers them, rising.
+std::vector<std::size_t> numbered(const ModalStructure& structure, const std::vector<std::size_t>& contacts);
+
 /// Throws `Error` (input) where the mass matrix is not positive definite or a matrix is not symmetric.
 ModalStructure modal_structure(const model::Structure& structure);
 

@@ -5,6 +5,7 @@
 #include "stridor/model/contact_state.hpp"
 #include "stridor/record/recorder.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -40,6 +41,7 @@ struct Motion {
     std::optional<LimitCycle> cycle = std::nullopt;  // likewise
     // of a run of the Taylor engine without a result: what each contact did where it ended, shape [contact]
     std::vector<model::ContactState> last_set{};
+    std::vector<std::size_t> pressed{};  // of one that ended as `painleve`: contacts that friction presses without end
     std::optional<MasslessTwin> massless = std::nullopt;  // where both formulations were asked for
 };
 

@@ -14,11 +14,12 @@ enum class Reason {
     cancelled,   // stopped on request
     chattering,  // events pile up without time going on
     unbalanced,  // its energy balance does not close: what it moved by was rounding
-    no_forces,   // no contact states and forces obey all laws of contact at once: a Painleve configuration
+    no_forces,   // no contact states and forces were found that obey all laws of contact at once
+    painleve,    // there are none: friction presses contacts together without end
 };
 
-inline constexpr std::array<std::string_view, 8> reason_names{"completed", "settled",    "diverged",   "step_limit",
-                                                              "cancelled", "chattering", "unbalanced", "no_forces"};
+inline constexpr std::array<std::string_view, 9> reason_names{
+    "completed", "settled", "diverged", "step_limit", "cancelled", "chattering", "unbalanced", "no_forces", "painleve"};
 
 /// How a run ended, and when.
 struct Outcome {

@@ -27,15 +27,15 @@ TEST(Failure, IsNothingForARunWithAResult) {
 
 TEST(Failure, SaysOfEachOtherOutcomeSomethingElse) {
     std::set<std::string> sentences;
-    for (const Reason reason :
-         {Reason::diverged, Reason::step_limit, Reason::cancelled, Reason::chattering, Reason::unbalanced}) {
+    for (const Reason reason : {Reason::diverged, Reason::step_limit, Reason::cancelled, Reason::chattering,
+                                Reason::unbalanced, Reason::no_forces, Reason::painleve}) {
         const std::optional<Error> error = failure(Case{}, ended(reason));
         ASSERT_TRUE(error.has_value());
         EXPECT_FALSE(error->problem().why.empty());
         EXPECT_FALSE(error->problem().suggestion.empty());
         sentences.insert(error->what());
     }
-    EXPECT_EQ(sentences.size(), 5U);
+    EXPECT_EQ(sentences.size(), 7U);
 }
 
 TEST(Failure, SaysWhereTheMotionEnded) {
@@ -46,7 +46,7 @@ TEST(Failure, SaysWhereTheMotionEnded) {
 }
 
 TEST(Failure, SaysWhatEachContactDidWhereNoForcesObeyTheLaws) {
-    Motion motion = ended(Reason::no_forces);
+    Motion motion = ended(Reason::painleve);
     motion.last_set = {model::ContactState::slip};
     EXPECT_EQ(failure(Case{}, motion)->problem().what,
               "no forces obey all laws of contact at 0.25 s of 1 s; the contact slips");
@@ -59,6 +59,9 @@ TEST(Failure, SaysWhatEachContactDidWhereNoForcesObeyTheLaws) {
     motion.last_set = {model::ContactState::stick, model::ContactState::separation};
     EXPECT_EQ(failure(c, motion)->problem().what,
               "no forces obey all laws of contact at 0.25 s of 1 s; a sticks, b is open");
+    motion.pressed = {0, 2};
+    EXPECT_EQ(failure(c, motion)->problem().why,
+              "friction presses a and c together without end: a Painleve configuration");
     motion.outcome.reason = Reason::chattering;
     motion.last_set.resize(14, model::ContactState::slip);
     EXPECT_EQ(failure(c, motion)->problem().what,

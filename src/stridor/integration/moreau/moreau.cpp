@@ -235,7 +235,10 @@ Outcome MoreauRun::run(const std::stop_token& stop) {
                 if (!is_finite()) return {Reason::diverged, time()};
                 if (stop.stop_requested()) return {Reason::cancelled, time()};
             }
-            if (!advance()) return {Reason::no_forces, time()};
+            if (!advance()) {
+                pressed_ = numbered(structure_, contacts_.pressed(touches_));
+                return {pressed_.empty() ? Reason::no_forces : Reason::painleve, time()};
+            }
             if (n_ - 1 == samples.next && samples.next <= samples.last) {
                 sample();
                 samples.next += samples.every;
@@ -272,7 +275,9 @@ Motion integrate_moreau(const model::Structure& structure, const parameters::Dri
     if (settings.step > longest_step(modal)) return {{Reason::step_limit, 0.0}, {}, recorder.finish(0.0)};
     MoreauRun runner(structure, std::move(modal), drive, start, settings.step, recorder);
     const Outcome outcome = runner.run(stop);
-    return {outcome, runner.energy(), recorder.finish(outcome.time)};
+    Motion motion{outcome, runner.energy(), recorder.finish(outcome.time)};
+    motion.pressed = runner.pressed();
+    return motion;
 }
 
 }  // namespace stridor::integration

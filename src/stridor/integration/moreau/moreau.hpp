@@ -30,10 +30,10 @@ void expect_circular_cones(const model::Structure& structure);
 /// (`StepContacts`). Gaps that have closed are set to zero at right angles under the mass. States and shares are exact
 /// to first order of the step: run it at half the step to see by how much they move. See docs/methods/moreau.md.
 ///
-/// Costs: 4 n p operations a step and 4 p² per change of a contact's state. Returns `no_forces` with the time where no
-/// states obey the laws, `diverged`, `step_limit` beyond `longest_step`, `cancelled` soon after a stop request. It
-/// solves any law of friction in `model` and plastic impacts. Throws `Error` (input) for other impacts, by name, and
-/// what `modal_structure` refuses.
+/// Costs: 4 n p operations a step and 4 p² per change of a contact's state. Returns `painleve` or `no_forces` with the
+/// time where no states obey the laws, `diverged`, `step_limit` beyond `longest_step`, `cancelled` soon after a stop
+/// request. It solves any law of friction in `model` and plastic impacts. Throws `Error` (input) for other impacts, by
+/// name, and what `modal_structure` refuses.
 Motion integrate_moreau(const model::Structure& structure, const parameters::Drive& drive, const InitialState& start,
                         const Moreau& settings, record::Recorder recorder, const std::stop_token& stop = {});
 

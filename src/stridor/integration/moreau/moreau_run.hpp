@@ -23,6 +23,9 @@ public:
     Outcome run(const std::stop_token& stop);
     EnergyBalance energy() const;
 
+    /// Contacts that friction presses without end, if the run ended so.
+    const std::vector<std::size_t>& pressed() const { return pressed_; }
+
 private:
     double time() const { return static_cast<double>(n_) * step_; }
     bool advance();
@@ -54,6 +57,7 @@ private:
     std::vector<double> push_;                  // [N/√kg] of the contacts, shape [mode], filled up
     std::vector<double> scratch_;               // likewise
     std::vector<ContactMode> set_;              // of the step before
+    std::vector<std::size_t> pressed_;          // contacts that friction presses without end, where it ended so
     std::vector<char> touches_, touched_;       // in this step and the one before, shape [contact]
     std::vector<double> rates_, free_rates_;    // [m/s] g' and w at the step's begin, and its free end, shape [row]
     std::vector<double> products_, forces_;     // shape [row]

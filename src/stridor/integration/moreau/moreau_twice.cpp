@@ -29,7 +29,11 @@ Motion integrate_twice(const model::Structure& structure, const parameters::Driv
     };
     const Formulation first = settings.formulation == Formulation::both ? Formulation::standard : settings.formulation;
     const Motion coarse = run(first, 2.0 * settings.step, tallies_of(recorder, structure));
-    if (!has_result(coarse.outcome)) return {coarse.outcome, coarse.energy, recorder.finish(0.0)};
+    if (!has_result(coarse.outcome)) {
+        Motion motion{coarse.outcome, coarse.energy, recorder.finish(0.0)};
+        motion.pressed = coarse.pressed;
+        return motion;
+    }
     record::Recorder beside = tallies_of(recorder, structure);
     Motion motion = run(first, settings.step, std::move(recorder));
     for (std::size_t phase = 0; phase < motion.record.phases.size(); ++phase)

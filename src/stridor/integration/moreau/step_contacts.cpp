@@ -5,6 +5,7 @@
 #include "stridor/integration/moreau/step_contacts.hpp"
 
 #include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/painleve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -181,6 +182,11 @@ bool StepContacts::solve(const std::vector<double>& free_rates, const std::vecto
         result = search(free_rates, touches);
     }
     return result == Search::found;
+}
+
+std::vector<std::size_t> StepContacts::pressed(const std::vector<char>& touches) const {
+    const std::vector<bool> takes_part(touches.begin(), touches.end());
+    return pressed_contacts(structure_.contacts, response_, modes_of_touching(takes_part));
 }
 
 }  // namespace stridor::integration

@@ -33,6 +33,9 @@ public:
     /// false where no set of states obeys all laws, or friction presses a contact without end (Painleve).
     bool solve(const std::vector<double>& free_rates, const std::vector<char>& touches);
 
+    /// After a step without forces: contacts that friction presses without end, if that is why.
+    std::vector<std::size_t> pressed(const std::vector<char>& touches) const;
+
     const std::vector<ContactMode>& set() const { return set_; }
     double force(std::size_t row) const { return force_[row]; }  // [N] along a normal or tangent
     double rate(std::size_t row) const { return rate_[row]; }    // [m/s] likewise, at its end: of the gap, or of slip

@@ -2,6 +2,7 @@
 
 #include "stridor/integration/contact_impulses.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
+#include "stridor/integration/painleve.hpp"
 #include "stridor/integration/taylor/held_sums.hpp"
 #include "stridor/integration/taylor/settling_zero.hpp"
 
@@ -112,7 +113,10 @@ bool Settling::meet(TaylorState& state, const SurfaceSeries& surface, std::size_
             meeting.mode[k] = ContactMode::stick;
     }
     const std::optional<ContactImpulses> impulses = contact_impulses(structure_, meeting);
-    if (!impulses) return false;
+    if (!impulses) {
+        possible_ = modes_of_touching(meeting.touches);
+        return false;
+    }
     for (std::size_t k = 0; k < p; ++k) {
         if (!meeting.touches[k]) continue;
         const ModalContact& c = structure_.contacts[k];
@@ -178,39 +182,44 @@ bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
     return true;
 }
 
+// why no set obeys all laws
+Settled Settling::failed() {
+    pressed_ = pressed_contacts(structure_.contacts, structure_.compliance, possible_);
+    return pressed_.empty() ? Settled::inconsistent : Settled::pressed;
+}
+
 Settled Settling::go_on(TaylorState& state, const SurfaceSeries& surface) {
     const std::size_t none = state.set.size();
     // what obeyed the laws before flights were ended: where nothing does afterwards they go on
     std::optional<Lawful> lawful;
-    const auto finish = [&](Settled how) {
-        if (how != Settled::done && !lawful) return how;
-        if (how != Settled::done) {
-            state = lawful->state;
-            begins_ = lawful->begins;
-            losses_ = lawful->losses;
-            completed_ = lawful->completed;
-        }
+    const auto finish = [&] {
         project(state, surface);
         std::fill(begins_.begin(), begins_.end(), false);
         return Settled::done;
     };
+    const auto give_up = [&] {
+        if (!lawful) return failed();
+        state = lawful->state;
+        begins_ = lawful->begins;
+        losses_ = lawful->losses;
+        completed_ = lawful->completed;
+        return finish();
+    };
     for (int round = 0; round < most_rounds; ++round) {
         correct_modes(state, surface);
         switch (find_forces(state, surface)) {
-            case Forces::singular:
-                return finish(Settled::singular);
             case Forces::inconsistent:
-                return finish(Settled::inconsistent);
+                return give_up();
             case Forces::closing:
-                if (!collide(state, surface, none)) return finish(Settled::inconsistent);
+                if (!collide(state, surface, none)) return give_up();
                 continue;
             case Forces::found:
                 if (!lawful) lawful = Lawful{state, begins_, losses_, completed_};
                 if (complete(state, surface)) continue;
-                return finish(Settled::done);
+                return finish();
         }
     }
-    return finish(Settled::inconsistent);
+    return give_up();
 }
 
 Settled Settling::settle(TaylorState& state, const SurfaceSeries& surface) {
@@ -222,7 +231,7 @@ Settled Settling::settle(TaylorState& state, const SurfaceSeries& surface) {
 Settled Settling::fire(TaylorState& state, const SurfaceSeries& surface, std::size_t contact, std::size_t function) {
     ContactMode& mode = state.set[contact];
     if (mode == ContactMode::open) {
-        if (!collide(state, surface, contact)) return Settled::inconsistent;
+        if (!collide(state, surface, contact)) return failed();
         return go_on(state, surface);
     }
     const bool is_stuck = mode == ContactMode::stick;

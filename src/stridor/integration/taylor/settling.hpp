@@ -37,8 +37,8 @@ struct FunctionZero {
 /// How an event ended.
 enum class Settled {
     done,
-    singular,      // the forces of a set are not determined: a Painleve configuration
-    inconsistent,  // no set of states obeys all laws
+    pressed,       // no set of states obeys all laws, since friction presses contacts together without end: Painleve
+    inconsistent,  // none was found
 };
 
 /// What happens at an event, the same rules for any number of contacts:
@@ -77,8 +77,11 @@ public:
     /// Contacts that pile-ups have closed so far.
     long completed() const { return completed_; }
 
+    /// After an event that ended as `pressed`: those contacts.
+    const std::vector<std::size_t>& pressed() const { return pressed_; }
+
 private:
-    enum class Forces { found, closing, singular, inconsistent };
+    enum class Forces { found, closing, inconsistent };
     struct Violation;
     struct Lawful;
 
@@ -92,6 +95,7 @@ private:
     bool complete(TaylorState& state, const SurfaceSeries& surface);
     void correct_modes(TaylorState& state, const SurfaceSeries& surface) const;
     void look(const TaylorState& state, std::size_t contact, Violation& worst);
+    Settled failed();
     Settled go_on(TaylorState& state, const SurfaceSeries& surface);
 
     const ModalStructure& structure_;
@@ -99,6 +103,8 @@ private:
     std::vector<bool> broken_;  // limits that fell during this event
     std::vector<bool> begins_;  // slips that this event has begun: w = 0
     std::vector<std::array<int, most_functions>> orders_;
+    std::vector<std::vector<ContactMode>> possible_;  // where no set was found: those looked at, shape [contact][mode]
+    std::vector<std::size_t> pressed_;
     double soon_ = 1e-6;  // [1] of a block
     EnergyBalance losses_;
     long completed_ = 0;

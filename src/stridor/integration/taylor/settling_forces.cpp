@@ -112,7 +112,7 @@ Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSe
     std::vector<bool> has_tried(state.set.size());
     const std::size_t most_changes = 40 + 20 * state.set.size();
     for (std::size_t change = 0; change < most_changes; ++change) {
-        if (!block_.choose(state.set)) return Forces::singular;
+        if (!block_.choose(state.set)) return Forces::inconsistent;
         block_.expand(state.q, state.v, surface, settling_order);
         Violation worst;
         for (std::size_t k = 0; k < state.set.size(); ++k)
@@ -183,6 +183,7 @@ bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
         return true;
     }
     state.set = present;
+    possible_ = possible;
     return false;
 }
 

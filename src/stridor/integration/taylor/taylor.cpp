@@ -144,6 +144,10 @@ void TaylorRun::tell() {
     told_ = state_.set;
 }
 
+Outcome TaylorRun::without_forces(Settled how) const {
+    return {how == Settled::pressed ? Reason::painleve : Reason::no_forces, time_};
+}
+
 std::optional<Outcome> TaylorRun::fire(const Firing& firing) {
     if (time_ - crowd_begin_ > step_) {
         crowd_begin_ = time_;
@@ -151,8 +155,8 @@ std::optional<Outcome> TaylorRun::fire(const Firing& firing) {
     }
     settling_.end_within(ended_share[std::min(crowd_events_++ / crowd, ended_share.size() - 1)]);
     surface_ = surface(time_);
-    if (settling_.fire(state_, surface_, firing.contact, firing.function) != Settled::done)
-        return Outcome{Reason::no_forces, time_};
+    const Settled settled = settling_.fire(state_, surface_, firing.contact, firing.function);
+    if (settled != Settled::done) return without_forces(settled);
     is_fresh_ = true;
     blocks_since_event_ = 0;
     tell();
@@ -192,7 +196,8 @@ bool TaylorRun::is_finite() const {
 Outcome TaylorRun::advance(const std::stop_token& stop) {
     surface_ = surface(0.0);
     initial_energy_ = stored_energy(structure_, state_.q, state_.v);
-    if (settling_.settle(state_, surface_) != Settled::done) return {Reason::no_forces, 0.0};
+    const Settled settled = settling_.settle(state_, surface_);
+    if (settled != Settled::done) return without_forces(settled);
     tell();
     pass_boundary();
     for (long blocks = 1; span_ < spans().size(); ++blocks) {
@@ -228,7 +233,8 @@ Outcome TaylorRun::advance(const std::stop_token& stop) {
         surface_ = surface(time_);
         // what rounding has moved a stuck contact by is no slip
         settling_.project(state_, surface_);
-        if (settling_.settle(state_, surface_) != Settled::done) return {Reason::no_forces, time_};
+        const Settled at_corner = settling_.settle(state_, surface_);
+        if (at_corner != Settled::done) return without_forces(at_corner);
         is_fresh_ = true;
         tell();
     }
@@ -247,6 +253,7 @@ Motion TaylorRun::run(const std::stop_token& stop) {
     motion.last_set.resize(state_.set.size());
     for (std::size_t k = 0; k < state_.set.size(); ++k)
         motion.last_set[structure_.number[k]] = contact_of(state_.set[k]);
+    if (outcome.reason == Reason::painleve) motion.pressed = numbered(structure_, settling_.pressed());
     return motion;
 }
 

@@ -56,6 +56,7 @@ private:
     void add_normal_impulse(double theta, Sums& sums) const;
     void pass_samples(double theta);
     void move(double theta);
+    Outcome without_forces(Settled how) const;
     std::optional<Outcome> fire(const Firing& firing);
     bool pass_boundary();
     void end_span();
