@@ -34,13 +34,13 @@ using integration::Reason;
 using model::ContactState;
 using support::WildStructure;
 
-constexpr double seconds_of_a_hang = 30.0;  // for runs of some hundreds of blocks
-constexpr double most_unexplained = 1e-9;   // [1] of the turnover: the engine's own bound
-constexpr double law_rounding = 1e-8;       // [1] of the terms of a gap, a velocity or a force
-constexpr double sum_rounding = 1e-11;      // [1] of the largest displacement or velocity: what sums over modes leave
-constexpr double term_rounding = 1e-14;     // [1] of the terms of an acceleration
-constexpr double drifting_blocks = 8;       // in a row, before the engine takes rounding out again
-constexpr int samples = 400;                // of a run
+constexpr double seconds_of_a_hang = support::effort(30.0, 300.0);  // of processor time, for some hundreds of blocks
+constexpr double most_unexplained = 1e-10;                          // [1] of the turnover
+constexpr double law_rounding = 1e-8;                               // [1] of the terms of a gap, a velocity or a force
+constexpr double sum_rounding = 1e-11;   // [1] of the largest displacement or velocity: what sums over modes leave
+constexpr double term_rounding = 1e-14;  // [1] of the terms of an acceleration
+constexpr double drifting_blocks = 8;    // in a row, before the engine takes rounding out again
+constexpr int samples = 400;             // of a run
 
 Motion run(const WildStructure& wild, parameters::EarlyEnding ending, double interval, std::stop_token stop = {}) {
     record::Request request;
@@ -261,7 +261,6 @@ TEST(StructureFuzz, KeepsTheLawsOfContactInWildStructures) {
     for (std::size_t r = 0; r < ended.size(); ++r)
         if (ended[r] > 0) std::cout << integration::reason_names[r] << ": " << ended[r] << "\n";
     EXPECT_LE(500 * drifting, static_cast<long>(runs.count) + 500);
-    EXPECT_LE(500 * ended[static_cast<std::size_t>(Reason::unbalanced)], static_cast<long>(runs.count) + 500);
     // a refusal is rare: contacts that friction presses without end, impacts that throw each other for ever
     const long refused =
         ended[static_cast<std::size_t>(Reason::painleve)] + ended[static_cast<std::size_t>(Reason::chattering)];
@@ -277,6 +276,10 @@ constexpr std::array once_broken{
     481U,   // likewise
     612U,   // a contact that nothing moves: all terms of its gap are rounding
     1430U,  // impacts put contacts that touched but for rounding onto the surface: little energy, a stiff structure
+    2807U,  // what rounding had moved closed gaps by was booked as loss of an impact
+    2118U,  // a contact that carries its load, where nothing gives way: all motion is rounding
+    3U,     // contacts whose inertia is shared: by an inverse that was not exact enough a closed gap drifted
+    768U,   // likewise
     1222U,  // a slip that is zero beside what accelerations change, and was not beside the velocities
     511U,   // flights that ended by force left no forces
     396U,   // likewise
@@ -292,9 +295,6 @@ TEST(StructureFuzz, KeepsTheLawsThatItBrokeOnce) {
     }
 }
 
-// what the search by single changes did not find: it had run in circles, or met no impact that it could solve
-TEST(StructureFuzz, FindsTheForcesThatSingleChangesMiss) {
-    for (const std::uint64_t number : {
 // friction presses contacts together without end: each ends so, and no search could have found forces
 TEST(StructureFuzz, NamesPainlevesConfigurations) {
     for (const std::uint64_t number : {
@@ -312,6 +312,9 @@ TEST(StructureFuzz, NamesPainlevesConfigurations) {
     }
 }
 
+// what the search by single changes did not find: it had run in circles, or met no impact that it could solve
+TEST(StructureFuzz, FindsTheForcesThatSingleChangesMiss) {
+    for (const std::uint64_t number : {
              279U,  // one contact: stuck it would be pulled, open it would fall, and it slips
              8U,    // two contacts, one of them slipping
              29U,   // two, one of them open

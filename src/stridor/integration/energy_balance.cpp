@@ -15,7 +15,7 @@ constexpr double least_turnover = 1e-3;
 double EnergyBalance::relative_residual() const {
     const double turnover = std::abs(stored) + std::abs(preload_work) + std::abs(drive_work) + std::abs(dashpot_loss) +
                             std::abs(friction_loss) + std::abs(impact_loss);
-    const double scale = std::max(turnover, least_turnover * held);
+    const double scale = std::max({turnover, least_turnover * held, least_turnover * carried});
     return scale > 0.0 ? residual / scale : 0.0;
 }
 

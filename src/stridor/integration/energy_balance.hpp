@@ -19,12 +19,14 @@ struct EnergyBalance {
     double impact_loss = 0.0;    // -N g', spent when surfaces meet
     double residual = 0.0;       // what is left over
     double held = 0.0;           // the largest that springs, masses and the preload held at a time, a bound
+    double carried = 0.0;        // what the load would do while the fastest mode turns by a radian, were it not carried
 
     /// The residual as a share of all energy that went in or out [1], the turnover.
     ///
     /// Rounding makes 1e-16 of the energy held, whether any of it is turned over or not: a turnover below a thousandth
-    /// of it counts as that thousandth, so that a motion in which nothing happens has a residual of 1e-13 and not of
-    /// 1.
+    /// of it counts as that thousandth, so that a motion in which nothing happens has a residual of 1e-13 and not of 1.
+    /// Contacts that carry a load cancel it but for rounding, too. That is in the energy held where springs give way,
+    /// and is not where nothing does.
     double relative_residual() const;
 };
 

@@ -42,6 +42,8 @@ EnergyBalance closed_balance(EnergyBalance balance, const ModalStructure& struct
         balance.held += 0.5 * std::abs(structure.square_frequency[j]) * most_q * most_q + 0.5 * most_v * most_v +
                         std::abs(structure.load[j]) * most_q;
     }
+    if (structure.fastest > 0.0)
+        balance.carried = dot(structure.load, structure.load) / (structure.fastest * structure.fastest);
     balance.residual = unexplained(balance);
     return balance;
 }

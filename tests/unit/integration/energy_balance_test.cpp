@@ -27,5 +27,17 @@ TEST(EnergyBalance, OfNothingHasNoResidual) {
     EXPECT_EQ(weighed({Reason::settled, 1.0}, idle, 1e-9).reason, Reason::diverged);
 }
 
+TEST(EnergyBalance, KnowsALoadThatContactsCarryToItsRoundingOnly) {
+    // nothing gives way: springs and masses hold next to nothing, and what moves is rounding
+    EnergyBalance idle;
+    idle.held = 1e-26;
+    idle.carried = 1e-11;
+    idle.stored = idle.residual = 1e-34;
+    EXPECT_DOUBLE_EQ(idle.relative_residual(), 1e-20);
+    EXPECT_EQ(weighed({Reason::completed, 1.0}, idle, 1e-9).reason, Reason::completed);
+    idle.residual = 1e-22;
+    EXPECT_EQ(weighed({Reason::completed, 1.0}, idle, 1e-9).reason, Reason::unbalanced);
+}
+
 }  // namespace
 }  // namespace stridor::integration

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_prepared = 4096;  // sets: beyond it they are prepared anew
 constexpr double least_pivot_share = 1e-13;  // of the largest: rows with less depend on each other
-constexpr double exact_pivot_share = 1e-4;   // likewise: with less the inverse alone is not exact enough
+constexpr double exact_pivot_share = 1e-2;   // likewise: with less the inverse alone is not exact enough
 // a last term above this share of the first is not rounding
 constexpr double series_rounding = 1e-17;
 
