@@ -73,8 +73,7 @@ DesignParameter parameter_for(const Case& c, const AskedRange& asked) {
 std::vector<AskedRange> usual_ranges(const Case& c) {
     std::vector<AskedRange> ranges;
     for (const std::string& key : parameters::quantity_keys(c)) {
-        const bool follows =
-            parameters::temperature_column(c, parameters::key_of(*parameters::field_of(key))) != nullptr;
+        const bool follows = parameters::temperature_column(c, key) != nullptr;
         if (quantity_of(key).usual && !follows) ranges.push_back({key});
     }
     return ranges;
@@ -108,7 +107,7 @@ std::string quantity_key_called(const Case& c, std::string_view name) {
         base::refuse("\"" + std::string(name) + "\" changes nothing",
                      "this case, with its kind of drive and start, does not use it",
                      "`stridor check FILE` lists what it uses.");
-    if (parameters::temperature_column(c, parameters::key_of(*parameters::field_of(key))) != nullptr)
+    if (parameters::temperature_column(c, key) != nullptr)
         base::refuse(key + " cannot be set", "it follows the temperature by a table",
                      "Vary temperature instead, or take it out of [temperature].");
     return key;

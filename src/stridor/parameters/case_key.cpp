@@ -205,6 +205,10 @@ bool has_one_value(const Case& c, std::string_view key) {
 
 void set_quantity(Case& c, std::string_view key, double value) {
     const Field& field = expected_field(key);
+    for (const std::string& single : single_keys(c, key))
+        if (!c.further_joints.empty() && temperature_column(c, single) != nullptr)
+            throw Error(ErrorKind::input, {single + " cannot be set", "it follows the temperature by a table",
+                                           "Set temperature.value instead, or take it out of [temperature]."});
     for (const std::size_t joint : joints_of(c, key)) {
         const InFirstPlace first(c, joint);
         try {

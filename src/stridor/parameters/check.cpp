@@ -311,10 +311,6 @@ std::vector<Finding> findings_among_several(const Case& only) {
             {"contact.impact",
              {"several joints have plastic impacts only",
               "other laws say nothing of impacts that meet at the same instant", "Set impact = \"plastic\"."}});
-    if (has_temperature_table(only))
-        found.push_back({"temperature.value",
-                         {"several joints follow no temperature", "a table is of the parts of one joint",
-                          "Write the numbers of one temperature."}});
     return found;
 }
 

@@ -312,7 +312,9 @@ bool is_temperature_of_table(const Case& c, const Field& field) {
 }
 
 void refuse_follower(const Case& c, const Field& field) {
-    if (!has_temperature_table(c) || temperature_column(c, key_of(field)) == nullptr) return;
+    // what follows of several joints is known by their names, which only a key tells
+    const TemperatureColumn* column = temperature_column(c, key_of(field));
+    if (column == nullptr || column->key != key_of(field)) return;
     throw Error(ErrorKind::input, {key_of(field) + " cannot be set", "it follows the temperature by a table",
                                    "Set temperature.value instead, or take it out of [temperature]."});
 }
@@ -340,7 +342,8 @@ void set_quantity(Case& c, const Field& field, double value) {
     expect_in_range(c, field, value);
     std::get<Quantity>(field.kind).set(c, value);
     if (std::optional<double>* ratio = damping_ratio_of(c, key_of(field))) ratio->reset();
-    keep_temperature_table(c);
+    // a joint may stand in another's place just now
+    if (c.further_joints.empty() || field.section == "temperature") keep_temperature_table(c);
     keep_damping_ratios(c);
 }
 

@@ -25,7 +25,8 @@ bool is_of_joint(const Field& field);
 /// The case as if this joint were its only one: what a single joint's fields, checks and texts are made from.
 Case alone(const Case& c, std::size_t joint);
 
-/// Appends what `alone` shows of another case as a further joint.
+/// Appends what `alone` shows of another case as a further joint. Its columns over the temperature stand in the table
+/// under its name. So do those of the first joint, which must have its name before.
 void add_joint(Case& c, std::string name, const Case& only);
 
 /// Exchanges what is a joint's with what is the first one's, where fields look for it; twice changes nothing. The names

@@ -4,10 +4,12 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/damping_ratio.hpp"
+#include "stridor/parameters/joints.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace stridor::parameters {
@@ -50,7 +52,11 @@ bool has_temperature_table(const Case& c) {
 
 const TemperatureColumn* temperature_column(const Case& c, std::string_view key) {
     const auto& columns = c.temperature.columns;
-    const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto& each) { return each.key == key; });
+    const auto found = std::find_if(columns.begin(), columns.end(), [&](const TemperatureColumn& each) {
+        if (each.key == key) return true;
+        const std::optional<JointKey> named = joint_key(each.key);
+        return named && named->key == key;
+    });
     return found == columns.end() ? nullptr : &*found;
 }
 
@@ -116,15 +122,34 @@ void set_temperature_table(Case& c, std::vector<double> at, std::vector<Temperat
     keep_damping_ratios(c);
 }
 
+namespace {
+
+// of the plate, or of the joint in the first place
+void keep_column(Case& c, const TemperatureColumn& column, std::string_view key) {
+    const double value = interpolated(c.temperature.at, column.values, c.temperature.value);
+    std::optional<double>* ratio = damping_ratio_of(c, key);
+    if (ratio != nullptr) ratio->reset();
+    if (column.holds == TemperatureColumn::Holds::damping_ratio)
+        *ratio = value;
+    else
+        std::get<Quantity>(find_field(key)->kind).set(c, value);
+}
+
+}  // namespace
+
 void keep_temperature_table(Case& c) {
-    for (const TemperatureColumn& column : c.temperature.columns) {
-        const double value = interpolated(c.temperature.at, column.values, c.temperature.value);
-        std::optional<double>* ratio = damping_ratio_of(c, column.key);
-        if (ratio != nullptr) ratio->reset();
-        if (column.holds == TemperatureColumn::Holds::damping_ratio)
-            *ratio = value;
-        else
-            std::get<Quantity>(find_field(column.key)->kind).set(c, value);
+    for (const TemperatureColumn& column : c.temperature.columns)
+        if (!joint_key(column.key)) keep_column(c, column, column.key);
+    if (c.further_joints.empty() || c.temperature.columns.empty()) return;
+    for (std::size_t joint = 0; joint < joint_count(c); ++joint) {
+        const std::string name = joint_name(c, joint);
+        exchange_joints(c, joint);
+        for (const TemperatureColumn& column : c.temperature.columns) {
+            const std::optional<JointKey> named = joint_key(column.key);
+            if (named && named->joint == name) keep_column(c, column, named->key);
+        }
+        keep_damping_ratios(c);
+        exchange_joints(c, joint);
     }
 }
 

@@ -22,7 +22,8 @@ std::span<const std::string_view> keys_over_temperature();
 /// Does anything of this case follow the temperature?
 bool has_temperature_table(const Case& c);
 
-/// The column of a key; nullptr if that quantity does not follow the temperature.
+/// The column of a key; nullptr if that quantity does not follow the temperature. Of several joints each has columns of
+/// its own, "joint.lip2.axial_stiffness"; "joint.axial_stiffness" is the first of them there.
 const TemperatureColumn* temperature_column(const Case& c, std::string_view key);
 
 /// A column out of texts as `set_from_text` takes them: "60 N/mm", "0.7"; a damping may be "15 %" at all nodes. Throws
@@ -41,8 +42,8 @@ void check_length(const TemperatureColumn& column, std::size_t nodes);
 /// quantity.
 void set_temperature_table(Case& c, std::vector<double> at, std::vector<TemperatureColumn> columns);
 
-/// Makes the properties that follow the temperature what they are at the present one; dampings that are shares of
-/// critical are not yet numbers then (`keep_damping_ratios`).
+/// Makes the properties that follow the temperature what they are at the present one, of each joint; dampings that are
+/// shares of critical are not yet numbers then where there is one joint (`keep_damping_ratios`).
 void keep_temperature_table(Case& c);
 
 /// The nodes as a user would write them: "-30 degC".

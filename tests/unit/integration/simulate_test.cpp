@@ -1,11 +1,16 @@
 #include "stridor/integration/simulate.hpp"
 
+#include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/joints.hpp"
+#include "stridor/parameters/temperature_table.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace stridor::integration {
 namespace {
@@ -158,6 +163,60 @@ TEST(Outcome, HasAResultOnlyWhenCompletedOrSettled) {
     EXPECT_TRUE(has_result({Reason::settled, 0.5}));
     for (const Reason reason : {Reason::diverged, Reason::step_limit, Reason::cancelled})
         EXPECT_FALSE(has_result({reason, 0.5}));
+}
+
+// what each contact did, when and how fast
+std::vector<double> history_numbers(const Motion& motion) {
+    std::vector<double> numbers;
+    for (const auto& history : motion.record.histories)
+        for (const record::ContactInterval& interval : history)
+            numbers.insert(numbers.end(), {static_cast<double>(interval.state), interval.from, interval.slip_velocity,
+                                           interval.gap_velocity});
+    return numbers;
+}
+
+parameters::TemperatureColumn friction_over_temperature(std::vector<double> values) {
+    return {"contact.kinetic_friction", std::move(values)};
+}
+
+// two lips, each with its own friction at 10 degC, 0.2 and 0.3
+Case lips_over_temperature(std::vector<double> upper, std::vector<double> lower) {
+    const std::vector<double> at{-30.0, 10.0, 50.0};
+    const Case lips = parameters::two_lips();
+    Case whole = parameters::alone(lips, 0), further = parameters::alone(lips, 1);
+    parameters::set_temperature_table(whole, at, {friction_over_temperature(std::move(upper))});
+    parameters::set_temperature_table(further, at, {friction_over_temperature(std::move(lower))});
+    whole.joint_name = "upper";
+    parameters::add_joint(whole, "lower", further);
+    parameters::set_quantity(whole, "temperature.value", 10.0);
+    whole.run.duration = whole.run.window = 0.1;
+    whole.run.step = 1e-5;
+    return whole;
+}
+
+TEST(Simulate, JointsOverTemperatureMoveAsThoseWithTheirNumbers) {
+    Case typed = parameters::two_lips();
+    typed.contact.kinetic_friction = 0.2;
+    typed.further_joints[0].contact.kinetic_friction = 0.3;
+    typed.run.duration = typed.run.window = 0.1;
+    typed.run.step = 1e-5;
+    const Case constant = lips_over_temperature({0.2, 0.2, 0.2}, {0.3, 0.3, 0.3});
+    const Case changing = lips_over_temperature({0.7, 0.2, 0.1}, {0.1, 0.3, 0.8});
+    Case warmer = changing;
+    parameters::set_quantity(warmer, "temperature.value", 30.0);
+    record::Request request;
+    request.history = record::KeepHistory::yes;
+    for (const parameters::Engine engine : {parameters::Engine::exact, parameters::Engine::moreau}) {
+        const auto numbers = [&](Case c) {
+            c.run.engine = engine;
+            return history_numbers(simulate(c, request));
+        };
+        const std::vector<double> expected = numbers(typed);
+        ASSERT_GT(expected.size(), 40U);
+        EXPECT_EQ(numbers(constant), expected);
+        EXPECT_EQ(numbers(changing), expected);
+        EXPECT_NE(numbers(warmer), expected);
+    }
 }
 
 }  // namespace

@@ -54,19 +54,28 @@ TEST(CaseSchema, RequiresWhatTheReaderRequires) {
     EXPECT_EQ(schema["allOf"][0]["then"]["required"], Json::array({"contact"}));
     EXPECT_EQ(schema["allOf"][0]["else"]["not"]["required"], Json::array({"contact"}));
     const Json& each = schema["properties"]["joint"]["oneOf"][1]["items"];
-    for (const char* name : {"name", "contact", "mass", "axial_stiffness", "incidence_angle"})
+    for (const char* name : {"name", "contact", "mass", "incidence_angle"})
         EXPECT_TRUE(lists(each["required"], name)) << name;
-    EXPECT_TRUE(lists(each["properties"]["contact"]["required"], "kinetic_friction"));
+    EXPECT_TRUE(lists(each["properties"]["contact"]["required"], "preload"));
+    EXPECT_FALSE(lists(each["required"], "axial_stiffness"));
     EXPECT_FALSE(lists(schema["required"], "run"));
     EXPECT_TRUE(lists(schema["allOf"][1]["else"]["properties"]["contact"]["required"], "preload"));
     // what may follow the temperature must be there without a table only
     EXPECT_FALSE(lists(schema["properties"]["contact"]["required"], "kinetic_friction"));
     EXPECT_EQ(schema["if"]["not"]["anyOf"][0]["required"], Json::array({"temperature"}));
     EXPECT_TRUE(lists(schema["then"]["properties"]["contact"]["required"], "kinetic_friction"));
+    const Json& of_each = schema["then"]["properties"]["joint"]["items"];
+    EXPECT_TRUE(lists(of_each["required"], "axial_stiffness"));
+    EXPECT_TRUE(lists(of_each["properties"]["contact"]["required"], "kinetic_friction"));
     EXPECT_FALSE(lists(schema["required"], "temperature"));
     EXPECT_EQ(schema["properties"]["temperature"]["required"], Json::array({"value", "at"}));
     for (const char* name : {"at", "axial_stiffness", "k1i", "joint"})
         EXPECT_TRUE(schema["properties"]["temperature"]["properties"].contains(name)) << name;
+    // of several joints each may have lists below its name
+    const Json& named = schema["properties"]["temperature"]["properties"]["joint"]["additionalProperties"];
+    EXPECT_TRUE(named["properties"].contains("axial_stiffness"));
+    EXPECT_TRUE(named["properties"].contains("mu_d"));
+    EXPECT_TRUE(named["properties"]["contact"]["properties"].contains("kinetic_friction"));
     EXPECT_FALSE(lists(schema["properties"]["contact"]["required"], "impact"));
     const Json& drive = schema["properties"]["drive"];
     EXPECT_EQ(drive["required"], Json::array({"kind"}));

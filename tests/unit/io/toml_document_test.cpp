@@ -85,7 +85,7 @@ TEST(TomlDocument, RefusesTextThatWouldOverflowTheStack) {
     };
     expect_error(document_refusal(nested(100000)), "this is no case file", "case.toml");
     expect_error(document_refusal(nested(65)), "in each other more than 64 deep", "case.toml");
-    EXPECT_EQ(parsed_document(nested(64)).entries.back().key, "a.a.a.a") << "the deepest that is parsed at all";
+    EXPECT_EQ(parsed_document(nested(64)).entries.back().key, "a.a.a.a.a") << "the deepest that is parsed at all";
     const auto bracketed = [](std::size_t depth) {
         return "a = " + std::string(depth, '[') + std::string(depth, ']') + "\n";
     };

@@ -92,5 +92,63 @@ TEST(TomlJoints, OfAListThatIsTooLongAreRefused) {
     EXPECT_NE(refusal_of(text).find("more than 16 joints"), std::string::npos);
 }
 
+// the joints without the friction that follows the temperature, and a table of it
+std::string joints_with_table(const std::string& lists) {
+    std::string text = two_joints();
+    text = replaced(text, "kinetic_friction = 0.6\n[[joint]]", "[[joint]]");
+    text = replaced(text, "kinetic_friction = 0.6\n[plate]", "[plate]");
+    return text + "[temperature]\nvalue = -10\nat = [-30, 10, 50]\n" + lists;
+}
+
+constexpr const char* two_lists =
+    "joint.upper.contact.kinetic_friction = [0.2, 0.4, 0.6]\njoint.lower.mu_d = [0.7, 0.5, 0.1]\n";
+
+TEST(TomlJoints, FollowTheTemperatureEachByItsOwnLists) {
+    const Case c = read_joints(joints_with_table(two_lists));
+    EXPECT_DOUBLE_EQ(c.contact.kinetic_friction, 0.3);
+    EXPECT_DOUBLE_EQ(c.further_joints[0].contact.kinetic_friction, 0.6);
+    const Case hot = read_joints(joints_with_table(two_lists), {"temperature=50"});
+    EXPECT_EQ(hot.contact.kinetic_friction, 0.6);
+    EXPECT_EQ(hot.further_joints[0].contact.kinetic_friction, 0.1);
+    const Case other = read_joints(joints_with_table(two_lists), {"temperature.joint.lower.mu_d=0.1,0.1,0.2"});
+    EXPECT_EQ(other.further_joints[0].contact.kinetic_friction, 0.1);
+    for (const Comments comments : {Comments::full, Comments::none}) {
+        const Case again = read_joints(case_toml(c, {comments, ""}));
+        EXPECT_EQ(parameters::canonical_text(again), parameters::canonical_text(c));
+    }
+}
+
+TEST(TomlJoints, ShareAListThatNamesNone) {
+    const Case c = read_joints(joints_with_table("mu_d = [0.2, 0.4, 0.6]\n"), {"temperature=-30"});
+    EXPECT_EQ(c.contact.kinetic_friction, 0.2);
+    EXPECT_EQ(c.further_joints[0].contact.kinetic_friction, 0.2);
+}
+
+TEST(TomlJoints, MayFollowTheTemperatureOneAlone) {
+    std::string text = joints_with_table("joint.lower.mu_d = [0.7, 0.5, 0.1]\n");
+    text =
+        replaced(text, "static_friction = 0.8\n[[joint]]", "static_friction = 0.8\nkinetic_friction = 0.6\n[[joint]]");
+    const Case c = read_joints(text);
+    EXPECT_EQ(c.contact.kinetic_friction, 0.6);
+    EXPECT_DOUBLE_EQ(c.further_joints[0].contact.kinetic_friction, 0.6);
+    EXPECT_DOUBLE_EQ(read_joints(text, {"temperature=30"}).further_joints[0].contact.kinetic_friction, 0.3);
+    EXPECT_EQ(parameters::canonical_text(read_joints(case_toml(c, {Comments::full, ""}))),
+              parameters::canonical_text(c));
+}
+
+TEST(TomlJoints, SayWhatIsWrongInTheirTable) {
+    const auto says = [](const std::string& lists, const std::string& words) {
+        const std::string message = refusal_of(joints_with_table(lists));
+        EXPECT_NE(message.find(words), std::string::npos) << message;
+    };
+    says(std::string(two_lists) + "joint.uper.k1i = [1, 2, 3]\n", "there is no joint \"uper\"");
+    says(std::string(two_lists) + "joint.upper.stiffness = [1, 2, 3]\n",
+         "\"joint.upper.stiffness\" is no key of a joint");
+    says(std::string(two_lists) + "mu_d = [1, 2, 3]\n", "contact.kinetic_friction again");
+    says("joint.lower.mu_d = [0.7, 0.5, 0.1]\n", "missing key contact.kinetic_friction");
+    says("joint.upper.mu_d = [0.7, 0.5]\njoint.lower.mu_d = [0.7, 0.5, 0.1]\n", "2 values over 3 temperatures");
+    says("joint.upper.mu_d = [0.7, 0.5, 0.4]\njoint.lower.mu_d = [0.9, 0.9, 0.9]\n", "exceeds");
+}
+
 }  // namespace
 }  // namespace stridor::io

@@ -1,11 +1,17 @@
 #include "stridor/parameters/joints.hpp"
 
+#include "stridor/base/error.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/field.hpp"
+#include "stridor/parameters/temperature_table.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace stridor::parameters {
 namespace {
@@ -81,6 +87,67 @@ TEST(Joints, AreCheckedEachAndAsSeveral) {
     c = two_joints();
     c.run.engine = Engine::beta_2;
     EXPECT_EQ(findings(c).front().key, "run.engine");
+}
+
+// a table over the temperature: the upper joint's stiffness, the friction of both and the plate's damping follow it
+Case joints_over_temperature() {
+    const std::vector<double> at{-30.0, 10.0};
+    const auto column = [](std::string key, std::vector<double> values,
+                           TemperatureColumn::Holds holds = TemperatureColumn::Holds::quantity) {
+        return TemperatureColumn{std::move(key), std::move(values), holds};
+    };
+    const TemperatureColumn plate = column("plate.damping", {0.1, 0.2}, TemperatureColumn::Holds::damping_ratio);
+    Case upper, lower;
+    set_from_text(upper, *find_field("joint.flexural_damping"), "10 %");
+    set_temperature_table(
+        upper, at,
+        {column("joint.flexural_stiffness", {4e4, 1e4}), column("contact.kinetic_friction", {0.3, 0.5}), plate});
+    set_temperature_table(lower, at, {column("contact.kinetic_friction", {0.7, 0.1}), plate});
+    upper.joint_name = "upper";
+    add_joint(upper, "lower", lower);
+    set_quantity(upper, "temperature.value", -20.0);
+    return upper;
+}
+
+TEST(Joints, FollowTheTemperatureEachByItsOwnTable) {
+    const Case c = joints_over_temperature();
+    EXPECT_EQ(c.joint.flexural_stiffness, 32.5e3);
+    EXPECT_EQ(c.joint.flexural_damping, 2.0 * 0.1 * std::sqrt(32.5e3 * c.joint.mass));
+    EXPECT_DOUBLE_EQ(c.contact.kinetic_friction, 0.35);
+    EXPECT_DOUBLE_EQ(c.further_joints[0].contact.kinetic_friction, 0.55);
+    EXPECT_EQ(c.further_joints[0].joint.flexural_stiffness, Joint().flexural_stiffness);
+    EXPECT_DOUBLE_EQ(*c.damping_ratios.plate, 0.125);
+    EXPECT_TRUE(findings(c).empty());
+    EXPECT_EQ(range_of(c, "temperature.value").high, 10.0);
+    const Case lower = alone(c, 1);
+    ASSERT_EQ(lower.temperature.columns.size(), 2U);
+    EXPECT_EQ(lower.temperature.columns[0].key, "contact.kinetic_friction");
+    EXPECT_EQ(lower.temperature.columns[0].values, (std::vector{0.7, 0.1}));
+}
+
+TEST(Joints, ThatFollowTheTemperatureAreSetByItAlone) {
+    Case c = joints_over_temperature();
+    EXPECT_THROW(set_quantity(c, "joint.upper.flexural_stiffness", 1.0), Error);
+    EXPECT_THROW(set_quantity(c, "joint.flexural_stiffness", 1.0), Error);
+    EXPECT_THROW(set_quantity(c, "joint.lower.contact.kinetic_friction", 0.2), Error);
+    set_quantity(c, "joint.lower.flexural_stiffness", 2e3);
+    EXPECT_EQ(c.further_joints[0].joint.flexural_stiffness, 2e3);
+    set_quantity(c, "joint.upper.mass", 0.2);
+    EXPECT_EQ(c.joint.flexural_damping, 2.0 * 0.1 * std::sqrt(32.5e3 * 0.2));
+    EXPECT_EQ(c.joint.flexural_stiffness, 32.5e3);
+    EXPECT_DOUBLE_EQ(c.contact.kinetic_friction, 0.35);
+    EXPECT_NE(temperature_column(c, "joint.upper.flexural_stiffness"), nullptr);
+    EXPECT_EQ(temperature_column(c, "joint.lower.flexural_stiffness"), nullptr);
+    EXPECT_NE(temperature_column(c, "joint.flexural_stiffness"), nullptr);
+}
+
+TEST(Joints, HaveTheirTablesInTheCanonicalText) {
+    const std::string text = canonical_text(joints_over_temperature());
+    EXPECT_NE(text.find("temperature.joint.upper.flexural_stiffness = 40000 N/m, 10000 N/m\n"), std::string::npos);
+    EXPECT_NE(text.find("temperature.joint.lower.contact.kinetic_friction = 0.7, 0.1\n"), std::string::npos);
+    EXPECT_NE(text.find("temperature.plate.damping = damping ratio 0.1, damping ratio 0.2\n"), std::string::npos);
+    EXPECT_EQ(text.find("joint.upper.flexural_stiffness = 32500"), std::string::npos);
+    EXPECT_NE(text.find("joint.lower.flexural_stiffness = "), std::string::npos);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/field_name.hpp"
+#include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/temperature_table.hpp"
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/starts.hpp"
@@ -105,6 +106,16 @@ void add_temperature_lists(Json& section) {
         if (nested.is_null()) nested = {{"type", "object"}, {"additionalProperties", false}};
         nested["properties"][std::string(field.name)] = list;
     }
+    // of several joints each by its name
+    Json named = properties["joint"];
+    named["properties"]["contact"] = properties["contact"];
+    for (const std::string_view key : parameters::keys_over_temperature()) {
+        const parameters::Field& field = *parameters::find_field(key);
+        if (!parameters::is_of_joint(field)) continue;
+        for (const std::string_view name : {parameters::short_name(field), field.symbol})
+            named["properties"][std::string(name)] = properties[std::string(name)];
+    }
+    properties["joint"]["additionalProperties"] = std::move(named);
 }
 
 bool may_follow_temperature(const parameters::Field& field) {
@@ -119,6 +130,9 @@ Json without_temperature() {
         const parameters::Field& field = *parameters::find_field(key);
         sections[std::string(field.section)]["required"].push_back(field.name);
     }
+    // likewise each of several joints
+    sections["joint"]["items"] = {{"required", sections["joint"]["required"]},
+                                  {"properties", {{"contact", sections["contact"]}}}};
     return {{"properties", std::move(sections)}};
 }
 
@@ -156,11 +170,6 @@ void allow_several_joints(Json& document) {
     Json contact = properties["contact"];
     Json each = properties["joint"];
     each["properties"]["name"] = {{"type", "string"}, {"pattern", "^[A-Za-z0-9_-]+$"}};
-    for (const parameters::Field& field : parameters::fields())
-        if (is_always_required(field) && may_follow_temperature(field)) {
-            if (field.section == "joint") each["required"].push_back(field.name);
-            if (field.section == "contact") contact["required"].push_back(field.name);
-        }
     each["properties"]["contact"] = std::move(contact);
     each["required"].push_back("name");
     each["required"].push_back("contact");

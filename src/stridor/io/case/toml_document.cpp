@@ -195,8 +195,9 @@ TomlValue value_of(const toml::node& node) {
     }
 }
 
-// Keys are three names long at most ("chart.x.from"); what lies deeper hangs on a key that is unknown already.
-constexpr int deepest = 4;
+// Keys are five names long at most ("temperature.joint.lip2.contact.kinetic_friction"); what lies deeper hangs on a key
+// that is unknown already.
+constexpr int deepest = 5;
 // what may be there several times: [[joint]], [[structure.contact]], [[structure.output]]
 constexpr std::array<std::string_view, 3> listed_sections{"joint", "structure.contact", "structure.output"};
 

@@ -2,6 +2,7 @@
 
 #include "stridor/base/escapes.hpp"
 #include "stridor/base/text.hpp"
+#include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/joints.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace stridor::io {
 namespace {
 
 constexpr std::string_view list_key = "joint";
+constexpr std::string_view table_opening = "temperature.";
 
 // "joint.2" of a list; its own entry says where the table opens
 std::string table_key(std::size_t number) {
@@ -43,9 +45,32 @@ std::string name_of_joint(const TomlDocument& document, std::size_t number, cons
     return *name;
 }
 
+// "temperature.joint.lip2.axial_stiffness": a list of one joint, or the table that opens its lists
+std::optional<parameters::JointKey> joint_over_temperature(const TomlEntry& entry) {
+    if (!entry.key.starts_with(table_opening)) return std::nullopt;
+    const std::string_view key = std::string_view(entry.key).substr(table_opening.size());
+    if (const auto named = parameters::joint_key(key)) return named;
+    const bool opens = std::holds_alternative<TomlTable>(entry.value) && is_below(key, list_key);
+    return opens ? std::optional(parameters::JointKey{std::string(key.substr(list_key.size() + 1)), ""}) : std::nullopt;
+}
+
+// its list, called as that of the only joint
+std::optional<TomlEntry> list_for(const TomlEntry& entry, const parameters::JointKey& key, const std::string& name) {
+    if (key.joint != name || std::holds_alternative<TomlTable>(entry.value)) return std::nullopt;
+    TomlEntry own = entry;
+    try {
+        const std::string called = parameters::key_called(parameters::key_of_joint(key));
+        own.key = std::string(table_opening) + parameters::joint_key(called)->key;
+    } catch (const Error& error) {
+        throw Error(error.kind(), error.problem(), entry.key_place);
+    }
+    return own;
+}
+
 // an entry as the file of one joint has it; nothing if it is another's
 std::optional<TomlEntry> entry_for(const TomlEntry& entry, std::size_t number, const std::string& name) {
     TomlEntry own = entry;
+    if (const auto named = joint_over_temperature(entry)) return list_for(entry, *named, name);
     if (entry.origin == TomlOrigin::override) {
         const auto key = parameters::joint_key(entry.key);
         if (!key) return own;
@@ -67,13 +92,32 @@ std::optional<TomlEntry> entry_for(const TomlEntry& entry, std::size_t number, c
     return own;
 }
 
-void check_overrides(const TomlDocument& document, const std::vector<JointDocument>& joints, Complaints& complaints) {
+// a joint of which nothing follows the temperature has no table: another one's may have taken all lists
+void drop_empty_table(TomlDocument& own, const TomlDocument& document) {
+    const bool has_other = std::any_of(document.entries.begin(), document.entries.end(), [](const TomlEntry& entry) {
+        return joint_over_temperature(entry).has_value();
+    });
+    const bool has_own = std::any_of(own.entries.begin(), own.entries.end(), [](const TomlEntry& entry) {
+        return entry.key.starts_with(table_opening) && entry.key != "temperature.at" &&
+               entry.key != "temperature.value" && !std::holds_alternative<TomlTable>(entry.value);
+    });
+    if (!has_other || has_own) return;
+    std::erase_if(own.entries, [](const TomlEntry& entry) {
+        return entry.key == "temperature" || entry.key.starts_with(table_opening);
+    });
+}
+
+void check_names(const TomlDocument& document, const std::vector<JointDocument>& joints, Complaints& complaints) {
     std::vector<std::string_view> names;
     for (const JointDocument& joint : joints)
         names.emplace_back(joint.name);
     for (const TomlEntry& entry : document.entries) {
-        const auto key = entry.origin == TomlOrigin::override ? parameters::joint_key(entry.key) : std::nullopt;
-        if (!key || std::find(names.begin(), names.end(), key->joint) != names.end()) continue;
+        const auto over_temperature = joint_over_temperature(entry);
+        const auto key = over_temperature                       ? over_temperature
+                         : entry.origin == TomlOrigin::override ? parameters::joint_key(entry.key)
+                                                                : std::nullopt;
+        if (!key || std::holds_alternative<TomlTable>(entry.value)) continue;
+        if (std::find(names.begin(), names.end(), key->joint) != names.end()) continue;
         const std::string near(base::nearest_name(key->joint, names));
         complaints.add({ErrorKind::input,
                         {"there is no joint \"" + base::visible(key->joint) + "\"", "",
@@ -113,10 +157,13 @@ std::vector<JointDocument> joint_documents(const TomlDocument& document, Complai
                  {"two joints are called \"" + base::visible(joint.name) + "\"", "", "Give each a name of its own."},
                  document.find(table_key(number) + ".name")->value_place});
         for (const TomlEntry& entry : document.entries)
-            if (auto own = entry_for(entry, number, joint.name)) joint.document.entries.push_back(std::move(*own));
+            complaints.keep([&] {
+                if (auto own = entry_for(entry, number, joint.name)) joint.document.entries.push_back(std::move(*own));
+            });
+        drop_empty_table(joint.document, document);
         joints.push_back(std::move(joint));
     }
-    check_overrides(document, joints, complaints);
+    check_names(document, joints, complaints);
     return joints;
 }
 

@@ -18,7 +18,8 @@ struct JointDocument {
 bool lists_joints(const TomlDocument& document);
 
 /// The joints of such a file in their order. An override of "joint.NAME.key" is that joint's; one of "joint.key" or
-/// "contact.key" is everyone's. Adds what is wrong with names and sections to the complaints.
+/// "contact.key" is everyone's. Likewise a list "temperature.joint.NAME.key" and one of "temperature.key". Adds what is
+/// wrong with names and sections to the complaints.
 std::vector<JointDocument> joint_documents(const TomlDocument& document, Complaints& complaints);
 
 }  // namespace stridor::io

@@ -43,9 +43,13 @@ drawing::StyledText whose(std::string_view key) {
 // "k1i, μd over θ by table"
 drawing::StyledText followers(const parameters::Case& c) {
     drawing::StyledText names;
-    for (const parameters::TemperatureColumn& column : c.temperature.columns)
-        names = (drawing::is_empty(names) ? names : names + ", ") +
-                drawing::symbol(parameters::find_field(column.key)->symbol);
+    std::vector<const parameters::Field*> said;  // of several joints once
+    for (const parameters::TemperatureColumn& column : c.temperature.columns) {
+        const parameters::Field* field = parameters::field_of(column.key);
+        if (std::find(said.begin(), said.end(), field) != said.end()) continue;
+        said.push_back(field);
+        names = (drawing::is_empty(names) ? names : names + ", ") + drawing::symbol(field->symbol);
+    }
     return names + " over " + drawing::symbol(parameters::find_field("temperature.value")->symbol) + " by table";
 }
 
