@@ -42,7 +42,14 @@ RowLabel row_label(FieldScanner& scanner) {
 }  // namespace
 
 bool is_abaqus_matrix(std::string_view first_data_line) {
-    return std::count(first_data_line.begin(), first_data_line.end(), ',') == 4;
+    if (std::count(first_data_line.begin(), first_data_line.end(), ',') == 4) return true;
+    // two labels and a value, parted by blanks
+    const recordings::TextLine line{.text = first_data_line};
+    const std::string nobody;
+    FieldScanner scanner(line, nobody);
+    for (int field = 0; field < 4; ++field)
+        if (!integer_in(scanner.word())) return false;
+    return real_in(scanner.word()) && scanner.is_at_end();
 }
 
 ListedMatrix read_abaqus_matrix(const StructureInput& input) {

@@ -34,6 +34,10 @@ TEST(StructureFormats, AbaqusGivesTheSameMatrices) {
         part_of({{"job_STIF2.mtx", abaqus(block, block.stiffness)}, {"job_MASS2.mtx", abaqus(block, block.mass)}},
                 {.files = {"job_STIF2.mtx", "job_MASS2.mtx"}});
     expect_same(part, block, "Abaqus");
+    const ElasticPart parted = part_of({{"job_STIF2.mtx", parted_by_blanks(abaqus(block, block.stiffness))},
+                                        {"job_MASS2.mtx", parted_by_blanks(abaqus(block, block.mass))}},
+                                       {.files = {"job_STIF2.mtx", "job_MASS2.mtx"}});
+    expect_same(parted, block, "Abaqus, labels");
     const ElasticPart unlabelled = part_of({{"job_STIF2.mtx", coordinates(block.stiffness)},
                                             {"job_MASS2.mtx", coordinates(block.mass)},
                                             {"rows.csv", label_table(block, ',')}},

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <functional>
@@ -57,6 +58,11 @@ inline std::string abaqus(const reduction::ElasticPart& part, const reduction::S
         const auto& b = part.labels[static_cast<std::size_t>(column)];
         text += fmt::format("{},{}, {},{}, {:.17e}\n", a.node, a.component, b.node, b.component, value);
     });
+    return text;
+}
+
+inline std::string parted_by_blanks(std::string text) {
+    std::replace(text.begin(), text.end(), ',', ' ');
     return text;
 }
 

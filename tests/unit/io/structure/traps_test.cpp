@@ -258,6 +258,8 @@ TEST(AbaqusTraps, OtherTextsAreRefused) {
     };
     refused("** Assembled nodal loads\n*CLOAD, REAL\n2,3,  5.4e+04\n", "it holds loads");
     refused("2,8, 2,8, 1.0\n", "the component 8 of node 2 is none of 1 to 6");
+    refused("2 8 2 8 1.0\n", "the component 8 of node 2 is none of 1 to 6");
+    refused("2 1 2 1 1.0\n2 1 3\n", "a component");
     refused("3,1, 3,1, 1.0\n", "the mass has a row 2.1 that the stiffness lacks (both must be of the same model)");
     refused("2,1, 2,1, 1.0\n2,1, 3,1, 0.5\n3,1, 2,1, 0.6\n3,1, 3,1, 1.0\n", "the matrix is not symmetric");
     refused("2,1, 2,1, 1.0\n2,1, 2,1, 1.0\n", "holds the entry 2.1, 2.1 twice");
