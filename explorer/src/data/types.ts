@@ -192,6 +192,7 @@ export interface Engine {
   step?: number;
   beta_2?: number;
   compared_step?: number;
+  formulation?: string;
   step_limit?: number;
 }
 

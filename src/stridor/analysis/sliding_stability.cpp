@@ -4,6 +4,7 @@
 #include "stridor/model/complement.hpp"
 #include "stridor/model/equilibrium.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
@@ -83,11 +84,25 @@ SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenva
     return result;
 }
 
+namespace {
+
+// does each motion along the closed contacts move some mass? a row without any may be held by a contact
+bool has_inertia(const SlidingMotion& motion) {
+    constexpr double massless_share = 1e-14;  // [1] of the largest pivot
+    if (motion.mass.rows() == motion.normals.cols()) return true;
+    MatrixXd mass = motion.mass;
+    if (motion.normals.cols() > 0) {
+        const MatrixXd along = model::orthogonal_complement(motion.normals);
+        mass = model::reduced(along, motion.mass, along);
+    }
+    const Eigen::VectorXd pivots = mass.ldlt().vectorD();
+    return pivots.minCoeff() > massless_share * pivots.maxCoeff();
+}
+
+}  // namespace
+
 SteadySliding steady_sliding(const model::Structure& structure, parameters::Direction direction) {
     model::expect_one_tangent(structure, "the stability of steady sliding");
-    if (structure.mass.diagonal().minCoeff() <= 0.0)
-        base::refuse("the stability of steady sliding needs inertia", "a row of the structure has no mass",
-                     "Give it one.");
     std::vector<double> ratios =
         model::sliding_ratios(structure, direction == parameters::Direction::going ? 1.0 : -1.0);
     model::ClosedContacts found = model::closed_contacts(structure, ratios);
@@ -101,6 +116,9 @@ SteadySliding steady_sliding(const model::Structure& structure, parameters::Dire
         motion.normals.col(k) = contact.normal;
         motion.forces.col(k) = contact.normal + ratios[number] * contact.tangent;
     }
+    if (!has_inertia(motion))
+        base::refuse("the stability of steady sliding needs inertia",
+                     "a motion that the closed contacts allow moves no mass", "Give each row that can move a mass.");
     return {std::move(found), std::move(ratios), std::move(motion)};
 }
 

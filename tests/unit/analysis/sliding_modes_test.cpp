@@ -1,6 +1,7 @@
 #include "stridor/analysis/sliding_modes.hpp"
 
 #include "stridor/model/joints_on_plate.hpp"
+#include "support/error_text.hpp"
 #include "support/property.hpp"
 
 #include <gtest/gtest.h>
@@ -72,6 +73,15 @@ TEST(SlidingModes, OfTwoCoupledModesAreHalfOfEach) {
     // nothing but friction feeds it
     EXPECT_NEAR(mode.contact_growth.front(), mode.eigenvalue.real(), 1e-9);
     EXPECT_EQ(mode.damping_growth, 0.0);
+}
+
+TEST(SlidingModes, NeedInertiaWhereNoContactHolds) {
+    Structure held = coupled({});
+    EXPECT_NO_THROW(steady_sliding(held, Direction::going));
+    held.contacts[0].normal << 0.0, 1.0, 0.0;  // the plate without mass is nobody's now
+    EXPECT_TRUE(support::thrown_by([&] {
+                    steady_sliding(held, Direction::going);
+                }).says("a motion that the closed contacts allow moves no mass"));
 }
 
 TEST(SlidingModes, LoseToDampingWhatTheClosedFormSays) {
