@@ -3,7 +3,7 @@
 
 #include "stridor/integration/moreau/moreau.hpp"
 #include "stridor/integration/taylor/taylor.hpp"
-#include "stridor/model/bowed_string.hpp"
+#include "stridor/model/built/bowed_string.hpp"
 #include "stridor/model/joints_on_plate.hpp"
 #include "stridor/record/schedule.hpp"
 #include "support/structures/meshed_strip.hpp"

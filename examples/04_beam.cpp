@@ -6,7 +6,7 @@
 
 #include "stridor/analysis/rates.hpp"
 #include "stridor/integration/beta_2/beta_2.hpp"
-#include "stridor/model/cantilever.hpp"
+#include "stridor/model/built/cantilever.hpp"
 #include "stridor/record/recorder.hpp"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "stridor/integration/beta_2/beta_2.hpp"
 #include "stridor/integration/exact/exact.hpp"
-#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/built/mass_on_belt.hpp"
 #include "support/belt_run.hpp"
 
 #include <cmath>

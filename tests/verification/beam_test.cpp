@@ -3,7 +3,7 @@
 
 #include "stridor/integration/beta_2/beta_2.hpp"
 #include "stridor/integration/exact/exact.hpp"
-#include "stridor/model/cantilever.hpp"
+#include "stridor/model/built/cantilever.hpp"
 #include "stridor/model/equilibrium.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/record/recorder.hpp"

@@ -2,7 +2,7 @@
 
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/built/mass_on_belt.hpp"
 #include "support/belt_run.hpp"
 
 #include <gtest/gtest.h>

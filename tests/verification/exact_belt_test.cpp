@@ -1,7 +1,7 @@
 // The exact engine against closed forms of one mass: stick-slip, the damped vibration, Den Hartog's oscillator.
 
 #include "stridor/integration/exact/exact.hpp"
-#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/verification/belt.hpp"
 #include "stridor/verification/damped_slip.hpp"

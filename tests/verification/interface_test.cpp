@@ -2,7 +2,7 @@
 // the strip of rubber against its prototype.
 
 #include "stridor/classification/interface_rules.hpp"
-#include "stridor/model/chain_on_belt.hpp"
+#include "stridor/model/built/chain_on_belt.hpp"
 #include "support/many_contacts.hpp"
 #include "support/structures/rubber_strip.hpp"
 

@@ -4,8 +4,8 @@
 #include "support/many_contacts.hpp"
 
 #include "stridor/integration/exact/exact.hpp"
-#include "stridor/model/bowed_string.hpp"
-#include "stridor/model/chain_on_belt.hpp"
+#include "stridor/model/built/bowed_string.hpp"
+#include "stridor/model/built/chain_on_belt.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_case.hpp"
-#include "stridor/model/bowed_string.hpp"
+#include "stridor/model/built/bowed_string.hpp"
 #include "stridor/parameters/case_key.hpp"
 
 #include <gtest/gtest.h>

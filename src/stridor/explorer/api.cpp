@@ -1,7 +1,7 @@
 #include "stridor/explorer/api.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/explorer/answers.hpp"
+#include "stridor/explorer/answers/answers.hpp"
 #include "stridor/explorer/page.hpp"
 
 #include <array>

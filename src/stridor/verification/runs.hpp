@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/integration/motion.hpp"
-#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/record/recorder.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "stridor/analysis/modal_spectrum.hpp"
 
-#include "stridor/model/bowed_string.hpp"
+#include "stridor/model/built/bowed_string.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "stridor/analysis/sliding_stability.hpp"
 
+#include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/model/joints_on_plate.hpp"
-#include "stridor/model/mass_on_belt.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/verification/sliding.hpp"
 #include "support/property.hpp"

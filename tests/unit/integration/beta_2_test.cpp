@@ -1,6 +1,6 @@
 #include "stridor/integration/beta_2/beta_2.hpp"
 
-#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/record/schedule.hpp"
 #include "support/error_text.hpp"
 

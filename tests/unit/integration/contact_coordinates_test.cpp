@@ -1,6 +1,6 @@
 #include "stridor/integration/exact/contact_coordinates.hpp"
 
-#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "support/property.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/integration/contact_impulses.hpp"
+#include "stridor/integration/contact_sets/contact_impulses.hpp"
 
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/model/joints_on_plate.hpp"

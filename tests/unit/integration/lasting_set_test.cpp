@@ -2,7 +2,7 @@
 
 #include "stridor/integration/taylor/lyapunov.hpp"
 #include "stridor/integration/taylor/taylor_block.hpp"
-#include "stridor/model/chain_on_belt.hpp"
+#include "stridor/model/built/chain_on_belt.hpp"
 #include "support/many_contacts.hpp"
 #include "support/property.hpp"
 

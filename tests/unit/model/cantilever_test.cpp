@@ -1,6 +1,6 @@
 // The beam by its modes is the beam of the textbook; how it moves is in tests/verification/beam_test.cpp.
 
-#include "stridor/model/cantilever.hpp"
+#include "stridor/model/built/cantilever.hpp"
 
 #include "support/error_text.hpp"
 

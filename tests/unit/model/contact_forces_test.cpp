@@ -1,6 +1,6 @@
 #include "stridor/model/contact_forces.hpp"
 
-#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"

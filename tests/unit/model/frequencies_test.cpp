@@ -1,6 +1,6 @@
 #include "stridor/model/frequencies.hpp"
 
-#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/verification/sliding.hpp"
 #include "support/property.hpp"

@@ -5,7 +5,7 @@
 #include "stridor/base/elementary.hpp"
 #include "stridor/integration/exact/exact.hpp"
 #include "stridor/integration/simulate.hpp"
-#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/built/mass_on_belt.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/belt_run.hpp"

@@ -5,7 +5,7 @@
 #include "stridor/integration/moreau/step_contacts.hpp"
 
 #include "stridor/integration/contact_mode_of.hpp"
-#include "stridor/integration/painleve.hpp"
+#include "stridor/integration/contact_sets/painleve.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/contact_violation.hpp"
+#include "stridor/integration/contact_sets/contact_violation.hpp"
 #include "stridor/integration/modal_structure.hpp"
 #include "stridor/integration/moreau/exchange_tableau.hpp"
 

@@ -1,8 +1,8 @@
 #include "stridor/integration/taylor/settling.hpp"
 
-#include "stridor/integration/contact_impulses.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
-#include "stridor/integration/painleve.hpp"
+#include "stridor/integration/contact_sets/contact_impulses.hpp"
+#include "stridor/integration/contact_sets/painleve.hpp"
 #include "stridor/integration/taylor/held_sums.hpp"
 #include "stridor/integration/taylor/settling_zero.hpp"
 

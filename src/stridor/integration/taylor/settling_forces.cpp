@@ -1,7 +1,7 @@
 // The second rule of settling.hpp: contact states whose forces and accelerations obey all laws.
 
 #include "stridor/integration/contact_mode_of.hpp"
-#include "stridor/integration/contact_sets.hpp"
+#include "stridor/integration/contact_sets/contact_sets.hpp"
 #include "stridor/integration/taylor/settling.hpp"
 #include "stridor/integration/taylor/settling_zero.hpp"
 

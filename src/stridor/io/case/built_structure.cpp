@@ -2,7 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/field_table.hpp"
-#include "stridor/model/built_structure.hpp"
+#include "stridor/model/built/built_structure.hpp"
 #include "stridor/parameters/field.hpp"
 
 #include <fmt/format.h>

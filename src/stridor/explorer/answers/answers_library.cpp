@@ -1,5 +1,5 @@
 #include "stridor/base/error.hpp"
-#include "stridor/explorer/answers.hpp"
+#include "stridor/explorer/answers/answers.hpp"
 #include "stridor/io/library/json_library.hpp"
 #include "stridor/noise_library/library.hpp"
 #include "stridor/recordings/bytes.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/integration/contact_violation.hpp"
+#include "stridor/integration/contact_sets/contact_violation.hpp"
 
 #include "stridor/integration/contact_mode_of.hpp"
 

@@ -1,10 +1,10 @@
-#include "stridor/model/built_structure.hpp"
+#include "stridor/model/built/built_structure.hpp"
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/elementary.hpp"
-#include "stridor/model/bowed_string.hpp"
-#include "stridor/model/cantilever.hpp"
-#include "stridor/model/chain_on_belt.hpp"
+#include "stridor/model/built/bowed_string.hpp"
+#include "stridor/model/built/cantilever.hpp"
+#include "stridor/model/built/chain_on_belt.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "stridor/integration/painleve.hpp"
+#include "stridor/integration/contact_sets/painleve.hpp"
 
 #include "stridor/integration/contact_mode_of.hpp"
 

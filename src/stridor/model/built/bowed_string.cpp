@@ -1,4 +1,4 @@
-#include "stridor/model/bowed_string.hpp"
+#include "stridor/model/built/bowed_string.hpp"
 
 #include "stridor/base/elementary.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/model/cantilever.hpp"
+#include "stridor/model/built/cantilever.hpp"
 
 #include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"

@@ -2,7 +2,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/classification/contact_rules.hpp"
-#include "stridor/explorer/answers.hpp"
+#include "stridor/explorer/answers/answers.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_document.hpp"

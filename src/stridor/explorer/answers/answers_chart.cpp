@@ -1,5 +1,5 @@
 #include "stridor/base/error.hpp"
-#include "stridor/explorer/answers.hpp"
+#include "stridor/explorer/answers/answers.hpp"
 #include "stridor/explorer/bytes.hpp"
 #include "stridor/io/chart/json_chart.hpp"
 #include "stridor/sweep/boundaries.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/model/mass_on_belt.hpp"
+#include "stridor/model/built/mass_on_belt.hpp"
 
 namespace stridor::model {
 

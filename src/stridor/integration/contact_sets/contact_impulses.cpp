@@ -1,8 +1,8 @@
-#include "stridor/integration/contact_impulses.hpp"
+#include "stridor/integration/contact_sets/contact_impulses.hpp"
 
 #include "stridor/integration/contact_mode_of.hpp"
-#include "stridor/integration/contact_sets.hpp"
-#include "stridor/integration/contact_violation.hpp"
+#include "stridor/integration/contact_sets/contact_sets.hpp"
+#include "stridor/integration/contact_sets/contact_violation.hpp"
 
 #include <Eigen/LU>
 

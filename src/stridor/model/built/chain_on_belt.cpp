@@ -1,4 +1,4 @@
-#include "stridor/model/chain_on_belt.hpp"
+#include "stridor/model/built/chain_on_belt.hpp"
 
 namespace stridor::model {
 

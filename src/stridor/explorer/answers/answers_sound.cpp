@@ -1,7 +1,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/classification/sound_rules.hpp"
-#include "stridor/explorer/answers.hpp"
+#include "stridor/explorer/answers/answers.hpp"
 #include "stridor/explorer/bytes.hpp"
 #include "stridor/hearing/heard_modes.hpp"
 #include "stridor/hearing/heard_motion.hpp"

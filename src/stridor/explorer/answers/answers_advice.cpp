@@ -1,7 +1,7 @@
 #include "stridor/advice/advice.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
-#include "stridor/explorer/answers.hpp"
+#include "stridor/explorer/answers/answers.hpp"
 #include "stridor/io/advice/json_advice.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/report/design_report.hpp"
