@@ -22,6 +22,7 @@ using recordings::place_of;
 using recordings::refusal;
 using recordings::TextLine;
 
+// the places of `contact_keys`
 enum class TableKey : std::size_t {
     name,
     node,
@@ -39,21 +40,6 @@ enum class TableKey : std::size_t {
     second_drive_share,
     position
 };
-constexpr std::array<std::string_view, 15> contact_column_names{"name",
-                                                                "node",
-                                                                "set",
-                                                                "against",
-                                                                "interface",
-                                                                "normal",
-                                                                "tangent",
-                                                                "second_tangent",
-                                                                "initial_gap",
-                                                                "static_friction",
-                                                                "kinetic_friction",
-                                                                "preload_share",
-                                                                "drive_share",
-                                                                "second_drive_share",
-                                                                "position"};
 
 constexpr std::size_t index_of(TableKey column) {
     return static_cast<std::size_t>(column);
@@ -103,13 +89,13 @@ private:
     void take_title(const csv::CsvField& field, std::size_t k, const base::Place& place) {
         const csv::Title title = csv::title_of(field.text);
         const std::string known = csv::lower(title.name);
-        const auto found = std::find(contact_column_names.begin(), contact_column_names.end(), known);
-        if (found == contact_column_names.end()) {
-            const std::string near(base::nearest_name(known, contact_column_names));
+        const auto found = std::find(contact_keys.begin(), contact_keys.end(), known);
+        if (found == contact_keys.end()) {
+            const std::string near(base::nearest_name(known, contact_keys));
             throw refusal(place, fmt::format("\"{}\" is no column of contacts", title.name), "",
                           near.empty() ? "" : "Did you mean " + near + "?");
         }
-        const auto column = static_cast<std::size_t>(found - contact_column_names.begin());
+        const auto column = static_cast<std::size_t>(found - contact_keys.begin());
         places_.at(column) = k;
         if (column != index_of(TableKey::initial_gap) || title.unit.empty()) return;
         const auto unit = base::find_unit(title.unit);
@@ -128,15 +114,14 @@ private:
         if (words.empty()) return std::nullopt;
         const auto value = csv::number_in(words, dialect_);
         if (!value || !std::isfinite(*value))
-            throw refusal(place_,
-                          fmt::format("\"{}\" is no number of {}", words, contact_column_names.at(index_of(column))));
+            throw refusal(place_, fmt::format("\"{}\" is no number of {}", words, contact_keys.at(index_of(column))));
         return value;
     }
 
     std::optional<double> size(TableKey column) const {
         const auto value = number(column);
         if (value && *value < 0.0)
-            throw refusal(place_, fmt::format("{} is negative", contact_column_names.at(index_of(column))));
+            throw refusal(place_, fmt::format("{} is negative", contact_keys.at(index_of(column))));
         return value;
     }
 
@@ -158,7 +143,7 @@ private:
 
     const std::string& file_;
     csv::Dialect dialect_;
-    std::array<std::optional<std::size_t>, contact_column_names.size()> places_{};
+    std::array<std::optional<std::size_t>, contact_keys.size()> places_{};
     double length_ = 1.0;  // [m] unit of the gaps
     std::vector<csv::CsvField> fields_;
     base::Place place_;

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -16,6 +17,23 @@ namespace stridor::io {
 /// A direction as a user gives it. At a node it is of x, y, z, and is made of length one: "z", "-x", "0 0.6 0.8" or
 /// three numbers. Without a node it is of the rows: "y1 -y2" or a number for each.
 using NamedDirection = std::variant<std::string, std::vector<double>>;
+
+/// What may stand in a table of a contact, and as a column of a CSV.
+inline constexpr std::array<std::string_view, 15> contact_keys{"name",
+                                                               "node",
+                                                               "set",
+                                                               "against",
+                                                               "interface",
+                                                               "normal",
+                                                               "tangent",
+                                                               "second_tangent",
+                                                               "initial_gap",
+                                                               "static_friction",
+                                                               "kinetic_friction",
+                                                               "preload_share",
+                                                               "drive_share",
+                                                               "second_drive_share",
+                                                               "position"};
 
 /// What a file says of a contact, or of one at each node of a set.
 struct NamedContact {

@@ -36,21 +36,6 @@ constexpr std::array<std::string_view, 4> list_keys{"load", "force", "initial_di
 constexpr std::array<std::string_view, 5> text_keys{"file", "units", "labels", "rows", "contacts"};
 // what a builder leaves to others
 constexpr std::array<std::string_view, 3> common_keys{"builder", "force", "initial_displacement"};
-constexpr std::array<std::string_view, 15> contact_keys{"name",
-                                                        "node",
-                                                        "set",
-                                                        "against",
-                                                        "interface",
-                                                        "normal",
-                                                        "tangent",
-                                                        "second_tangent",
-                                                        "initial_gap",
-                                                        "static_friction",
-                                                        "kinetic_friction",
-                                                        "preload_share",
-                                                        "drive_share",
-                                                        "second_drive_share",
-                                                        "position"};
 constexpr std::array<std::string_view, 3> output_keys{"name", "node", "direction"};
 
 bool stands_below(std::string_view key, std::string_view prefix) {
