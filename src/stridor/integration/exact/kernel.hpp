@@ -1,8 +1,7 @@
 #pragma once
 
 #include "stridor/integration/exact/tables.hpp"
-
-#include <vector>
+#include "stridor/integration/instruction_set.hpp"
 
 namespace stridor::integration {
 
@@ -47,18 +46,6 @@ struct Kernel {
     /// Adds a part of a step, from tau_0 to tau_1, with the weights and lengths of the quadrature already in it.
     void (*add_part)(const Flow& flow, const Lanes& s, double tau_0, double tau_1, Sums& sums);
 };
-
-/// What the loops are compiled for.
-enum class InstructionSet { baseline, avx2, avx512 };
-
-/// Whether this machine has the instruction set.
-bool is_available(InstructionSet set);
-
-/// Those of this machine, the baseline first, the widest last.
-std::vector<InstructionSet> available_instruction_sets();
-
-/// The widest this machine has.
-InstructionSet widest_instruction_set();
 
 /// The loops for a structure with so many degrees of freedom and a damped basis.
 const Kernel& kernel(InstructionSet set, int dofs);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/integration/exact/kernel.hpp"
+#include "stridor/integration/instruction_set.hpp"
 
 #include <cstddef>
 #include <span>
