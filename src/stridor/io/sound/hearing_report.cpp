@@ -2,6 +2,7 @@
 
 #include "stridor/base/csv_text.hpp"
 #include "stridor/base/version.hpp"
+#include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/json_parts.hpp"
 #include "stridor/sound/feature_table.hpp"
