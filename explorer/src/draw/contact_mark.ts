@@ -13,6 +13,16 @@ export interface Scales {
   velocity: number; // [px s/m]
 }
 
+/** A body whose outline is the path: its field and its edge. */
+export function paintBody(pen: Pen): void {
+  const colours = palette();
+  pen.fillStyle = colours.field;
+  pen.fill();
+  pen.strokeStyle = colours.ink;
+  pen.lineWidth = 1.6;
+  pen.stroke();
+}
+
 /** The contact point, its state in colour and in form: stick a square, slip a disc, separation a ring. */
 export function paintContact(pen: Pen, at: Point, state: ContactState, radius = 6.5): void {
   const colours = palette();

@@ -1,6 +1,6 @@
 /** The rubbing system of the paper's Figure 2 at one moment, with its contact's state and forces. Painting only. */
 import { stateOf, type Moment } from "../data/moment.ts";
-import { paintContact, paintStateName, paintStrokes, type Scales } from "./contact_mark.ts";
+import { paintBody, paintContact, paintStateName, paintStrokes, type Scales } from "./contact_mark.ts";
 import { arrow, line, sign, springDashpot, wall, type Point } from "./sketch.ts";
 import type { Surface } from "./surface.ts";
 import { palette } from "./theme.ts";
@@ -131,11 +131,7 @@ function paintJoint(s: Surface, contact: Point, body: Point): void {
   pen.lineTo(contact.x + 30, contact.y - 18);
   pen.lineTo(contact.x + 13, contact.y - 15);
   pen.closePath();
-  pen.fillStyle = colours.field;
-  pen.fill();
-  pen.strokeStyle = colours.ink;
-  pen.lineWidth = 1.6;
-  pen.stroke();
+  paintBody(pen);
   pen.fillStyle = colours.ink;
   sign(pen, ["m", "1"], { x: contact.x - 26, y: body.y });
 }
