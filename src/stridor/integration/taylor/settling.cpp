@@ -136,8 +136,7 @@ bool Settling::meet(TaylorState& state, const SurfaceSeries& surface, std::size_
 // an impact, and what touches but for rounding put onto the surface: the load's work on that belongs to the impact,
 // its work on taking rounding out of gaps that were closed before does not
 bool Settling::collide(TaylorState& state, const SurfaceSeries& surface, std::size_t fired) {
-    TaylorState without_rounding = state;
-    project(without_rounding, surface);
+    const ContactSet closed_before = state.set;
     if (!meet(state, surface, fired)) return false;
     bool is_moved = false;
     for (std::size_t k = 0; k < state.set.size(); ++k) {
@@ -145,9 +144,16 @@ bool Settling::collide(TaylorState& state, const SurfaceSeries& surface, std::si
         const double terms = dot_of_sizes(c.normal, state.q) + std::abs(c.initial_gap);
         if (state.set[k] != ContactMode::open && std::abs(gap(c, state.q)) > term_rounding * terms) is_moved = true;
     }
+    if (!is_moved) {
+        project(state, surface);
+        return true;
+    }
+    TaylorState without_rounding = state;
+    without_rounding.set = closed_before;
+    project(without_rounding, surface);
     without_rounding.v = state.v;
     project(state, surface);
-    if (is_moved) losses_.impact_loss += free_energy(structure_, without_rounding) - free_energy(structure_, state);
+    losses_.impact_loss += free_energy(structure_, without_rounding) - free_energy(structure_, state);
     return true;
 }
 
