@@ -1,8 +1,7 @@
 #include "stridor/analysis/modal_spectrum.hpp"
 
 #include "stridor/base/check.hpp"
-
-#include <Eigen/Eigenvalues>
+#include "stridor/base/decompositions.hpp"
 
 #include <algorithm>
 #include <cmath>

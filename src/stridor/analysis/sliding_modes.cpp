@@ -1,9 +1,7 @@
 #include "stridor/analysis/sliding_modes.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/model/complement.hpp"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>

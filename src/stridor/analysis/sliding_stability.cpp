@@ -1,12 +1,9 @@
 #include "stridor/analysis/sliding_stability.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/model/complement.hpp"
 #include "stridor/model/equilibrium.hpp"
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>

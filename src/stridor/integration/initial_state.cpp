@@ -1,11 +1,10 @@
 #include "stridor/integration/initial_state.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/decompositions.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/model/equilibrium.hpp"
 #include "stridor/parameters/own_structure.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <utility>
 #include <vector>

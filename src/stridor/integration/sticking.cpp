@@ -10,10 +10,8 @@
 
 #include "stridor/integration/sticking.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/model/complement.hpp"
-
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>

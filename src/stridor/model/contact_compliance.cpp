@@ -1,9 +1,8 @@
 #include "stridor/model/contact_compliance.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/base/text.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>

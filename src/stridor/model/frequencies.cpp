@@ -1,10 +1,8 @@
 #include "stridor/model/frequencies.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/model/complement.hpp"
 #include "stridor/model/inertial_part.hpp"
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 

@@ -1,9 +1,7 @@
 #include "stridor/model/inertial_part.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/base/error.hpp"
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 namespace stridor::model {
 

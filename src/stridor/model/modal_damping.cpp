@@ -1,6 +1,6 @@
 #include "stridor/model/modal_damping.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "stridor/base/decompositions.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,7 @@
 #include "stridor/model/static_contact.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/base/error.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <vector>
 

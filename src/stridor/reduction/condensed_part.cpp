@@ -1,8 +1,8 @@
 #include "stridor/reduction/condensed_part.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/base/error.hpp"
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include <algorithm>

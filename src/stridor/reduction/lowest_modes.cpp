@@ -1,9 +1,9 @@
 #include "stridor/reduction/lowest_modes.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/reduction/sparse_factor.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Spectra/MatOp/SparseSymMatProd.h>
 #include <Spectra/SymGEigsShiftSolver.h>
 #include <Spectra/SymGEigsSolver.h>

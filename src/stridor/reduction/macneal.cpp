@@ -12,9 +12,9 @@
 
 #include "stridor/reduction/macneal.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/base/error.hpp"
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 namespace stridor::reduction {

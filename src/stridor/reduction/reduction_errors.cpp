@@ -1,9 +1,9 @@
 #include "stridor/reduction/reduction_errors.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/reduction/lowest_modes.hpp"
 #include "stridor/reduction/sparse_factor.hpp"
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,10 +1,9 @@
 #include "stridor/integration/contact_sets/contact_impulses.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/contact_sets/contact_sets.hpp"
 #include "stridor/integration/contact_sets/contact_violation.hpp"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>

@@ -3,12 +3,10 @@
 
 #include "stridor/integration/massless/massless_structure.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/model/inertial_part.hpp"
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 #include <limits>

@@ -9,10 +9,9 @@
 //
 // The cone is the circle itself; no polygon stands for it.
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/moreau/step_contacts.hpp"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 #include "stridor/integration/taylor/held_sums.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/integration/modal_structure.hpp"
-
-#include <Eigen/Cholesky>
 
 #include <cmath>
 #include <cstddef>

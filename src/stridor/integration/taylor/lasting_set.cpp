@@ -9,11 +9,11 @@
 
 #include "stridor/integration/taylor/lasting_set.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/taylor/lyapunov.hpp"
 #include "stridor/model/complement.hpp"
 
-#include <Eigen/Cholesky>
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include <algorithm>

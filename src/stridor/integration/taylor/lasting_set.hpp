@@ -1,12 +1,12 @@
 #pragma once
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/integration/contact_mode.hpp"
 #include "stridor/integration/modal_structure.hpp"
 #include "stridor/integration/motion.hpp"
 #include "stridor/record/tally.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "stridor/base/decompositions.hpp"
+
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 namespace stridor::integration {
 

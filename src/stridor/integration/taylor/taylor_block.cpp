@@ -1,8 +1,7 @@
 #include "stridor/integration/taylor/taylor_block.hpp"
 
+#include "stridor/base/decompositions.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
