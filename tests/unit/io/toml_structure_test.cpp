@@ -191,6 +191,8 @@ TEST(TomlStructure, ThatIsWrongIsRefusedWithOneSentence) {
     };
     expect_structure_refused(whole_case("[structure]\n" + c), "nothing says what the structure is");
     expect_structure_refused(whole_case(m), "the structure has no contact");
+    expect_structure_refused(whole_case("[structure]\nmass = \"m.csv\"\nstiffness = \"k.mtx\"\n" + c),
+                             "structure.mass is CSV, and another matrix is not");
     expect_structure_refused(with("[0, 2]]", "[0]]"), "structure.mass has 2 rows, and 1 numbers in row 2");
     expect_structure_refused(with("[[1, 0], [0, 2]]", "[[1]]"), "the stiffness has 2 rows, the mass 1");
     expect_structure_refused(with("[-1, 4]", "[-2, 4]"), "not symmetric");

@@ -70,6 +70,19 @@ SparseMatrix matrix_in(const TomlSection& section, std::string_view key) {
     return sparse(read_csv_matrix(opened(section.path(entry, *name), entry)), entry);
 }
 
+// a table of numbers has no labels, and what reads parts does not read it
+void expect_no_csv(const TomlSection& section) {
+    for (const std::string_view key : {"mass", "stiffness", "damping"}) {
+        const TomlEntry* entry = section.find(key);
+        const auto* name = entry == nullptr ? nullptr : std::get_if<std::string>(&entry->value);
+        if (name != nullptr && is_csv(*name))
+            throw Error(ErrorKind::input,
+                        {fmt::format("{} is CSV, and another matrix is not", entry->key), "",
+                         "Give all of them as CSV or lists of rows, or none."},
+                        entry->value_place);
+    }
+}
+
 // is it a file that a reader of parts knows?
 bool is_part_file(const TomlSection& section, std::string_view key) {
     const TomlEntry* entry = section.find(key);
@@ -100,6 +113,7 @@ NamedPart of_matrices(const TomlSection& section) {
 }
 
 NamedPart of_files(const TomlSection& section) {
+    expect_no_csv(section);
     NamedPart named;
     PartFiles files;
     const auto path_of = [&](std::string_view key) {
