@@ -37,21 +37,11 @@ export function heardIn(resolved: Case): (readonly [string, string])[] {
     : [["joint", "strongest contact"], ...names.map((name) => [name, name] as const)];
 }
 
-/**
- * Where each contact of an own structure is along the line of contacts [1], from 0 to 1: by its position along the
- * longest side of the box around all, else in order.
- */
-export function placesOf(contacts: readonly OwnContact[]): { places: number[]; known: boolean } {
-  const all = contacts.map(({ position }) => position);
-  const axes = [0, 1, 2].map((axis) => {
-    const along = all.map((position) => position?.[axis] ?? NaN);
-    const low = Math.min(...along);
-    return { along, low, length: Math.max(...along) - low };
-  });
-  const longest = axes.reduce((best, axis) => (axis.length > best.length ? axis : best));
-  if (longest.length > 0)
-    return { places: longest.along.map((value) => (value - longest.low) / longest.length), known: true };
-  return { places: contacts.map((_, k) => (contacts.length > 1 ? k / (contacts.length - 1) : 0.5)), known: false };
+/** Where each contact of an own structure is along the line of contacts [1], from 0 to 1; in order where unknown. */
+export function placesOf(contacts: readonly OwnContact[]): number[] {
+  const along = contacts.map((contact, k) => contact.along_line ?? k);
+  const length = Math.max(...along);
+  return along.map((place) => (length > 0 ? place / length : 0.5));
 }
 
 /** A key of one of several joints: whose, and the key that it is where there is one joint only. */

@@ -44,6 +44,8 @@ export interface OwnContact {
   interface?: string;
   /** Where it is [m], if the file or the builder says. */
   position?: number[];
+  /** How far along the line of contacts that is [m], where all are known and differ. */
+  along_line?: number;
 }
 
 /** "drive.kind": ["constant"]: the choices without which a field means nothing; empty if it always does. */

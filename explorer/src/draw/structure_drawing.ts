@@ -50,7 +50,7 @@ function paintFromAbove(s: Surface, moment: Moment, scales: Scales, contacts: re
   const onString = isAlongLine(moment.motion);
   const length = outline.at(-1)?.[2] ?? 1;
   const inner = width - room.left - room.right;
-  const { places } = placesOf(contacts);
+  const places = placesOf(contacts);
   const inset = onString ? 0 : Math.min(24, inner / (2 * contacts.length));
   const across = (k: number): number => {
     const share = onString ? (contacts[k]?.position?.[2] ?? 0) / length : (places[k] ?? 0);

@@ -63,6 +63,7 @@ inline Json joints_array(const parameters::Case& c) {
 inline void put_own_structure(Json& object, const parameters::Case& c) {
     const parameters::OwnStructure& own = *c.own_structure;
     Json contacts = Json::array();
+    const std::vector<double> places = parameters::places_along_line(own);
     for (std::size_t k = 0; k < own.contacts.size(); ++k) {
         const parameters::Contact laws = parameters::contact_of(c, k);
         Json contact{{"name", own.contacts[k].name},
@@ -73,6 +74,7 @@ inline void put_own_structure(Json& object, const parameters::Case& c) {
         if (parameters::is_preloaded(own)) contact["preload"] = laws.preload;
         if (!own.contacts[k].interface.empty()) contact["interface"] = own.contacts[k].interface;
         if (own.contacts[k].position) contact["position"] = *own.contacts[k].position;
+        if (!places.empty()) contact["along_line"] = places[k];
         contacts.push_back(std::move(contact));
     }
     object["origin"] = own.origin;
@@ -117,6 +119,7 @@ inline Json case_units(const parameters::Case& c) {
         units["case.structure.contacts.initial_gap"] = "m";
         units["case.structure.contacts.preload"] = "N";
         units["case.structure.contacts.position"] = "m";
+        units["case.structure.contacts.along_line"] = "m";
     }
     if (parameters::has_temperature_table(c)) units["case.temperature.at"] = parameters::unit_of("temperature.value");
     for (const parameters::TemperatureColumn& column : c.temperature.columns)

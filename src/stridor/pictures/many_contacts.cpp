@@ -2,10 +2,10 @@
 
 #include "stridor/analysis/rates.hpp"
 #include "stridor/base/check.hpp"
-#include "stridor/drawing/lettering.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/pictures/parts/category_colours.hpp"
+#include "stridor/pictures/parts/contact_line.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ constexpr double share_height = 26.0;       // [mm] of a row of panels of shares
 constexpr double row_height = 5.0;          // [mm] of a contact's states, while that is no more than
 constexpr double most_states_height = 110;  // [mm] of all of them
 constexpr double names_width = 62.0;        // [mm] that names below the bars may take
-constexpr double bar = 0.4;                 // [1] half of a bar's width, half of a row's height
+constexpr double bar = 0.4;                 // [1] half of a row's height
 constexpr std::size_t most_changes = 200;   // of a contact that is drawn stay by stay
 constexpr std::size_t changes_a_part = 16;  // of one that is split, at least: one more or less is hardly seen
 
@@ -57,48 +57,24 @@ void add_box(std::vector<Box>& boxes, const Box& box) {
 
 // --- along the line
 
-// every so many contacts have their name on an axis, of which each takes some space and the axis has this much [mm]
-std::size_t named_every(std::size_t contacts, double taken, double space) {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(static_cast<double>(contacts) * taken / space)));
-}
-
-double widest_name(const parameters::Case& c) {
-    double most = 0.0;  // [mm]
-    for (std::size_t k = 0; k < parameters::contact_count(c); ++k)
-        most = std::max(most, drawing::text_width(drawing::StyledText(parameters::contact_name(c, k)), 8.0));
-    return most;
-}
-
-drawing::Panel line_panel(const parameters::Case& c) {
-    const std::size_t contacts = parameters::contact_count(c);
-    drawing::Panel panel;
-    panel.x.label = "contact";
-    panel.x.range = {0.5, static_cast<double>(contacts) + 0.5};
-    const std::size_t every = named_every(contacts, widest_name(c) + 2.0, names_width);
-    for (std::size_t k = 0; k < contacts; k += every)
-        panel.x.ticks.push_back({static_cast<double>(k + 1), parameters::contact_name(c, k), drawing::TickSize::major});
-    return panel;
-}
-
 double share_of(const analysis::Rates& rates, ContactState state) {
     return state == ContactState::slip ? rates.slip : state == ContactState::stick ? rates.stick : rates.separation;
 }
 
-drawing::Panel share_panel(const parameters::Case& c, const record::Tally& tally) {
-    drawing::Panel panel = line_panel(c);
+drawing::Panel share_panel(const ContactLine& line, const record::Tally& tally) {
+    drawing::Panel panel;
+    panel.x = line.axis;
     panel.y.label = "share of time";
     panel.y.unit = "1";
     panel.y.range = {0.0, 1.0};
     StateBoxes boxes;
     for (std::size_t k = 0; k < tally.contacts.size(); ++k) {
         const analysis::Rates rates = analysis::rates(tally.contacts[k].judged_time);
-        const double middle = static_cast<double>(k + 1);
         double below = 0.0;
         for (const ContactState state : stacked) {
             const double share = share_of(rates, state);
             // nothing where nothing was judged
-            if (share > 0.0)
-                boxes[model::index_of(state)].push_back({{middle - bar, middle + bar}, {below, below + share}});
+            if (share > 0.0) boxes[model::index_of(state)].push_back({line.bars[k], {below, below + share}});
             below += share;
         }
     }
@@ -112,8 +88,9 @@ drawing::Points preload_mark(std::size_t contacts) {
     return {{}, {}, drawing::white, diameter, {}, drawing::Mark::diamond, drawing::ink};
 }
 
-drawing::Panel force_panel(const parameters::Case& c, const record::Tally& tally) {
-    drawing::Panel panel = line_panel(c);
+drawing::Panel force_panel(const parameters::Case& c, const ContactLine& line, const record::Tally& tally) {
+    drawing::Panel panel;
+    panel.x = line.axis;
     panel.grid = drawing::Grid::none;
     panel.y.label = drawing::StyledText("mean ") + drawing::symbol("N");
     panel.y.unit = "N";
@@ -123,14 +100,13 @@ drawing::Panel force_panel(const parameters::Case& c, const record::Tally& tally
     for (std::size_t k = 0; k < tally.contacts.size(); ++k) {
         const record::ContactTally& contact = tally.contacts[k];
         const double judged = std::accumulate(contact.judged_time.begin(), contact.judged_time.end(), 0.0);
-        const double middle = static_cast<double>(k + 1);
         if (judged > 0.0) {
             const double force = contact.load.normal_impulse / judged;
-            forces.boxes.push_back({{middle - bar, middle + bar}, {0.0, force}});
+            forces.boxes.push_back({line.bars[k], {0.0, force}});
             most = std::max(most, force);
         }
         if (!parameters::is_preloaded(*c.own_structure)) continue;
-        preloads.x.push_back(middle);
+        preloads.x.push_back(line.places[k]);
         preloads.y.push_back(parameters::contact_of(c, k).preload);
         most = std::max(most, preloads.y.back());
     }
@@ -184,7 +160,8 @@ struct States {
     bool is_split = false;  // some row is
 };
 
-States state_rows(const parameters::Case& c, const record::Record& record, const Extent& time, double height) {
+States state_rows(const parameters::Case& c, const ContactLine& line, const record::Record& record, const Extent& time,
+                  double height) {
     const std::size_t contacts = record.histories.size();
     States states;
     drawing::Panel& panel = states.panel;
@@ -195,9 +172,11 @@ States state_rows(const parameters::Case& c, const record::Record& record, const
     panel.y.range = {0.5, static_cast<double>(contacts) + 0.5};
     StateBoxes boxes;
     const std::size_t every = named_every(contacts, 3.5, height);
-    for (std::size_t k = 0; k < contacts; ++k) {
-        const double row = static_cast<double>(contacts - k);
-        if (k % every == 0) panel.y.ticks.push_back({row, parameters::contact_name(c, k), drawing::TickSize::major});
+    for (std::size_t place = 0; place < contacts; ++place) {
+        const std::size_t k = line.order[place];
+        const double row = static_cast<double>(contacts - place);
+        if (place % every == 0)
+            panel.y.ticks.push_back({row, parameters::contact_name(c, k), drawing::TickSize::major});
         const std::size_t changes = changes_within(record.histories[k], time);
         const bool is_dense = changes > most_changes;
         if (is_dense)
@@ -215,7 +194,10 @@ States state_rows(const parameters::Case& c, const record::Record& record, const
 
 class Picture {
 public:
-    Picture(const parameters::Case& c, const record::Record& record) : c_(c), record_(record) {
+    Picture(const parameters::Case& c, const record::Record& record)
+        : c_(c),
+          record_(record),
+          line_(contact_line(c, names_width)) {
         scene_.title = c.title.empty() ? drawing::StyledText("Contacts") : drawing::StyledText(c.title);
         scene_.caption = {conditions(c)};
         scene_.column_widths = {1.0, 1.0};
@@ -227,13 +209,13 @@ public:
         const bool is_only = tally.phase == record::Phase::all;
         const std::string phase =
             is_only ? "" : fmt::format(", {}", record::phase_names[static_cast<std::size_t>(tally.phase)]);
-        add(share_panel(c_, tally), 0, "states of the judged time" + phase);
-        add(force_panel(c_, tally), 1, "mean normal force" + phase);
+        add(share_panel(line_, tally), 0, "states of the judged time" + phase);
+        add(force_panel(c_, line_, tally), 1, "mean normal force" + phase);
         scene_.row_heights.push_back(share_height);
     }
 
     void add_states(const Extent& whole, const std::optional<Extent>& stretch) {
-        States run = state_rows(c_, record_, whole, height_);
+        States run = state_rows(c_, line_, record_, whole, height_);
         bool is_split = run.is_split;
         if (stretch) {
             run.panel.layers.insert(
@@ -242,7 +224,7 @@ public:
         }
         add(std::move(run.panel), 0, "whole run");
         if (stretch) {
-            States part = state_rows(c_, record_, *stretch, height_);
+            States part = state_rows(c_, line_, record_, *stretch, height_);
             is_split = is_split || part.is_split;
             part.panel.y.label = {};
             add(std::move(part.panel), 1, fmt::format("{:g} s to {:g} s", stretch->from, stretch->to));
@@ -278,6 +260,7 @@ private:
 
     const parameters::Case& c_;
     const record::Record& record_;
+    ContactLine line_;
     drawing::Scene scene_;
     double height_ = 0.0;  // [mm] of the rows of states
 };

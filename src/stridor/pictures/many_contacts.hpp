@@ -12,9 +12,9 @@ namespace stridor::pictures {
 /// too many curves.
 bool shows_many_contacts(const parameters::Case& c);
 
-/// Every contact of a run along their line, in their order: for each phase the share of the judged time in each state,
-/// stacked, beside the mean normal force and what presses at rest; below them their states over the whole run and over
-/// a stretch of it, one row a contact, the first on top.
+/// Every contact of a run along their line, by their places where the case knows them, else in their order: for each
+/// phase the share of the judged time in each state, stacked, beside the mean normal force and what presses at rest;
+/// below them their states over the whole run and over a stretch of it, one row a contact, the first on top.
 ///
 /// Where a contact changes its state too often to be drawn, its row is split at each instant by the shares of the time
 /// around it, stacked as above. The record needs a history.

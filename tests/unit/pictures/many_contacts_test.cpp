@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace stridor::pictures {
 namespace {
@@ -89,6 +90,39 @@ TEST(ManyContacts, HaveTheirSharesAndForcesAlongTheLine) {
     const drawing::Panel& forces = scene.panels[1];
     EXPECT_EQ(layers_of<drawing::Boxes>(forces).at(0).boxes.at(2).y, (drawing::Extent{0.0, 3.0}));
     EXPECT_EQ(layers_of<drawing::Points>(forces).at(0).y, (std::vector{2.0, 2.0, 2.0})) << "6 N among three";
+}
+
+// as line_of, with each contact at its place
+parameters::Case line_at(const std::vector<double>& places) {
+    parameters::Case c = line_of(places.size());
+    parameters::OwnStructure structure = *c.own_structure;
+    for (std::size_t k = 0; k < places.size(); ++k)
+        structure.contacts[k].position = {0.0, places[k], 1.0};
+    c.own_structure = std::make_shared<const parameters::OwnStructure>(std::move(structure));
+    return c;
+}
+
+TEST(ManyContacts, StandAtTheirPlacesWhereTheseAreKnown) {
+    const parameters::Case c = line_at({0.5, 0.0, 0.25});
+    const record::Record record = record_of({once, {{ContactState::slip, 0.0, 1.0, 0.0, 0.0}}, once});
+    const drawing::Scene scene = many_contacts(c, record, {});
+    const drawing::Panel& shares = scene.panels[0];
+    EXPECT_EQ(shares.x.unit, "m");
+    EXPECT_EQ(shares.x.range, (drawing::Extent{-0.125, 0.625}));
+    const drawing::Boxes stick = boxes_of(shares, ContactState::stick);
+    EXPECT_EQ(stick.boxes.at(1).x, (drawing::Extent{-0.1, 0.1})) << "four fifths of 0.25 m to its neighbour";
+    EXPECT_EQ(stick.boxes.at(0).x, (drawing::Extent{0.4, 0.6}));
+    EXPECT_EQ(layers_of<drawing::Points>(scene.panels[1]).at(0).x, (std::vector{0.5, 0.0, 0.25}));
+    // the rows follow the line: n2 is at its first end, and slips for ever
+    const drawing::Panel& rows = scene.panels[2];
+    EXPECT_EQ(drawing::plain_text(rows.y.ticks.back().label), "n2");
+    EXPECT_EQ(boxes_of(rows, ContactState::slip).boxes.at(0).y, (drawing::Extent{2.6, 3.4}));
+}
+
+TEST(ManyContacts, KeepTheirOrderWhereTwoAreAtOnePlace) {
+    const drawing::Scene scene = many_contacts(line_at({0.5, 0.0, 0.5}), record_of({once, once, once}), {});
+    EXPECT_EQ(drawing::plain_text(scene.panels[0].x.ticks.at(0).label), "n1");
+    EXPECT_EQ(scene.panels[0].x.range, (drawing::Extent{0.5, 3.5}));
 }
 
 TEST(ManyContacts, HaveARowEachTheFirstOnTop) {

@@ -58,12 +58,11 @@ test("each joint of a preset has its own fields, in front of those of one", () =
 
 const structure = (contacts, more = {}) => ({ title: "own", structure: { contacts, ...more } });
 
-test("contacts stand along the line where all places are known, else in their order", () => {
-  const at = (...position) => ({ name: "c", position });
-  assert.deepEqual(placesOf([at(0, 5, 1), at(0.5, 1, 1), at(1, 2, 1)]), { places: [1, 0, 0.25], known: true });
-  assert.deepEqual(placesOf([at(0, 5, 1), { name: "c" }, at(1, 2, 1)]), { places: [0, 0.5, 1], known: false });
-  assert.deepEqual(placesOf([at(1, 2, 3), at(1, 2, 3)]), { places: [0, 1], known: false });
-  assert.deepEqual(placesOf([{ name: "c" }]), { places: [0.5], known: false });
+test("contacts stand where the case says they are along the line, else in their order", () => {
+  const at = (along_line) => ({ name: "c", along_line });
+  assert.deepEqual(placesOf([at(4), at(0), at(1)]), [1, 0, 0.25]);
+  assert.deepEqual(placesOf([{ name: "a" }, { name: "b" }, { name: "c" }]), [0, 0.5, 1]);
+  assert.deepEqual(placesOf([{ name: "c" }]), [0.5]);
 });
 
 test("what is heard of a case has a name that the server takes", () => {
