@@ -40,6 +40,7 @@ public:
         request_.trace =
             auralisation_.request(c.run.duration, [this](std::span<const double> block) { append(block); });
         request_.trace.from = std::max(0.0, earliest(settings) - lead_in);
+        request_.trace.to = sound::heard_until(settings, c.run.duration);
         request_.trace.taker = [this, taker = request_.trace.taker](const record::Trace& trace) {
             if (!has_begun_) begin_ = trace.time.front();
             has_begun_ = true;

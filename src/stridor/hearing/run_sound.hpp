@@ -37,8 +37,8 @@ struct RunSound {
 /// Without stretches the whole run is the one part. Nothing if it was stopped.
 ///
 /// The motion is listened to from 0.1 s before the first stretch on, in which the high pass at 20 Hz forgets how it
-/// began. A stretch whose motion nowhere exceeds `least_motion` is made silent. What goes wrong with the physics or the
-/// numbers is the attempt's status; throws what `check_audible` throws.
+/// began, and to 0.1 s behind the last one. A stretch whose motion nowhere exceeds `least_motion` is made silent. What
+/// goes wrong with the physics or the numbers is the attempt's status; throws what `check_audible` throws.
 std::optional<RunSound> sound_of_run(const parameters::Case& c, const sound::AuralisationSettings& settings,
                                      const std::stop_token& stop, integration::Workspace& workspace);
 

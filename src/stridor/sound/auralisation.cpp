@@ -64,6 +64,14 @@ std::vector<Stretch> stretches_of(const record::Schedule& schedule, record::Phas
     return stretches;
 }
 
+double heard_until(const AuralisationSettings& settings, double duration) {
+    constexpr double lead_out = 0.1;  // [s] some hundred taps at the lowest rate
+    double to = 0.0;
+    for (const Stretch& stretch : settings.stretches)
+        to = std::max(to, stretch.to + lead_out);
+    return settings.stretches.empty() ? duration : std::min(duration, to);
+}
+
 std::string unit_of(signal::MotionQuantity quantity) {
     return quantity == signal::MotionQuantity::velocity ? "m/s" : "m/s^2";
 }
@@ -80,7 +88,7 @@ Auralisation::Auralisation(AuralisationSettings settings) : settings_(std::move(
 }
 
 record::TraceRequest Auralisation::request(double duration, std::function<void(std::span<const double>)> taker) {
-    return {0.0, duration, 1.0 / (settings_.rate * settings_.density),
+    return {0.0, heard_until(settings_, duration), 1.0 / (settings_.rate * settings_.density),
             [this, taker = std::move(taker)](const record::Trace& trace) { taker(add(trace)); }};
 }
 

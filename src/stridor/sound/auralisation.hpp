@@ -51,6 +51,10 @@ double fade_gain(const Stretch& stretch, double fade, double time);
 /// made from. Everything judged or counted of a run with a constant drive, which has one phase only.
 std::vector<Stretch> stretches_of(const record::Schedule& schedule, record::Phase phase, record::Use least);
 
+/// Until when a motion of `duration` [s] must be known: 0.1 s behind the last stretch, since filters look ahead; to the
+/// end without stretches.
+double heard_until(const AuralisationSettings& settings, double duration);
+
 /// "m/s" or "m/s^2".
 std::string unit_of(signal::MotionQuantity quantity);
 
@@ -63,8 +67,8 @@ public:
     /// The rate must be above zero and more than twice the high pass.
     explicit Auralisation(AuralisationSettings settings);
 
-    /// The trace that is needed of a run that lasts `duration` [s]; `taker` is handed each block of the sound. Call
-    /// `finish` after the run, and keep this object where it is until then.
+    /// The trace that is needed of a run that lasts `duration` [s], to `heard_until`; `taker` is handed each block of
+    /// the sound. Call `finish` after the run, and keep this object where it is until then.
     record::TraceRequest request(double duration, std::function<void(std::span<const double>)> taker);
 
     /// Takes the next block of the trace and returns the part of the sound [m/s or m/s^2] that it completes.

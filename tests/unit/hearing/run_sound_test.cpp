@@ -80,6 +80,19 @@ TEST(SoundOfRun, CutsStretchesThatOverlapEachByItself) {
     EXPECT_EQ(joined(run->parts).samples.size(), 3200U);
 }
 
+TEST(SoundOfRun, SamplesNoMoreThanFiltersLookAhead) {
+    const Case c = squeal();
+    AuralisationSettings settings{.rate = 8000.0, .stretches = {{0.05, 0.1}}};
+    EXPECT_EQ(sound::heard_until(settings, c.run.duration), 0.2);
+    integration::Workspace workspace;
+    const std::optional<RunSound> early = sound_of_run(c, settings, {}, workspace);
+    settings.stretches.push_back({0.2, 0.3});
+    EXPECT_EQ(sound::heard_until(settings, c.run.duration), 0.3);
+    const std::optional<RunSound> whole = sound_of_run(c, settings, {}, workspace);
+    ASSERT_TRUE(early && whole);
+    EXPECT_EQ(early->parts[0].samples, whole->parts[0].samples) << "what was not sampled changes no bit";
+}
+
 TEST(SoundOfRun, WhatHardlyMovesIsSilent) {
     Case c = sweep::figure_8().base;
     c.contact.kinetic_friction = 0.0;
