@@ -104,9 +104,9 @@ std::vector<sound::Stretch> stretches_in(const ListeningTexts& texts, const para
 }  // namespace
 
 ListeningChoice chosen_case(ListeningTexts& texts, TomlSource source) {
-    const std::optional<Direction> of_cell =
-        texts.cell.empty() ? std::nullopt : sweep::parse_cell(texts.cell).direction;
-    if (texts.direction.empty() && of_cell) texts.direction = direction_names[static_cast<std::size_t>(*of_cell)];
+    if (texts.direction.empty() && !texts.cell.empty())
+        if (const auto of_cell = sweep::parse_cell(texts.cell).direction)
+            texts.direction = direction_names[static_cast<std::size_t>(*of_cell)];
     if (!texts.cell.empty()) return chosen_cell(texts, std::move(source));
     if (!texts.seconds.empty()) set_duration(source, read_case(source), seconds_of(texts));
     return {read_case(source)};
