@@ -15,6 +15,7 @@ namespace {
 constexpr int most_coefficients = 32;
 constexpr double narrowest_part = 0x1p-44;  // [1] below it an interval holds dips no deeper than rounding
 constexpr std::size_t most_parts = 48;      // waiting: one of each width, and the narrowest's neighbour
+constexpr double zero_rounding = 0x1p-52;   // [1] of a zero: a neighbouring number
 constexpr int most_halvings = 8192;         // before a function that is all rounding is given up
 
 using BernsteinForm = std::array<double, most_coefficients>;
@@ -72,22 +73,37 @@ int sign_changes(const BernsteinForm& b, int n) {
     return changes;
 }
 
-// the zero between a positive and a negative end
-double polished(std::span<const double> c, double from, double to) {
-    double x = 0.5 * (from + to);
+struct ValueAndSlope {
+    double value, slope;
+};
+
+// By even and odd powers, c(x) = E(x²) + x O(x²): four sums side by side, which do not wait for each other.
+ValueAndSlope value_and_slope(std::span<const double> c, double x) {
+    const double y = x * x;
+    double even = 0.0, odd = 0.0, even_slope = 0.0, odd_slope = 0.0;
+    std::size_t k = c.size();
+    if (k % 2 == 1) even = c[--k];
+    while (k > 0) {
+        odd_slope = odd_slope * y + odd;
+        odd = odd * y + c[--k];
+        even_slope = even_slope * y + even;
+        even = even * y + c[--k];
+    }
+    return {even + x * odd, 2.0 * x * even_slope + odd + 2.0 * y * odd_slope};
+}
+
+// the zero between an end where the polynomial is `first`, above zero, and one where it is `last`, below
+double polished(std::span<const double> c, double from, double to, double first, double last) {
+    double x = from + (to - from) * (first / (first - last));
     for (int step = 0; step < 80; ++step) {
-        double value = 0.0, slope = 0.0;
-        for (std::size_t k = c.size(); k-- > 0;) {
-            slope = slope * x + value;
-            value = value * x + c[k];
-        }
+        const auto [value, slope] = value_and_slope(c, x);
         if (value > 0.0)
             from = x;
         else
             to = x;
         double next = x - value / slope;
         if (!(next > from && next < to)) next = 0.5 * (from + to);
-        if (next == x || std::abs(next - x) <= 1e-17 || from == to) return next;
+        if (std::abs(next - x) <= zero_rounding * x || from == to) return next;
         x = next;
     }
     return x;
@@ -104,13 +120,22 @@ double value_of(std::span<const double> c, double x) {
 
 double first_zero(std::span<const double> whole, int dropped, double reach) {
     const std::span<const double> c = whole.subspan(static_cast<std::size_t>(dropped));
-    double least = c[0], sum = c[0];
-    for (std::size_t k = 1; k < c.size(); ++k) {
-        sum += c[k];
-        least += c[k] < 0.0 ? c[k] : 0.0;  // without a branch: signs follow no rule
+    // all coefficients, and those below zero: sums side by side, which do not wait for each other
+    constexpr std::size_t side_by_side = 4;
+    std::array<double, side_by_side> sum{}, below{};
+    std::size_t k = 1;
+    for (; k + side_by_side <= c.size(); k += side_by_side)
+        for (std::size_t i = 0; i < side_by_side; ++i) {
+            sum[i] += c[k + i];
+            below[i] += c[k + i] < 0.0 ? c[k + i] : 0.0;  // without a branch: signs follow no rule
+        }
+    for (; k < c.size(); ++k) {
+        sum[0] += c[k];
+        below[0] += c[k] < 0.0 ? c[k] : 0.0;
     }
-    if (!std::isfinite(sum)) return no_polynomial;
+    if (!std::isfinite(c[0] + ((sum[0] + sum[1]) + (sum[2] + sum[3])))) return no_polynomial;
     if (c[0] < 0.0) return 0.0;
+    const double least = c[0] + ((below[0] + below[1]) + (below[2] + below[3]));
     if (least > 0.0 || is_positive(c)) return no_zero;
     const int n = static_cast<int>(c.size()) - 1;
     std::array<IntervalPart, most_parts> stack;
@@ -124,7 +149,7 @@ double first_zero(std::span<const double> whole, int dropped, double reach) {
         const double first = here.b[0];
         const double last = here.b[static_cast<std::size_t>(n)];
         if (changes <= 1 && first > 0.0 && last <= 0.0) {
-            const double zero = polished(c, here.from, here.to);
+            const double zero = polished(c, here.from, here.to, first, last);
             return zero <= reach ? zero : no_zero;
         }
         if (changes <= 1 && !(first > 0.0)) {

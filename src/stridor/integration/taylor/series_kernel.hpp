@@ -28,6 +28,10 @@ struct SeriesProblem {
     const double* drive;       // [1] share of the surface's velocity in each row, shape [row]
     const double* surface;     // [m/s] coefficients of V
     double step;               // [s] h
+    // forces eliminated, where all modes and all rows are in one register each; else null: what each number of q and
+    // of v, the surface's acceleration and the load add to {acceleration; forces}, shape [2 numbers + 2][2]
+    const Lanes* eliminated = nullptr;
+    std::size_t numbers = 0;  // modes
 };
 
 /// Where the coefficients go; the first ones of q and v are given.

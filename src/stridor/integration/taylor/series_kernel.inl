@@ -101,7 +101,39 @@ STRIDOR_INLINE void expand_modes(const SeriesProblem& problem, int order, const 
     }
 }
 
+// Forces eliminated: a coefficient waits for one sum of columns, not for forces and their pushes in turn.
+STRIDOR_INLINE void expand_eliminated(const SeriesProblem& problem, int order, const SeriesRoom& room) {
+    const std::size_t n = problem.numbers;
+    const Lanes* drive = problem.eliminated + 4 * n;
+    const Lanes* pressed = drive + 2;
+    for (std::size_t m = 0; m <= static_cast<std::size_t>(order); ++m) {
+        const double per_step = static_cast<double>(m + 1) / problem.step;
+        const double rate = per_step * problem.surface[m + 1];
+        // what is known early, and what the last coefficient gives
+        Vector a = load(drive[0]) * rate, force = load(drive[1]) * rate;
+        if (m == 0) {
+            a = a + load(pressed[0]);
+            force = force + load(pressed[1]);
+        }
+        Vector a_last = load(no_numbers), force_last = load(no_numbers);
+        for (std::size_t k = 0; k < n; ++k) {
+            const Lanes* of_q = problem.eliminated + 2 * k;
+            const Lanes* of_v = of_q + 2 * n;
+            const double q = room.q[m].at[k], v = room.v[m].at[k];
+            a = a + load(of_q[0]) * q;
+            force = force + load(of_q[1]) * q;
+            a_last = a_last + load(of_v[0]) * v;
+            force_last = force_last + load(of_v[1]) * v;
+        }
+        const double scale = 1.0 / per_step;
+        save(load(room.v[m]) * scale, room.q[m + 1]);
+        save((a + a_last) * scale, room.v[m + 1]);
+        save(force + force_last, room.force[m]);
+    }
+}
+
 void expand(const SeriesProblem& problem, int order, const SeriesRoom& room) {
+    if (problem.eliminated != nullptr) return expand_eliminated(problem, order, room);
     if (problem.modes > 1) return expand_modes(problem, order, room, problem.modes, room.acceleration);
     Lanes one;  // stays in a register
     expand_modes(problem, order, room, 1, &one);

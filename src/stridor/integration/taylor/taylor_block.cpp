@@ -93,6 +93,39 @@ Eigen::MatrixXd TaylorBlock::products(const ContactSet& set, const Rows& rows) c
     return seen;
 }
 
+// lam = F (-Omega² q - C q' + f) + (R'B)^-1 r with F = -(R'B)^-1 R', put into q'' = -Omega² q - C q' + f + B lam
+std::vector<Lanes> TaylorBlock::eliminated(const Rows& rows, const Eigen::MatrixXd& inverse) const {
+    const auto n = static_cast<Eigen::Index>(modes_), r = static_cast<Eigen::Index>(rows.count());
+    Eigen::MatrixXd constraint(r, n), push(n, r), terms(n, 2 * n + 2);
+    for (Eigen::Index row = 0; row < r; ++row)
+        for (Eigen::Index j = 0; j < n; ++j) {
+            constraint(row, j) = rows.constraint[static_cast<std::size_t>(row)].at[j];
+            push(j, row) = rows.push[static_cast<std::size_t>(row)].at[j];
+        }
+    // columns: each number of q, each of v, the surface, the load
+    terms.setZero();
+    for (Eigen::Index j = 0; j < n; ++j) {
+        terms(j, j) = -structure_.square_frequency[static_cast<std::size_t>(j)];
+        terms(j, 2 * n + 1) = structure_.load[static_cast<std::size_t>(j)];
+        if (structure_.is_damped_by_mode()) terms(j, n + j) = -structure_.damping[static_cast<std::size_t>(j)];
+    }
+    if (!structure_.is_damped_by_mode())
+        for (Eigen::Index k = 0; k < n; ++k)
+            for (Eigen::Index j = 0; j < n; ++j)
+                terms(j, n + k) = -structure_.damping[static_cast<std::size_t>(k * n + j)];
+    Eigen::MatrixXd forces = -inverse * constraint.lazyProduct(terms);
+    forces.col(2 * n) = inverse * Eigen::Map<const Eigen::VectorXd>(rows.drive.data(), r);
+    terms += push.lazyProduct(forces);
+    std::vector<Lanes> columns(static_cast<std::size_t>(2 * (2 * n + 2)));
+    for (Eigen::Index c = 0; c < 2 * n + 2; ++c) {
+        for (Eigen::Index j = 0; j < n; ++j)
+            columns[static_cast<std::size_t>(2 * c)].at[j] = terms(j, c);
+        for (Eigen::Index row = 0; row < r; ++row)
+            columns[static_cast<std::size_t>(2 * c + 1)].at[row] = forces(row, c);
+    }
+    return columns;
+}
+
 TaylorBlock::Rows TaylorBlock::prepare(const ContactSet& set) const {
     Rows rows = listed(set);
     const auto size = static_cast<Eigen::Index>(rows.count());
@@ -105,9 +138,13 @@ TaylorBlock::Rows TaylorBlock::prepare(const ContactSet& set) const {
     const auto columns = [&](const Eigen::MatrixXd& matrix) {
         return in_registers({matrix.data(), static_cast<std::size_t>(matrix.size())}, rows.count());
     };
-    rows.inverse = columns(factor.inverse());
+    const Eigen::MatrixXd inverse = factor.inverse();
+    rows.inverse = columns(inverse);
     const Eigen::VectorXd pivots = factor.matrixLU().diagonal().cwiseAbs();
-    if (!(pivots.minCoeff() > exact_pivot_share * pivots.maxCoeff())) rows.seen = columns(seen);
+    if (!(pivots.minCoeff() > exact_pivot_share * pivots.maxCoeff()))
+        rows.seen = columns(seen);
+    else if (registers_ == 1 && rows.count() <= lanes)
+        rows.eliminated = eliminated(rows, inverse);
     return rows;
 }
 
@@ -145,7 +182,9 @@ void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, c
                     .seen = rows_->seen.empty() ? nullptr : rows_->seen.data(),
                     .drive = rows_->drive.data(),
                     .surface = surface_.data(),
-                    .step = step_},
+                    .step = step_,
+                    .eliminated = rows_->eliminated.empty() ? nullptr : rows_->eliminated.data(),
+                    .numbers = modes_},
                    order_, room());
     for (std::size_t k = 0; k < normal_.size(); ++k) {
         normal_[k].fill(0.0);

@@ -84,6 +84,7 @@ private:
         std::vector<Lanes> inverse;        // (R'B)^-1, shape [column][row]
         std::vector<Lanes> seen;           // R'B where its inverse is far from exact, else empty; likewise
         std::vector<double> drive;         // [1] share of the surface's velocity, shape [row]
+        std::vector<Lanes> eliminated;     // of small structures (series_kernel.hpp), else empty
 
         std::size_t count() const { return normal.size() + tangent.size(); }
     };
@@ -91,6 +92,7 @@ private:
     Rows prepare(const ContactSet& set) const;
     Rows listed(const ContactSet& set) const;
     Eigen::MatrixXd products(const ContactSet& set, const Rows& rows) const;
+    std::vector<Lanes> eliminated(const Rows& rows, const Eigen::MatrixXd& inverse) const;
     std::span<const double> coefficient(const std::vector<Lanes>& series, int m) const {
         return {series[static_cast<std::size_t>(m) * registers_].at, modes_};
     }
