@@ -1,5 +1,5 @@
-// What a simulated second costs against the number of contacts and of modes, by events and by steps. Prints a table, and
-// draws it where a file is named: `build-bench/benchmarks/cost_benchmark cost.png`.
+// What a simulated second costs against the number of contacts and of modes, by events and by steps. Prints a table,
+// and draws it where a file is named: `build-bench/benchmarks/cost_benchmark cost.png`.
 
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/picture.hpp"
