@@ -45,7 +45,7 @@ after(async () => {
 
 async function settled(where) {
   await where.waitForSelector('#verdict[aria-busy="false"]');
-  await where.waitForSelector('#chart[data-done="true"]', { timeout: 60000 });
+  await where.waitForSelector('#chart[data-done="true"]');
 }
 
 async function type(key, text) {
@@ -154,7 +154,7 @@ test("a link holds the whole case: it opens where the file is not", async () => 
     await other.page.locator("#paste-link").fill(link);
     await other.page.locator("#paste-link").press("Enter");
     const shows = (text) => document.querySelector("#verdict .chip")?.innerText === text;
-    await other.page.waitForFunction(shows, chip, { timeout: 30000 });
+    await other.page.waitForFunction(shows, chip);
     assert.deepEqual(other.sins, []);
   } finally {
     await other.close();

@@ -166,7 +166,7 @@ test("a recording of the library is seen, heard, and held against the simulation
 test("keep quiet names a change that makes it quiet with one click", async () => {
   await choose("squeal");
   await page.locator("#tab-quiet").click();
-  await page.waitForSelector("#apply-change", { timeout: 60000 });
+  await page.waitForSelector("#apply-change");
   assert.match(await page.locator("#nearest").innerText(), /nearest quiet design 0\.\d+ away/);
   await page.locator("#apply-change").click();
   await page.waitForFunction(() => document.querySelector("#verdict").dataset.going === "none", null, {

@@ -91,7 +91,7 @@ test("a slider of its builder makes the structure anew, and the chart is over it
     "chain.toml",
     chain(2),
     async (page) => {
-      await page.waitForSelector('#chart[data-done="true"]', { timeout: 60000 });
+      await page.waitForSelector('#chart[data-done="true"]');
       assert.equal(await page.locator("#axis-x").inputValue(), "contact.preload");
       const options = await page.locator("#axis-x option").evaluateAll((all) => all.map(({ value }) => value));
       assert.ok(options.includes("structure.coupling") && options.includes("structure.stiffness_scale"));
@@ -121,7 +121,7 @@ test("a bowed string moves in Helmholtz' motion, and is heard", async () => {
     const shown = Number(await page.locator("#verdict").evaluate(({ dataset }) => dataset.all !== undefined));
     assert.equal(shown, 1);
     await page.locator("#tab-listen").click();
-    await page.waitForSelector('[data-slot="A"][data-bytes]', { timeout: 60000 });
+    await page.waitForSelector('[data-slot="A"][data-bytes]');
     assert.ok(await page.locator("#contact").isHidden());
   });
 });

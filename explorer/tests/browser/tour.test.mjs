@@ -50,7 +50,7 @@ async function predict(value) {
 /** Lets the tour do it, and gives whether the prediction was right, with the words. */
 async function judged() {
   const hasJudged = () => /^[✓✗]/.test(document.querySelector("#tour-result").textContent);
-  await page.waitForFunction(hasJudged, null, { timeout: 30000 });
+  await page.waitForFunction(hasJudged, null);
   const said = await result();
   assert.equal(await page.locator("#tour-result").getAttribute("data-right"), String(said.startsWith("✓")));
   return said;
@@ -179,7 +179,7 @@ test("every control and picture has a name that a screen reader can say", async 
     await page.locator(`#tab-${view}`).click();
     await page.waitForSelector(`#view-${view} > *`);
     if (view === "quiet") {
-      await page.waitForSelector("#margins [data-margin]", { timeout: 60000 });
+      await page.waitForSelector("#margins [data-margin]");
       await page.locator("#add-tolerance").click();
     }
     await page.waitForTimeout(300);
