@@ -16,6 +16,7 @@ constexpr int most_coefficients = 32;
 constexpr double narrowest_part = 0x1p-44;  // [1] below it an interval holds dips no deeper than rounding
 constexpr std::size_t most_parts = 48;      // waiting: one of each width, and the narrowest's neighbour
 constexpr double zero_rounding = 0x1p-52;   // [1] of a zero: a neighbouring number
+constexpr double least_rounding = 1e-17;    // [1] of a block: what matters of a zero near its beginning
 constexpr int most_halvings = 8192;         // before a function that is all rounding is given up
 
 using BernsteinForm = std::array<double, most_coefficients>;
@@ -103,7 +104,7 @@ double polished(std::span<const double> c, double from, double to, double first,
             to = x;
         double next = x - value / slope;
         if (!(next > from && next < to)) next = 0.5 * (from + to);
-        if (std::abs(next - x) <= zero_rounding * x || from == to) return next;
+        if (std::abs(next - x) <= std::max(least_rounding, zero_rounding * x) || from == to) return next;
         x = next;
     }
     return x;
