@@ -193,12 +193,15 @@ bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
 
 // why no set obeys all laws
 Settled Settling::failed() {
-    pressed_ = pressed_contacts(structure_.contacts, structure_.compliance, possible_);
+    pressed_.clear();
+    // none was looked at where rounds of impacts and flights came to no end
+    if (!possible_.empty()) pressed_ = pressed_contacts(structure_.contacts, structure_.compliance, possible_);
     return pressed_.empty() ? Settled::inconsistent : Settled::pressed;
 }
 
 Settled Settling::go_on(TaylorState& state, const SurfaceSeries& surface) {
     const std::size_t none = state.set.size();
+    possible_.clear();
     // what obeyed the laws before flights were ended: where nothing does afterwards they go on
     std::optional<Lawful> lawful;
     const auto finish = [&] {
