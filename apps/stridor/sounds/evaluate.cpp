@@ -29,6 +29,7 @@ struct EvaluateOptions {
     std::string planes = "all";
     std::size_t perturb_every = hearing::HearingOptions{}.perturb_every;
     std::string recordings;
+    std::string labels;
     std::string csv;
     int threads = 0;
     bool json = false;
@@ -96,13 +97,12 @@ std::vector<hearing::HeardRecording> hear_recordings(const std::vector<hearing::
 
 void evaluate(const EvaluateOptions& options) {
     if (!options.csv.empty() && !options.recordings.empty() && options.files.empty())
-        throw Error(ErrorKind::input, {"--csv has nothing to write", "it has a row per simulated sound",
-                                       "Name a chart, or leave --recordings out."});
+        throw Error(ErrorKind::input, {"--csv has nothing to write", "it has a row per simulated sound", ""});
     io::HearingReport report;
     report.options = hearing_options(options);
     report.charts = charts_of(options);
     std::vector<hearing::Expectation> expectations;
-    if (!options.recordings.empty()) expectations = io::read_expectations(options.recordings);
+    if (!options.recordings.empty()) expectations = io::read_expectations(options.recordings, options.labels);
     {
         const Interrupt interrupt;
         report.options.stop = interrupt.token();
@@ -146,11 +146,13 @@ void add_evaluate(CLI::App& program) {
                      "every so many sounds are also judged with noise, gains, rates and bands; 0: none")
         ->check(CLI::Range(0, 1000000))
         ->capture_default_str();
-    command
-        ->add_option("--recordings", options->recordings,
-                     "recordings instead, with what they are in expected.csv or the table of README.md")
-        ->type_name("FOLDER")
-        ->excludes(planes);
+    CLI::Option* recordings =
+        command->add_option("--recordings", options->recordings,
+                            "recordings instead, with what they are in expected.csv or the table of README.md");
+    recordings->type_name("FOLDER")->excludes(planes);
+    command->add_option("--labels", options->labels, "another table of what they are: CSV, or a page ending in .md")
+        ->type_name("FILE")
+        ->needs(recordings);
     command->add_option("--csv", options->csv, "write a row per simulated sound, with the figures of both verdicts")
         ->type_name("FILE");
     add_threads_option(*command, options->threads);

@@ -1,7 +1,7 @@
 #include "sounds/sound_options.hpp"
 
 #include "stridor/base/quantity.hpp"
-#include "stridor/classification/sound_rules.hpp"
+#include "stridor/classification/recording_verdict.hpp"
 #include "stridor/console/sound_progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/recordings/open_signal.hpp"
@@ -54,7 +54,7 @@ io::SoundReport listen_to(const SoundOptions& options, std::optional<sound::Soun
         console::say("stridor: note: " + note);
     report.channels = sound::analyse(*file, progress_of(file->layout()), side_by_side, field);
     for (const sound::SoundAnalysis& analysis : report.channels)
-        report.verdicts.push_back(classification::classify_recording(analysis.stretches, report.thresholds));
+        report.verdicts.push_back(classification::verdict_on(analysis, report.thresholds));
     report.loudest = sound::loudest(report.channels);
     return report;
 }

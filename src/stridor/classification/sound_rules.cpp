@@ -78,6 +78,22 @@ SoundVerdict classify_sound(const SoundFeatures& f, const SoundThresholds& t) {
                                                 f.frequency, f.regularity));
 }
 
+void describe_impulses(SoundSegment& segment, std::span<const double> impulses) {
+    std::vector<double> intervals(impulses.size());
+    std::adjacent_difference(impulses.begin(), impulses.end(), intervals.begin());
+    if (intervals.size() < 2) return;
+    intervals.erase(intervals.begin());
+    double change = 0.0;
+    for (std::size_t k = 1; k < intervals.size(); ++k)
+        change += std::abs(intervals[k] - intervals[k - 1]);
+    const double sum = std::accumulate(intervals.begin(), intervals.end(), 0.0);
+    const auto count = static_cast<double>(intervals.size());
+    if (intervals.size() > 1) segment.impulse_regularity = std::max(0.0, 1.0 - change / (count - 1.0) / (sum / count));
+    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+    std::nth_element(intervals.begin(), middle, intervals.end());
+    segment.impulse_interval = *middle;
+}
+
 namespace {
 
 // the impulses of creaks with nothing but rest between them
@@ -113,22 +129,6 @@ std::vector<Train> trains_of(std::span<const SoundSegment> segments, const Sound
         is_open = is_creak;
     }
     return trains;
-}
-
-void describe_impulses(SoundSegment& segment, std::span<const double> impulses) {
-    std::vector<double> intervals(impulses.size());
-    std::adjacent_difference(impulses.begin(), impulses.end(), intervals.begin());
-    if (intervals.size() < 2) return;
-    intervals.erase(intervals.begin());
-    double change = 0.0;
-    for (std::size_t k = 1; k < intervals.size(); ++k)
-        change += std::abs(intervals[k] - intervals[k - 1]);
-    const double sum = std::accumulate(intervals.begin(), intervals.end(), 0.0);
-    const auto count = static_cast<double>(intervals.size());
-    if (intervals.size() > 1) segment.impulse_regularity = std::max(0.0, 1.0 - change / (count - 1.0) / (sum / count));
-    const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-    std::nth_element(intervals.begin(), middle, intervals.end());
-    segment.impulse_interval = *middle;
 }
 
 void append(SoundSegment& segment, const SoundStretch& stretch, SoundVerdict verdict) {

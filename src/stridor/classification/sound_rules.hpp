@@ -23,6 +23,9 @@ namespace stridor::classification {
 /// docs/methods/sound.md for the figures.
 SoundVerdict classify_sound(const sound::SoundFeatures& features, const parameters::SoundThresholds& thresholds);
 
+/// Sets the median of the intervals between impulses and their regularity. `impulses` [s] in time.
+void describe_impulses(SoundSegment& segment, std::span<const double> impulses);
+
 /// The segments and the category of a recording from its stretches in time.
 ///
 /// Stretches `quiet_depth` below the loudest are background, hence `none`. Neighbours of one category are one segment.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/classification/category.hpp"
+#include "stridor/classification/ear.hpp"
 #include "stridor/classification/verdict.hpp"
 #include "stridor/sound/features.hpp"
 
@@ -30,9 +31,21 @@ struct SoundSegment {
     SoundVerdict verdict{};
 };
 
-/// A recording: its segments, and its category, which is the one with most of the energy.
+/// A passage of a recording by the ear.
+struct HeardPassage {
+    double from = 0.0;    // [s]
+    double to = 0.0;      // [s]
+    double energy = 0.0;  // [unit² s] A-weighted
+    Category category = Category::none;
+    EarVerdict ear{};
+};
+
+/// A recording: its segments, and its category. By the rules that is the one with most of the energy; by the ear, the
+/// strongest noise.
 struct RecordingVerdict {
     Category category = Category::undecided;
+    double probability = 0.0;                            // [1] of the category, by the ear; 0: the rules know none
+    std::vector<HeardPassage> passages{};                // by the ear, in time; none by the rules
     std::array<double, category_names.size()> shares{};  // [1] of the energy, by category
     std::vector<SoundSegment> segments{};                // one after the other, in time
     std::vector<std::string> reasons{};

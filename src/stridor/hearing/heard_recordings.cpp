@@ -2,13 +2,14 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/classification/sound_rules.hpp"
+#include "stridor/classification/recording_verdict.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/recordings/sidecar.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -39,17 +40,21 @@ std::string state_of(const std::string& file) {
     return fmt::format("{} bytes, {}", size_of(file), written.time_since_epoch().count());
 }
 
-// "creak 68.7 % of the energy is creak"
+// "creak 0.87 42 % of the energy"
 std::string packed(const HeardRecording& heard) {
-    return std::string(classification::name(heard.heard)) + " " + heard.reason;
+    return fmt::format("{} {} {}", classification::name(heard.heard), base::shortest(heard.probability), heard.reason);
 }
 
 std::optional<HeardRecording> unpacked(const Expectation& expectation, const std::string& text) {
-    const std::size_t blank = text.find(' ');
-    const auto category = std::find(category_names.begin(), category_names.end(), text.substr(0, blank));
-    if (blank == std::string::npos || category == category_names.end()) return std::nullopt;
+    const std::size_t first = text.find(' ');
+    const std::size_t second = first == std::string::npos ? first : text.find(' ', first + 1);
+    if (second == std::string::npos) return std::nullopt;
+    const auto category = std::find(category_names.begin(), category_names.end(), text.substr(0, first));
+    double probability = 0.0;
+    const auto read = std::from_chars(text.data() + first + 1, text.data() + second, probability);
+    if (category == category_names.end() || read.ec != std::errc{}) return std::nullopt;
     return HeardRecording{expectation, static_cast<classification::Category>(category - category_names.begin()),
-                          text.substr(blank + 1)};
+                          text.substr(second + 1), probability};
 }
 
 HeardRecording hear_recording(const Expectation& expectation, const RecordingHearing& hearing) {
@@ -62,7 +67,7 @@ HeardRecording hear_recording(const Expectation& expectation, const RecordingHea
                          "Run the same command again to go on."});
         if (frames > 0.0) hearing.progress(std::min(1.0, static_cast<double>(done) / frames));
     });
-    return {expectation, verdict.category, verdict.reasons.front()};
+    return {expectation, verdict.category, verdict.reasons.front(), verdict.probability};
 }
 
 }  // namespace
@@ -75,7 +80,7 @@ bool is_right(const HeardRecording& recording) {
 classification::RecordingVerdict verdict_on(signal::Source& source, const parameters::SoundThresholds& thresholds,
                                             const sound::AnalysisProgress& progress) {
     const std::vector<sound::SoundAnalysis> channels = sound::analyse(source, progress);
-    return classification::classify_recording(channels[sound::loudest(channels)].stretches, thresholds);
+    return classification::verdict_on(channels[sound::loudest(channels)], thresholds);
 }
 
 std::string heard_text(std::span<const Expectation> expectations, const parameters::SoundThresholds& thresholds) {

@@ -21,6 +21,8 @@ struct Expectation {
     std::string file;                                    // with its folder
     std::string words;                                   // as they stand in the table: "squeak or creak"
     std::vector<classification::Category> categories{};  // any of these is right; never empty
+    std::string source{};                                // whose it is; recordings of one source are alike
+    bool is_sure = true;                                 // is somebody sure of the label?
 };
 
 /// A recording by ear.
@@ -28,6 +30,7 @@ struct HeardRecording {
     Expectation expectation;
     classification::Category heard = classification::Category::undecided;
     std::string reason;
+    double probability = 0.0;  // [1] of the category, by the ear; 0: by the rules
 };
 
 /// Is it heard as one of the categories that are expected?

@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/classification/contact_rules.hpp"
-#include "stridor/classification/sound_rules.hpp"
+#include "stridor/classification/recording_verdict.hpp"
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/own_structure.hpp"
@@ -98,7 +98,7 @@ void set_spectrogram(ComparedSound& sound, signal::Source& source) {
 void judge_alike(ComparedSound& sound, sound::SoundAnalysis analysis) {
     const parameters::SoundThresholds thresholds;
     sound.analysis = std::move(analysis);
-    sound.heard = classification::classify_recording(sound.analysis.stretches, thresholds);
+    sound.heard = classification::verdict_on(sound.analysis, thresholds);
     sound.profile = classification::profile_of(sound.analysis.stretches, sound.heard, thresholds);
 }
 
@@ -161,7 +161,9 @@ ComparedSound simulate_sound(const SimulatedSound& simulated, const ComparisonSe
     judge_alike(sound, std::move(sound::analyse(*rendering.sound).front()));
     if (sound.analysis.peak < least_motion) {
         sound.profile = {};
-        sound.heard = {classification::Category::none, {}, {}, {"nothing moves but by rounding"}};
+        sound.heard = {};
+        sound.heard.category = classification::Category::none;
+        sound.heard.reasons = {"nothing moves but by rounding"};
     }
     sound.what = motion_words(motion);
     sound.rate = settings.rate;

@@ -50,6 +50,10 @@ constexpr std::array threshold_table{
                    &SoundThresholds::least_duration},
     SoundThreshold{"majority", "1", "share of the energy that the category of a whole recording must have", share_range,
                    &SoundThresholds::majority},
+    SoundThreshold{"least_share", "1", "share of a recording's energy from which a noise names it", share_range,
+                   &SoundThresholds::least_share},
+    SoundThreshold{"certainty", "1", "probability from which the ear decides on a recording", share_range,
+                   &SoundThresholds::certainty},
 };
 
 // decibels have no dimension that `parse_quantity` knows: their unit is cut off first

@@ -27,6 +27,8 @@ struct SoundThresholds {
     double creak_pause = 1.5;           // [s] longest rest between two impulses of one creak
     double least_duration = 0.05;       // [s] shortest noise that can be judged
     double majority = 0.5;              // [1] share of the energy that the category of a whole recording must have
+    double least_share = 0.2;           // [1] share of a recording's energy from which a noise names it
+    double certainty = 0.35;            // [1] probability from which a recording by the ear is decided
 };
 
 /// One threshold of the table, as `Field` is one parameter of a case.

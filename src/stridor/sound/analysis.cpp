@@ -184,6 +184,10 @@ private:
 
 }  // namespace
 
+bool is_heard_through_air(const signal::Channel& channel) {
+    return channel.unit == "Pa" || channel.unit == signal::full_scale;
+}
+
 void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work) {
     for (std::size_t k = 0; k < count; ++k)
         work(k);
@@ -200,15 +204,23 @@ std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgres
         finders.emplace_back(layout.rate);
         overviews.emplace_back(layout.rate, channel);
     }
+    std::vector<PassageFinder> passages;
+    std::vector<std::size_t> heard;  // their channels
     std::vector<SoundQualityMeter> meters;
-    std::vector<std::size_t> metered;  // their channels
-    for (std::size_t channel = 0; field && channel < width; ++channel) {
-        if (layout.channels[channel].unit != "Pa") continue;
-        meters.emplace_back(layout.rate, *field);
-        metered.push_back(channel);
+    std::vector<std::size_t> metered;  // likewise
+    for (std::size_t channel = 0; channel < width; ++channel) {
+        if (is_heard_through_air(layout.channels[channel])) {
+            passages.emplace_back(layout.rate);
+            heard.push_back(channel);
+        }
+        if (field && layout.channels[channel].unit == "Pa") {
+            meters.emplace_back(layout.rate, *field);
+            metered.push_back(channel);
+        }
     }
     const std::size_t described = 2 * width;
-    const std::size_t listened = described + meters.size();
+    const std::size_t passed = described + passages.size();
+    const std::size_t listened = passed + meters.size();
     BlockReader reader(source);
     Channels here;
     Channels next;
@@ -222,8 +234,10 @@ std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgres
                 finders[piece].push(here[piece]);
             else if (piece < described)
                 overviews[piece - width].push(here[piece - width]);
+            else if (piece < passed)
+                passages[piece - described].push(here[heard[piece - described]]);
             else if (piece < listened)
-                meters[piece - described].push(here[metered[piece - described]]);
+                meters[piece - passed].push(here[metered[piece - passed]]);
             else
                 reader.read(next);
         });
@@ -236,6 +250,8 @@ std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgres
         results.push_back(overviews[channel].finish());
         results.back().stretches = finders[channel].finish();
     }
+    for (std::size_t k = 0; k < passages.size(); ++k)
+        results[heard[k]].passages = passages[k].finish();
     for (std::size_t k = 0; k < meters.size(); ++k)
         results[metered[k]].quality = meters[k].finish();
     return results;

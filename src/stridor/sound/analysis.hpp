@@ -4,6 +4,7 @@
 #include "stridor/signal/source.hpp"
 #include "stridor/signal/spectrogram.hpp"
 #include "stridor/signal/spectrum.hpp"
+#include "stridor/sound/passages.hpp"
 #include "stridor/sound/quality.hpp"
 #include "stridor/sound/stretches.hpp"
 
@@ -43,6 +44,7 @@ struct SoundAnalysis {
     signal::Spectrogram spectrogram{};
     Waveform waveform{};
     std::vector<SoundStretch> stretches{};  // one after the other, in time
+    std::vector<Passage> passages{};        // likewise, of a microphone's channel: in Pa or uncalibrated
     std::optional<SoundQuality> quality{};  // of a channel in Pa, if asked for
 };
 
@@ -74,8 +76,12 @@ using AnalysisProgress = std::function<void(std::uint64_t frames)>;
 using Runner = std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
 void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// Reads a recording to its end and analyses all channels; shape [channel]. The stretches and the overview of each
-/// channel are pieces of work for `run`, and so is reading on. With a `field` the channels in Pa get their sound
+/// Is a channel taken for one of a microphone? One in Pa is, and one that nobody has calibrated; motions and forces are
+/// heard as they are.
+bool is_heard_through_air(const signal::Channel& channel);
+
+/// Reads a recording to its end and analyses all channels; shape [channel]. The stretches, the passages and the
+/// overview of each channel are pieces of work for `run`, and so is reading on. With a `field` the channels in Pa get their sound
 /// quality, heard in it.
 ///
 /// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite

@@ -50,13 +50,14 @@ TEST(HeardRecordings, AreNotHeardAgainWhereTheyAreKept) {
     const support::ScratchFolder folder;
     const std::vector<Expectation> expected{tone_in(folder)};
     const std::filesystem::path file = folder / "kept.sqlite";
-    storage::KeptResults(file, heard_text(expected, {}), "test").keep(0, "creak as it was kept");
+    storage::KeptResults(file, heard_text(expected, {}), "test").keep(0, "creak 0.5 as it was kept");
     storage::KeptResults kept(file, heard_text(expected, {}), "test");
     RecordingHearing hearing;
     hearing.kept = &kept;
     const std::vector<HeardRecording> heard = hear(expected, hearing);
     EXPECT_EQ(heard.front().heard, Category::creak);
     EXPECT_EQ(heard.front().reason, "as it was kept");
+    EXPECT_EQ(heard.front().probability, 0.5);
 }
 
 TEST(HeardRecordings, AreOthersWithAnotherThreshold) {

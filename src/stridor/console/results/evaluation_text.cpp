@@ -1,5 +1,7 @@
 #include "stridor/console/results/evaluation_text.hpp"
 
+#include "stridor/hearing/recording_score.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -175,20 +177,74 @@ std::string number_word(std::size_t number) {
     return number < words.size() ? words[number] : std::to_string(number);
 }
 
+// how wide a column must be for its words
+std::size_t width_of(const std::vector<std::string>& words, std::size_t least) {
+    for (const std::string& word : words)
+        least = std::max(least, word.size() + 2);
+    return least;
+}
+
+std::string shares_text(const hearing::RecordingScore& score) {
+    std::string text = fmt::format("\n  {:<42}{:>10}{:>9}   {}\n", "", "right", "", "95 %, by drawing sources again");
+    for (const hearing::RightShare& share : score.shares) {
+        if (share.count == 0) continue;
+        const double all = static_cast<double>(share.right) / static_cast<double>(share.count);
+        text += fmt::format("  {:<42}{:>10}{:>9}   {} to {}\n", share.what,
+                            fmt::format("{} of {}", share.right, share.count), percent(all), percent(share.low),
+                            percent(share.high));
+    }
+    return text;
+}
+
+std::string rows_text(const hearing::RecordingScore& score) {
+    std::string text = fmt::format("\n  {:<24}", "expected; by ear:");
+    for (const std::string_view name : classification::category_names)
+        text += fmt::format("{:>10}", name);
+    for (const hearing::HeardRow& row : score.rows) {
+        text += fmt::format("\n  {:<24}", row.expected);
+        for (const std::size_t count : row.heard)
+            text += fmt::format("{:>10}", count);
+    }
+    return text + "\n";
+}
+
+std::string probabilities_text(const hearing::RecordingScore& score, std::size_t count) {
+    if (score.bins.empty()) return "";
+    std::string text = fmt::format("\n  {:<24}{:>10}{:>10}{:>10}\n", "probability", "clips", "its mean", "right");
+    for (const hearing::CalibrationBin& bin : score.bins)
+        text += fmt::format("  {:<24}{:>10}{:>10}{:>10}\n", fmt::format("{:.1f} to {:.1f}", bin.from, bin.to),
+                            bin.count, percent(bin.probability),
+                            percent(static_cast<double>(bin.right) / static_cast<double>(bin.count)));
+    text += fmt::format("\n  {:<24}{:>10}{:>10}\n", "decided from", "decided", "right");
+    for (const hearing::AbstentionPoint& point : score.decided)
+        if (point.decided > 0)
+            text += fmt::format("  {:<24}{:>10}{:>10}\n", fmt::format("{:.1f}", point.probability),
+                                percent(static_cast<double>(point.decided) / static_cast<double>(count)),
+                                percent(static_cast<double>(point.right) / static_cast<double>(point.decided)));
+    return text;
+}
+
 std::string recordings_text(const std::vector<hearing::HeardRecording>& recordings) {
-    std::string text = fmt::format("  {:<24}{:<22}{:<11}{:<7}{}\n", "recording", "expected", "by ear", "", "why");
+    std::vector<std::string> names;
+    for (const hearing::HeardRecording& recording : recordings)
+        names.push_back(std::filesystem::path(recording.expectation.file).filename().string());
+    const std::size_t width = width_of(names, 24);
+    std::string text =
+        fmt::format("  {:<{}}{:<22}{:<11}{:<7}{}\n", "recording", width, "expected", "by ear", "", "why");
     std::size_t right = 0;
-    for (const hearing::HeardRecording& recording : recordings) {
-        const std::string name = std::filesystem::path(recording.expectation.file).filename().string();
+    for (std::size_t k = 0; k < recordings.size(); ++k) {
+        const hearing::HeardRecording& recording = recordings[k];
         const bool agrees = hearing::is_right(recording);
         right += agrees ? 1 : 0;
-        text += fmt::format("  {:<24}{:<22}{:<11}{:<7}{}\n", name, recording.expectation.words,
+        text += fmt::format("  {:<{}}{:<22}{:<11}{:<7}{}\n", names[k], width, recording.expectation.words,
                             classification::name(recording.heard), agrees ? "right" : "wrong", recording.reason);
     }
     text += fmt::format("\n{} of {} as expected. ", right, recordings.size());
-    constexpr std::size_t few = 100;
-    if (recordings.size() >= few) return text + "\n";
-    return text + fmt::format("A smoke test: {} clips are no statistic.\n", number_word(recordings.size()));
+    constexpr std::size_t few = 20;
+    if (recordings.size() < few)
+        return text + fmt::format("A smoke test: {} clips are no statistic.\n", number_word(recordings.size()));
+    const hearing::RecordingScore score = hearing::score_of(recordings);
+    return text + "\n" + shares_text(score) + rows_text(score) + probabilities_text(score, recordings.size());
 }
 
 }  // namespace

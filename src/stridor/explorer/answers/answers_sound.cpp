@@ -1,6 +1,6 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/classification/sound_rules.hpp"
+#include "stridor/classification/recording_verdict.hpp"
 #include "stridor/explorer/answers/answers.hpp"
 #include "stridor/explorer/bytes.hpp"
 #include "stridor/hearing/heard_modes.hpp"
@@ -169,8 +169,7 @@ Response analysis_of(signal::Source& source) {
                           {"level", rounded(levels_of(lines, reference))},
                           {"unit", unit}}},
                         {"spectrogram", spectrogram_object(sound.spectrogram, reference)},
-                        {"verdict", verdict_object(classification::classify_recording(sound.stretches,
-                                                                                      parameters::SoundThresholds{}))}};
+                        {"verdict", verdict_object(classification::verdict_on(sound, parameters::SoundThresholds{}))}};
     return json(document.dump());
 }
 

@@ -3,7 +3,7 @@
 #include "stridor/analysis/friction_trace.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/quantity.hpp"
-#include "stridor/classification/sound_rules.hpp"
+#include "stridor/classification/recording_verdict.hpp"
 #include "stridor/io/sound/json_verdict.hpp"
 #include "stridor/noise_library/heard_figures.hpp"
 #include "stridor/recordings/rig_channels.hpp"
@@ -82,7 +82,7 @@ void judge(const recordings::SignalInput& input, const JudgingOptions& options, 
     report.channels =
         sound::analyse(picked, progress_of(file->layout(), heard), sound::one_after_the_other, sound::SoundField::free);
     for (const sound::SoundAnalysis& analysis : report.channels)
-        report.verdicts.push_back(classification::classify_recording(analysis.stretches, report.thresholds));
+        report.verdicts.push_back(classification::verdict_on(analysis, report.thresholds));
     report.loudest = sound::loudest(report.channels);
 
     entry = without_verdict(std::move(entry));

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 
 namespace stridor::io {
@@ -55,7 +56,9 @@ bool is_rule(const Row& row) {
 
 std::vector<Category> categories_in(const std::string& words) {
     std::vector<Category> found;
-    std::istringstream text(words.substr(0, words.find(',')));
+    std::string spaced = words.substr(0, words.find(','));
+    std::replace(spaced.begin(), spaced.end(), '|', ' ');
+    std::istringstream text(spaced);
     for (std::string word; text >> word;) {
         if (word == "or") continue;
         const auto known =
@@ -97,49 +100,75 @@ struct ExpectationTable {
     bool is_csv = false;
 };
 
+// where a row has what; the number of its fields where it has it not
+struct Columns {
+    std::size_t file = 0;
+    std::size_t expected = 0;
+    std::size_t source = 0;
+    std::size_t confidence = 0;
+};
+
+std::optional<Columns> columns_of(const Row& header) {
+    const auto column = [&](std::string_view name) {
+        return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
+    };
+    const Columns columns{column("file"), column("expected"), std::min(column("source"), column("repository")),
+                          column("confidence")};
+    if (std::max(columns.file, columns.expected) == header.size()) return std::nullopt;
+    return columns;
+}
+
+// the file in the folder; a table that lies elsewhere may name it by a path of its own
+std::filesystem::path place_of(const std::filesystem::path& folder, const std::string& name) {
+    std::error_code ignored;
+    const std::filesystem::path whole = folder / name;
+    const std::filesystem::path last = folder / std::filesystem::path(name).filename();
+    return !std::filesystem::is_regular_file(whole, ignored) && std::filesystem::is_regular_file(last, ignored) ? last
+                                                                                                                : whole;
+}
+
+void add(const Row& row, const Columns& columns, const RowPlace& place, const std::filesystem::path& folder,
+         std::vector<Expectation>& expectations) {
+    if (row.size() <= std::max(columns.file, columns.expected))
+        refuse(place, "the row has no field for each column", "file and expected category are needed", "");
+    const std::vector<Category> categories = categories_in(row[columns.expected]);
+    if (categories.empty())
+        refuse(place, "\"" + row[columns.expected] + "\" names no category",
+               "expected is none, squeal, squeak or creak, or several joined by \"or\"", "");
+    const std::string source = columns.source < row.size() ? row[columns.source] : "";
+    const bool is_sure = columns.confidence >= row.size() || row[columns.confidence] != "low";
+    for (const std::string& name : names_in(row[columns.file])) {
+        const std::filesystem::path path = place_of(folder, name);
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(path, ignored))
+            refuse(place, path.string() + " is not there", "the table names it", "");
+        expectations.push_back({path.string(), row[columns.expected], categories, source, is_sure});
+    }
+}
+
 std::vector<Expectation> read_table(const ExpectationTable& table, const std::filesystem::path& folder) {
     const std::string text = storage::read_file(table.path.string());
     std::istringstream lines(text);
     std::vector<Expectation> expectations;
-    std::size_t file = 0;
-    std::size_t expected = 0;
-    bool has_header = false;
+    std::optional<Columns> columns;
     char delimiter = ',';
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
         ++number;
         if (number == 1 && line.starts_with(recordings::csv_table::utf8_mark))
             line.erase(0, recordings::csv_table::utf8_mark.size());
-        if (table.is_csv && !has_header) delimiter = recordings::csv_table::sniff(line).delimiter;
+        if (table.is_csv && !columns) delimiter = recordings::csv_table::sniff(line).delimiter;
         const Row row = table.is_csv ? csv_row(line, delimiter) : markdown_row(line);
-        if (row.empty() && has_header && !table.is_csv) break;  // the table's end
+        if (row.empty() && columns && !table.is_csv) break;  // the table's end
         if (row.empty()) continue;
         const RowPlace place{table.path.string(), number, 1, line};
-        if (!has_header) {
-            const auto column = [&](const char* name) {
-                return static_cast<std::size_t>(std::find(row.begin(), row.end(), name) - row.begin());
-            };
-            file = column("file");
-            expected = column("expected");
-            has_header = std::max(file, expected) < row.size();
-            if (!has_header && table.is_csv)
+        if (!columns) {
+            columns = columns_of(row);
+            if (!columns && table.is_csv)
                 refuse(place, "the first row names no columns \"file\" and \"expected\"", "a row must say what is what",
                        "Begin with: file,expected");
-            continue;
-        }
-        if (is_rule(row)) continue;
-        if (row.size() <= std::max(file, expected))
-            refuse(place, "the row has no field for each column", "file and expected category are needed", "");
-        const std::vector<Category> categories = categories_in(row[expected]);
-        if (categories.empty())
-            refuse(place, "\"" + row[expected] + "\" names no category",
-                   "expected is none, squeal, squeak or creak, or several joined by \"or\"", "");
-        for (const std::string& name : names_in(row[file])) {
-            const std::filesystem::path path = folder / name;
-            std::error_code ignored;
-            if (!std::filesystem::is_regular_file(path, ignored))
-                refuse(place, path.string() + " is not there", "the table names it", "");
-            expectations.push_back({path.string(), row[expected], categories});
+        } else if (!is_rule(row)) {
+            add(row, *columns, place, folder, expectations);
         }
     }
     return expectations;
@@ -147,11 +176,16 @@ std::vector<Expectation> read_table(const ExpectationTable& table, const std::fi
 
 }  // namespace
 
-std::vector<Expectation> read_expectations(const std::string& folder) {
+std::vector<Expectation> read_expectations(const std::string& folder, const std::string& labels) {
     const std::filesystem::path path(folder);
     std::error_code ignored;
     if (!std::filesystem::is_directory(path, ignored))
-        throw Error(ErrorKind::input, {folder + " is no folder", "recordings and their table stand in one", ""});
+        throw Error(ErrorKind::input, {folder + " is no folder", "recordings stand in one", ""});
+    if (!labels.empty()) {
+        std::vector<Expectation> found = read_table({labels, !labels.ends_with(".md")}, path);
+        if (!found.empty()) return found;
+        throw Error(ErrorKind::input, {labels + " labels no recording", "it has no rows", ""});
+    }
     const ExpectationTable csv{path / "expected.csv", true};
     const ExpectationTable page{path / "README.md", false};
     for (const ExpectationTable& table : {csv, page}) {

@@ -2,6 +2,7 @@
 
 #include "stridor/base/csv_text.hpp"
 #include "stridor/base/version.hpp"
+#include "stridor/hearing/recording_score.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/io/json_parts.hpp"
@@ -107,9 +108,42 @@ Json recording_object(const hearing::HeardRecording& recording) {
     Json accepted = Json::array();
     for (const Category category : recording.expectation.categories)
         accepted.push_back(word(category));
-    return {{"file", recording.expectation.file}, {"expected", recording.expectation.words},
-            {"accepted", std::move(accepted)},    {"by_ear", word(recording.heard)},
-            {"is_right", is_right(recording)},    {"reason", recording.reason}};
+    return {{"file", recording.expectation.file},     {"expected", recording.expectation.words},
+            {"accepted", std::move(accepted)},        {"by_ear", word(recording.heard)},
+            {"is_right", is_right(recording)},        {"reason", recording.reason},
+            {"source", recording.expectation.source}, {"is_sure", recording.expectation.is_sure},
+            {"probability", recording.probability}};
+}
+
+Json score_object(const hearing::RecordingScore& score) {
+    Json shares = Json::array();
+    for (const hearing::RightShare& share : score.shares)
+        shares.push_back({{"what", share.what},
+                          {"right", share.right},
+                          {"count", share.count},
+                          {"low", share.low},
+                          {"high", share.high}});
+    Json rows = Json::array();
+    for (const hearing::HeardRow& row : score.rows) {
+        Json heard = Json::object();
+        for (std::size_t k = 0; k < row.heard.size(); ++k)
+            heard[std::string(classification::category_names[k])] = row.heard[k];
+        rows.push_back({{"expected", row.expected}, {"by_ear", std::move(heard)}});
+    }
+    Json bins = Json::array();
+    for (const hearing::CalibrationBin& bin : score.bins)
+        bins.push_back({{"from", bin.from},
+                        {"to", bin.to},
+                        {"count", bin.count},
+                        {"right", bin.right},
+                        {"probability", bin.probability}});
+    Json decided = Json::array();
+    for (const hearing::AbstentionPoint& point : score.decided)
+        decided.push_back({{"probability", point.probability}, {"decided", point.decided}, {"right", point.right}});
+    return {{"shares", std::move(shares)},
+            {"rows", std::move(rows)},
+            {"calibration", std::move(bins)},
+            {"abstention", std::move(decided)}};
 }
 
 std::vector<TableColumn> columns() {
@@ -213,6 +247,7 @@ std::string hearing_json(const HearingReport& report) {
     for (const hearing::HeardRecording& recording : report.recordings)
         recordings.push_back(recording_object(recording));
     document["recordings"] = std::move(recordings);
+    if (!report.recordings.empty()) document["score"] = score_object(hearing::score_of(report.recordings));
     document["thresholds"] = json_parts::thresholds_object(report.options.settings.thresholds);
     return base::text_of(document);
 }

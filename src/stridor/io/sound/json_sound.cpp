@@ -49,6 +49,26 @@ Json segment_object(const classification::SoundSegment& segment, double referenc
             {"reasons", segment.verdict.reasons}};
 }
 
+Json passage_object(const classification::HeardPassage& passage) {
+    Json probabilities = Json::object();
+    for (std::size_t k = 0; k < classification::heard_names.size(); ++k)
+        probabilities[std::string(classification::heard_names[k])] = passage.ear.probabilities[k];
+    Json figures = Json::object();
+    Json reasons = Json::object();
+    for (std::size_t k = 0; k < classification::ear_figure_count; ++k) {
+        const std::string name(classification::ear_figures()[k].name);
+        figures[name] = passage.ear.values[k];
+        reasons[name] = passage.ear.reasons[k];
+    }
+    return {{"from", passage.from},
+            {"to", passage.to},
+            {"category", classification::name(passage.category)},
+            {"energy", passage.energy},
+            {"probabilities", std::move(probabilities)},
+            {"figures", std::move(figures)},
+            {"reasons", std::move(reasons)}};
+}
+
 Json verdict_object(const classification::RecordingVerdict& verdict, double reference) {
     Json shares = Json::object();
     for (std::size_t k = 0; k < verdict.shares.size(); ++k)
@@ -56,10 +76,16 @@ Json verdict_object(const classification::RecordingVerdict& verdict, double refe
     Json segments = Json::array();
     for (const classification::SoundSegment& segment : verdict.segments)
         segments.push_back(segment_object(segment, reference));
-    return {{"category", classification::name(verdict.category)},
-            {"shares", std::move(shares)},
-            {"reasons", verdict.reasons},
-            {"segments", std::move(segments)}};
+    Json object{{"category", classification::name(verdict.category)},
+                {"shares", std::move(shares)},
+                {"reasons", verdict.reasons},
+                {"segments", std::move(segments)}};
+    if (verdict.passages.empty()) return object;  // by the rules
+    object["probability"] = verdict.probability;
+    Json& passages = object["passages"] = Json::array();
+    for (const classification::HeardPassage& passage : verdict.passages)
+        passages.push_back(passage_object(passage));
+    return object;
 }
 
 Json channel_opening(const SoundAnalysis& analysis) {

@@ -1,0 +1,221 @@
+"""Fits the ear of `stridor classify` and writes its numbers.
+
+    python3 bench/ear/synthesise.py 150 FOLDER                 # 600 synthetic sounds with table.csv
+    python3 bench/ear/train.py --clips FOLDER=TABLE.csv ... --synthetic FOLDER \
+        [--out src/stridor/classification/ear_weights.hpp]
+
+TABLE.csv has the columns file, repository, label, expected ("squeak|creak") and confidence (high, low); files lie in
+FOLDER by their last name, or as the table says. The figures come from `stridor classify --json`; the model is the
+multinomial logistic regression of ear.hpp, with a quadratic penalty. A clip that may be several categories counts by
+the sum of their probabilities. First the model is cross-validated: each repository is heard by a model that has not
+met it. Then all clips are fitted. There is no chance in it: the same clips give the same numbers.
+
+Needs NumPy and SciPy (Debian: python3-scipy).
+"""
+
+import argparse
+import csv
+import json
+import os
+import re
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+from scipy.optimize import minimize
+
+HEARD = ["rubbing", "other", "squeal", "squeak", "creak"]
+CATEGORIES = ["none", "squeal", "squeak", "creak"]
+PENALTY = 3.0  # on the squares of the weights
+LOW_CONFIDENCE = 0.5  # weight of a clip of which its label is not sure
+SYNTHETIC = 0.5  # weight of all synthetic sounds over that of all clips
+MOST_DEVIATIONS = 2.5  # as in ear.cpp
+LEAST_SHARE, QUIET_DEPTH = 0.2, 25.0  # thresholds of the verdict of the whole
+RUBBING = re.compile(r"scrap|slid|drag|brush|sand|rubb|writ|eras|saw|zip|wip|plan|scratch", re.I)
+
+
+def passages_of(program, path):
+    run = subprocess.run([program, "classify", "--json", path], capture_output=True, text=True, check=True)
+    document = json.loads(run.stdout)
+    return document["channels"][document["channel"] - 1]["verdict"]["passages"]
+
+
+def read_clips(program, folder, table, synthetic=False):
+    with open(table, newline="") as text:
+        rows = [dict(row, synthetic=synthetic) for row in csv.DictReader(text)]
+
+    def path_of(row):
+        whole = os.path.join(folder, row["file"])
+        return whole if os.path.exists(whole) else os.path.join(folder, os.path.basename(row["file"]))
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        heard = pool.map(lambda row: passages_of(program, path_of(row)), rows)
+    return [(row, passages) for row, passages in zip(rows, heard) if passages]
+
+
+def accepted(row):
+    """Which of HEARD a clip may be. Its label says whether its `none` is rubbing."""
+    result = np.zeros(len(HEARD))
+    for word in row["expected"].split("|"):
+        if word == "none":
+            result[0 if RUBBING.search(row["label"]) else 1] = 1
+        else:
+            result[HEARD.index(word)] = 1
+    return result
+
+
+def design(clips, names):
+    """Rows of figures, accepted outcomes, weights and clips, one per passage. A clip weighs one, shared by its
+    passages' energy. A passage 3 dB below the loudest may be none, whatever the clip is."""
+    figures, outcomes, weights, places = [], [], [], []
+    for place, (row, passages) in enumerate(clips):
+        energy = np.array([passage["energy"] for passage in passages])
+        weight = LOW_CONFIDENCE if row["confidence"] == "low" else 1.0
+        for passage, here in zip(passages, energy):
+            share = here / max(energy.sum(), 1e-300)
+            if share < 1e-3:
+                continue
+            outcome = accepted(row)
+            if here < 0.5 * energy.max() and outcome[2:].any():
+                outcome[:2] = 1
+            figures.append([passage["figures"][name] for name in names])
+            outcomes.append(outcome)
+            weights.append(weight * share)
+            places.append(place)
+    return np.array(figures), np.array(outcomes), np.array(weights), np.array(places)
+
+
+def softmax(sums):
+    powers = np.exp(sums - sums.max(axis=1, keepdims=True))
+    return powers / powers.sum(axis=1, keepdims=True)
+
+
+class Model:
+    def __init__(self, figures, outcomes, weights):
+        self.mean = np.average(figures, axis=0, weights=weights)
+        self.scale = np.sqrt(np.average((figures - self.mean) ** 2, axis=0, weights=weights))
+        deviations = self.deviations(figures)
+        shape = (figures.shape[1] + 1, len(HEARD))
+
+        def loss(flat):
+            table = flat.reshape(shape)
+            p = softmax(deviations @ table[1:] + table[0])
+            likelihood = (p * outcomes).sum(axis=1) + 1e-12
+            slope = (p - p * outcomes / likelihood[:, None]) * weights[:, None]
+            gradient = np.vstack([slope.sum(axis=0), deviations.T @ slope + 2.0 * PENALTY * table[1:]])
+            return -(weights * np.log(likelihood)).sum() + PENALTY * (table[1:] ** 2).sum(), gradient.ravel()
+
+        options = {"maxiter": 5000, "ftol": 1e-14, "gtol": 1e-9}
+        found = minimize(loss, np.zeros(shape[0] * shape[1]), jac=True, method="L-BFGS-B", options=options)
+        self.table = found.x.reshape(shape)
+
+    def deviations(self, figures):
+        return np.clip((figures - self.mean) / self.scale, -MOST_DEVIATIONS, MOST_DEVIATIONS)
+
+    def probabilities(self, figures):
+        """By category, shape [passage, 4]."""
+        p = softmax(self.deviations(figures) @ self.table[1:] + self.table[0])
+        return np.column_stack([p[:, 0] + p[:, 1], p[:, 2], p[:, 3], p[:, 4]])
+
+
+def fitted(real, synthetic):
+    figures, outcomes, weights = (np.concatenate([a, b]) for a, b in zip(real[:3], synthetic[:3]))
+    weights[len(real[2]):] *= SYNTHETIC * real[2].sum() / synthetic[2].sum()
+    return Model(figures, outcomes, weights)
+
+
+def decide(probabilities, energy):
+    """The category of a recording and its probability, as in recording_verdict.cpp."""
+    category = probabilities.argmax(axis=1)
+    category[energy < energy.max() * 10.0 ** (-QUIET_DEPTH / 10.0)] = 0
+    shares = np.array([energy[category == c].sum() for c in range(4)]) / energy.sum()
+    strongest = 1 + shares[1:].argmax()
+    chosen = strongest if shares[strongest] >= LEAST_SHARE else 0
+    heard_there = category == chosen
+    return chosen, np.average(probabilities[heard_there, chosen], weights=energy[heard_there])
+
+
+def cross_validated(clips, names, synthetic):
+    figures, outcomes, weights, places = design(clips, names)
+    repositories = np.array([row["repository"] for row, _ in clips])
+    verdicts = [None] * len(clips)
+    for repository in np.unique(repositories):
+        known = repositories[places] != repository
+        model = fitted((figures[known], outcomes[known], weights[known]), synthetic)
+        for place in np.where(repositories == repository)[0]:
+            passages = clips[place][1]
+            p = model.probabilities(np.array([[passage["figures"][name] for name in names] for passage in passages]))
+            verdicts[place] = decide(p, np.array([passage["energy"] for passage in passages]))
+    return verdicts
+
+
+def report(title, clips, verdicts):
+    expected = [row["expected"].split("|") for row, _ in clips]
+    heard = [CATEGORIES[category] for category, _ in verdicts]
+    right = np.array([word in words for word, words in zip(heard, expected)])
+    high = np.array([row["confidence"] == "high" for row, _ in clips])
+    creak = np.array(["creak" in words and "none" not in words for words in expected])
+    tone = np.array([set(words) <= {"squeal", "squeak"} for words in expected])
+    single = np.array([words in (["squeal"], ["squeak"]) for words in expected])
+    as_tone = np.array([word in ("squeal", "squeak") for word in heard])
+    none = np.array([words == ["none"] for words in expected])
+
+    def share(which):
+        count = which.sum()
+        return f"{right[which].sum()} of {count}" + (f" ({100 * right[which].mean():.0f} %)" if count else "")
+
+    print(f"{title}: high confidence {share(high)}, all {share(right | ~right)}")
+    print(f"  high confidence: creaks {share(high & creak)}, tones {share(high & tone)},"
+          f" none {share(high & none)}; all: squeal against squeak, of those heard as tones: {share(single & as_tone)}")
+
+
+def header(model):
+    def numbers(values):
+        return ", ".join(repr(round(float(value), 4)) for value in values)
+
+    rows = ",\n    ".join(f"std::array{{{numbers(model.table[1:, k])}}}" for k in range(len(HEARD)))
+    count = model.table.shape[0] - 1
+    return f"""#pragma once
+
+#include <array>
+
+/// The fitted numbers of the ear, by figure in the order of `ear_figures`, and by `Heard`. bench/ear/train.py writes
+/// this file.
+namespace stridor::classification {{
+
+inline constexpr std::array<double, {count}> ear_means{{{numbers(model.mean)}}};
+inline constexpr std::array<double, {count}> ear_scales{{{numbers(model.scale)}}};
+inline constexpr std::array<double, {len(HEARD)}> ear_biases{{{numbers(model.table[0])}}};
+inline constexpr std::array<std::array<double, {count}>, {len(HEARD)}> ear_weights{{
+    {rows},
+}};
+
+}}  // namespace stridor::classification
+"""
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Fits the ear and cross-validates it.")
+    parser.add_argument("--program", default="build/stridor")
+    parser.add_argument("--clips", action="append", required=True, metavar="FOLDER=TABLE.csv")
+    parser.add_argument("--synthetic", required=True, metavar="FOLDER")
+    parser.add_argument("--out", metavar="FILE.hpp")
+    options = parser.parse_args()
+    sets = [read_clips(options.program, *pair.split("=", 1)) for pair in options.clips]
+    made = read_clips(options.program, options.synthetic, os.path.join(options.synthetic, "table.csv"), True)
+    names = list(made[0][1][0]["figures"])
+    synthetic = design(made, names)[:3]
+    clips = [clip for each in sets for clip in each]
+    verdicts = cross_validated(clips, names, synthetic)
+    first = 0
+    for pair, each in zip(options.clips, sets):
+        report(pair, each, verdicts[first:first + len(each)])
+        first += len(each)
+    model = fitted(design(clips, names)[:3], synthetic)
+    if options.out:
+        with open(options.out, "w") as text:
+            text.write(header(model))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,137 @@
+#include "stridor/classification/ear.hpp"
+
+#include "stridor/classification/ear_weights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace stridor::classification {
+
+namespace {
+
+using sound::Passage;
+
+constexpr double most_deviations = 2.5;  // [1] beyond which a figure says no more
+
+// how sure what is said of tones is: nothing is known of the pitch of what has none
+double tone_sureness(const Passage& p) {
+    return std::min(1.0, p.tones.presence / 0.4);
+}
+
+double presence(const Passage& p) {
+    return p.tones.presence;
+}
+
+double tone_length(const Passage& p) {
+    return tone_sureness(p) * std::log2(1.0 + p.tones.length / 0.06);
+}
+
+double wander(const Passage& p) {
+    return tone_sureness(p) * std::min(p.tones.wander, 1.2);
+}
+
+// voices and engines have many lines close together
+double comb(const Passage& p) {
+    return p.tones.spacing > 0.0 ? tone_sureness(p) * std::clamp(std::log2(400.0 / p.tones.spacing), -1.0, 2.0) : 0.0;
+}
+
+double centre(const Passage& p) {
+    return p.tones.centre > 0.0 ? std::log2(p.tones.centre / 1000.0) : 0.0;
+}
+
+double spread(const Passage& p) {
+    return p.tones.spread;
+}
+
+double impulsiveness(const Passage& p) {
+    return std::clamp(std::log2(std::max(p.onsets.kurtosis, 1e-3)), 0.0, 6.0);
+}
+
+double onset_rate(const Passage& p) {
+    return std::min(6.0, std::log2(2.0 + p.onsets.rate));
+}
+
+double train(const Passage& p) {
+    return p.onsets.train;
+}
+
+// releases of stick and slip: high steps up, slower falls, seven or more in a row
+double jerks(const Passage& p) {
+    const double skewness = std::max(0.0, p.onsets.skewness);
+    const double height = std::clamp((p.onsets.rise - 4.0) / 8.0, 0.0, 1.0);
+    const double row = std::min(1.0, std::log2(1.0 + p.onsets.longest_train) / 3.0);
+    return skewness / (1.0 + skewness) * height * row;
+}
+
+double beat(const Passage& p) {
+    return std::min(p.onsets.beat, 10.0);
+}
+
+double level_spread(const Passage& p) {
+    return p.onsets.level_spread;
+}
+
+double sounding(const Passage& p) {
+    return p.onsets.sounding;
+}
+
+constexpr std::array<EarFigure, ear_figure_count> figure_table{
+    EarFigure{"tone_presence", "1", "tones hold most of the power", presence},
+    EarFigure{"tone_length", "octave", "tones last", tone_length},
+    EarFigure{"tone_wander", "octave", "the pitch moves or jumps", wander},
+    EarFigure{"comb", "octave", "lines lie close together, as those of voices and engines", comb},
+    EarFigure{"centre", "octave", "the power lies high", centre},
+    EarFigure{"spread", "octave", "the power spreads over frequency", spread},
+    EarFigure{"impulsiveness", "octave", "impulses stand out", impulsiveness},
+    EarFigure{"onset_rate", "octave", "many onsets", onset_rate},
+    EarFigure{"train", "1", "onsets follow each other at like intervals", train},
+    EarFigure{"jerks", "1", "the level jumps up and falls off, again and again", jerks},
+    EarFigure{"beat", "dB", "the level beats", beat},
+    EarFigure{"level_spread", "dB", "the level changes over time", level_spread},
+    EarFigure{"sounding", "1", "it sounds all the time", sounding},
+};
+
+double sum_of(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+}  // namespace
+
+std::span<const EarFigure, ear_figure_count> ear_figures() {
+    return figure_table;
+}
+
+EarVerdict hear(const Passage& passage) {
+    EarVerdict verdict;
+    EarValues deviations;
+    for (std::size_t k = 0; k < ear_figure_count; ++k) {
+        verdict.values[k] = figure_table[k].value(passage);
+        deviations[k] =
+            std::clamp((verdict.values[k] - ear_means[k]) / ear_scales[k], -most_deviations, most_deviations);
+    }
+    auto& probabilities = verdict.probabilities;
+    for (std::size_t h = 0; h < probabilities.size(); ++h)
+        probabilities[h] =
+            std::inner_product(deviations.begin(), deviations.end(), ear_weights[h].begin(), ear_biases[h]);
+    const double greatest = *std::max_element(probabilities.begin(), probabilities.end());
+    for (double& p : probabilities)
+        p = std::exp(p - greatest);
+    const double whole = sum_of(probabilities);
+    for (double& p : probabilities)
+        p /= whole;
+
+    const auto best = std::max_element(probabilities.begin(), probabilities.end());
+    const auto first = static_cast<std::size_t>(best - probabilities.begin());
+    verdict.heard = static_cast<Heard>(first);
+    std::size_t second = probabilities.size();
+    for (std::size_t h = 0; h < probabilities.size(); ++h) {
+        const bool is_rival = category_of(static_cast<Heard>(h)) != category_of(verdict.heard);
+        if (is_rival && (second == probabilities.size() || probabilities[h] > probabilities[second])) second = h;
+    }
+    for (std::size_t k = 0; k < ear_figure_count; ++k)
+        verdict.reasons[k] = deviations[k] * (ear_weights[first][k] - ear_weights[second][k]);
+    return verdict;
+}
+
+}  // namespace stridor::classification

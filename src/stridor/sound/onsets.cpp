@@ -1,0 +1,231 @@
+// The envelope is the mean square of parts of 2 ms of what lies above 1 kHz. An onset is where the energy of the
+// 8 ms after an instant exceeds that of the 8 ms before by 4.5 dB, most of its surroundings.
+#include "stridor/sound/onsets.hpp"
+
+#include "stridor/signal/filter.hpp"
+#include "stridor/signal/median.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+
+namespace stridor::sound {
+
+namespace {
+
+constexpr double corner = 1000.0;          // [Hz]
+constexpr double part_time = 0.002;        // [s]
+constexpr std::size_t step_parts = 4;      // 8 ms
+constexpr std::size_t apart = 3;           // parts on either side that an onset exceeds
+constexpr double least_step = 4.5;         // [dB]
+constexpr std::size_t lasting = 50;        // parts of a lasting level, 0.1 s
+constexpr std::size_t steady = 100;        // parts of a steady level, 0.2 s
+constexpr double depth = 20.0;             // [dB] below the greatest level there is nothing to hear
+constexpr double least_share = 1e-6;       // [1] of the loudest part: quieter ones are all the same
+constexpr double most_change = 1.741;      // [1] of an interval to the next, 0.8 octaves
+constexpr double longest_interval = 0.35;  // [s] within a train
+constexpr double level_time = 0.05;        // [s]
+constexpr double level_corner = 100.0;     // [Hz]
+
+double decibels(double ratio) {
+    return 10.0 * std::log10(ratio);
+}
+
+double clamped_corner(double wanted, double rate) {
+    return std::min(wanted, 0.25 * rate);
+}
+
+std::vector<double> squares_of(std::span<const double> samples, std::size_t length) {
+    std::vector<double> squares(samples.size() / length);
+    for (std::size_t k = 0; k < squares.size(); ++k) {
+        for (const double x : samples.subspan(k * length, length))
+            squares[k] += x * x;
+        squares[k] /= static_cast<double>(length);
+    }
+    return squares;
+}
+
+// the mean of `width` values around each, fewer at the ends
+std::vector<double> means_of(std::span<const double> values, std::size_t width) {
+    std::vector<double> sums(values.size() + 1);
+    std::partial_sum(values.begin(), values.end(), sums.begin() + 1);
+    std::vector<double> means(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const std::size_t from = k - std::min(k, width / 2);
+        const std::size_t to = std::min(values.size(), k - std::min(k, width / 2) + width);
+        means[k] = (sums[to] - sums[from]) / static_cast<double>(to - from);
+    }
+    return means;
+}
+
+std::vector<double> levels_of(std::span<const double> squares, double least) {
+    std::vector<double> levels(squares.size());
+    for (std::size_t k = 0; k < squares.size(); ++k)
+        levels[k] = decibels(squares[k] + least);
+    return levels;
+}
+
+// which values lie within `depth` of the greatest
+std::vector<std::uint8_t> loud_parts(std::span<const double> levels) {
+    const double greatest = *std::max_element(levels.begin(), levels.end());
+    std::vector<std::uint8_t> loud(levels.size());
+    for (std::size_t k = 0; k < levels.size(); ++k)
+        loud[k] = levels[k] > greatest - depth ? 1 : 0;
+    return loud;
+}
+
+// [dB] shape [part]: the level of the 8 ms from each part on over that of the 8 ms before it
+std::vector<double> steps_of(std::span<const double> squares, double least) {
+    std::vector<double> sums(squares.size() + 1);
+    for (std::size_t k = 0; k < squares.size(); ++k)
+        sums[k + 1] = sums[k] + squares[k] + least;
+    std::vector<double> steps(squares.size());
+    for (std::size_t k = 1; k < squares.size(); ++k) {
+        const std::size_t to = std::min(squares.size(), k + step_parts);
+        const std::size_t from = k - std::min(k, step_parts);
+        const double after = (sums[to] - sums[k]) / static_cast<double>(to - k);
+        const double before = (sums[k] - sums[from]) / static_cast<double>(k - from);
+        steps[k] = decibels(after / before);
+    }
+    return steps;
+}
+
+std::vector<std::size_t> onset_parts(std::span<const double> steps, std::span<const std::uint8_t> loud) {
+    std::vector<std::size_t> onsets;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        if (!(steps[k] >= least_step)) continue;
+        const std::size_t from = k - std::min(k, apart);
+        const std::size_t to = std::min(steps.size(), k + step_parts);
+        const auto around = steps.subspan(from, to - from);
+        const auto heard = loud.subspan(from, to - from);
+        const bool is_heard = std::find(heard.begin(), heard.end(), 1) != heard.end();
+        if (is_heard && steps[k] >= *std::max_element(around.begin(), around.end())) onsets.push_back(k);
+    }
+    return onsets;
+}
+
+struct Moments {
+    double deviation = 0.0;
+    double skewness = 0.0;  // [1] steps of a fraction of a decibel do not count as skewed
+};
+
+Moments moments_of(std::span<const double> values, std::span<const std::uint8_t> counted) {
+    double count = 0.0;
+    double mean = 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        count += counted[k];
+        mean += counted[k] * values[k];
+    }
+    if (!(count > 0.0)) return {};
+    mean /= count;
+    double second = 0.0;
+    double third = 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const double away = counted[k] * (values[k] - mean);
+        second += away * away;
+        third += away * away * away;
+    }
+    const double deviation = std::sqrt(second / count);
+    const double scale = deviation + 0.3;
+    return {deviation, third / count / (scale * scale * scale)};
+}
+
+// rows of at least four onsets whose intervals change by less than `most_change` from one to the next
+void describe_trains(std::span<const double> instants, double lasted, Onsets& onsets) {
+    const auto interval = [&](std::size_t k) { return instants[k + 1] - instants[k]; };
+    const auto goes_on = [&](std::size_t k) {  // from interval k to the next
+        const double ratio = interval(k + 1) / interval(k);
+        return std::max(interval(k), interval(k + 1)) < longest_interval && ratio < most_change &&
+               ratio * most_change > 1.0;
+    };
+    double taken = 0.0;
+    for (std::size_t k = 0; k + 2 < instants.size();) {
+        std::size_t end = k;
+        while (end + 2 < instants.size() && goes_on(end))
+            ++end;
+        if (end - k >= 2) {
+            taken += instants[end + 1] - instants[k];
+            onsets.longest_train = std::max(onsets.longest_train, static_cast<double>(end - k + 2));
+        }
+        k = std::max(end, k + 1);
+    }
+    onsets.train = std::min(1.0, taken / lasted);
+}
+
+// levels less their median over 0.2 s, which is found every 20 ms
+double beat_of(std::span<const double> levels, std::span<const std::uint8_t> loud) {
+    constexpr std::size_t every = 10;
+    std::vector<double> knots;
+    for (std::size_t k = 0; k < levels.size() + every; k += every) {
+        const std::size_t place = std::min(k, levels.size() - 1);
+        const std::size_t from = place - std::min(place, steady / 2);
+        knots.push_back(
+            signal::median_of(levels.subspan(from, std::min(levels.size(), place + steady / 2) - from + 0)));
+    }
+    std::vector<double> away(levels.size());
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        const double share = static_cast<double>(k % every) / static_cast<double>(every);
+        away[k] = levels[k] - (1.0 - share) * knots[k / every] - share * knots[k / every + 1];
+    }
+    return moments_of(away, loud).deviation;
+}
+
+void describe_levels(std::span<const double> samples, double rate, Onsets& onsets) {
+    const auto section = signal::high_pass(clamped_corner(level_corner, rate), rate, 2);
+    const std::vector<double> sound = signal::filtered(samples, section);
+    const std::size_t length = std::min(sound.size(), static_cast<std::size_t>(level_time * rate));
+    const std::vector<double> squares = squares_of(sound, length);
+    const double greatest = *std::max_element(squares.begin(), squares.end());
+    if (!(greatest > 0.0)) return;
+    const std::vector<double> levels = levels_of(squares, least_share * greatest);
+    const std::vector<std::uint8_t> loud = loud_parts(levels);
+    onsets.level_spread = moments_of(levels, loud).deviation;
+    // silence before and after is no pause
+    const auto first = std::find(loud.begin(), loud.end(), 1);
+    const auto last = std::find(loud.rbegin(), loud.rend(), 1).base();
+    onsets.sounding = std::accumulate(first, last, 0.0) / static_cast<double>(last - first);
+}
+
+double kurtosis_of(std::span<const double> samples) {
+    double second = 0.0;
+    double fourth = 0.0;
+    for (const double x : samples) {
+        second += x * x;
+        fourth += x * x * x * x;
+    }
+    return second > 0.0 ? fourth * static_cast<double>(samples.size()) / (second * second) : 0.0;
+}
+
+}  // namespace
+
+Onsets onsets_of(std::span<const double> samples, double rate) {
+    Onsets onsets;
+    describe_levels(samples, rate, onsets);
+    const std::vector<double> sound =
+        signal::filtered(samples, signal::high_pass(clamped_corner(corner, rate), rate, 4));
+    onsets.kurtosis = kurtosis_of(sound);
+    const auto length = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(part_time * rate)));
+    const std::vector<double> squares = squares_of(sound, length);
+    const double greatest = *std::max_element(squares.begin(), squares.end());
+    if (!(greatest > 0.0)) return onsets;
+    const double least = least_share * greatest;
+    const double part = static_cast<double>(length) / rate;  // [s]
+
+    const std::vector<std::uint8_t> loud = loud_parts(levels_of(means_of(squares, lasting), least));
+    const std::vector<double> steps = steps_of(squares, least);
+    const double lasted = part * std::accumulate(loud.begin(), loud.end(), 0.0);
+    for (const std::size_t k : onset_parts(steps, loud)) {
+        onsets.instants.push_back(part * static_cast<double>(k));
+        onsets.rise += steps[k];
+    }
+    if (!onsets.instants.empty()) onsets.rise /= static_cast<double>(onsets.instants.size());
+    onsets.rate = static_cast<double>(onsets.instants.size()) / lasted;
+    onsets.skewness = moments_of(steps, loud).skewness;
+    describe_trains(onsets.instants, lasted, onsets);
+    onsets.beat = beat_of(levels_of(means_of(squares, step_parts), least), loud);
+    return onsets;
+}
+
+}  // namespace stridor::sound

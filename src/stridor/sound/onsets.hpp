@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace stridor::sound {
+
+/// What the course of a passage tells: how its level steps up and falls off above 1 kHz, where the impulses of a creak
+/// stand out of the room and the wood that ring between them. Formulas: docs/methods/ear.md.
+struct Onsets {
+    std::vector<double> instants{};  // [s] of steps up by 4.5 dB or more
+    double rate = 0.0;               // [1/s] of them, while the sound lasts
+    double rise = 0.0;               // [dB] mean of them; 0: there is none
+    double skewness = 0.0;           // [1] of the steps: positive where the level rises faster than it falls
+    double train = 0.0;              // [1] share of the time that rows of onsets take whose intervals change little
+    double longest_train = 0.0;      // [1] onsets in the longest row
+    double beat = 0.0;               // [dB] standard deviation of the level over 8 ms around that over 0.2 s
+    double kurtosis = 0.0;           // [1] above 1 kHz: sine 1.5, noise 3, impulses more; 0: silence
+    double level_spread = 0.0;       // [dB] standard deviation of the level over 50 ms, above 100 Hz
+    double sounding = 0.0;           // [1] share of the time within 20 dB of the greatest of those levels,
+                                     // from the first to the last such moment
+};
+
+/// Finds them in a passage, at least 20 ms long; `rate` [Hz] of the samples.
+Onsets onsets_of(std::span<const double> samples, double rate);
+
+}  // namespace stridor::sound

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "stridor/sound/onsets.hpp"
+#include "stridor/sound/tones.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace stridor::sound {
+
+/// A few seconds of a recording, as the ear takes them together: long enough for a row of impulses and for a tone that
+/// starts, stops and jumps.
+struct Passage {
+    double from = 0.0;      // [s]
+    double duration = 0.0;  // [s]
+    Tones tones;            // instants count from the recording's beginning
+    Onsets onsets;          // likewise
+};
+
+/// The usual length of a passage [s]; the last one is up to a second longer.
+inline constexpr double passage_time = 3.0;
+
+/// Describes one channel passage by passage as its samples come. What it keeps grows with its onsets and tones.
+class PassageFinder {
+public:
+    /// `rate` [Hz] of the samples.
+    explicit PassageFinder(double rate);
+    ~PassageFinder();
+    PassageFinder(PassageFinder&&) noexcept;
+    PassageFinder& operator=(PassageFinder&&) noexcept;
+
+    /// Takes the next samples.
+    void push(std::span<const double> samples);
+
+    /// Ends the recording: all passages, in time. A recording shorter than 20 ms has none.
+    std::vector<Passage> finish();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace stridor::sound

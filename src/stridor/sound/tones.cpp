@@ -1,0 +1,278 @@
+// Frames of 43 ms, Hann, half overlapped. A line is a local maximum of the power that stands 9 dB above what the
+// half octave around it has, estimated by its geometric mean: that of noise lies e^-gamma below the mean power.
+#include "stridor/sound/tones.hpp"
+
+#include "stridor/signal/bands.hpp"
+#include "stridor/signal/median.hpp"
+#include "stridor/signal/window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+namespace stridor::sound {
+
+namespace {
+
+constexpr double frame_time = 0.043;         // [s]
+constexpr double least_frequency = 150.0;    // [Hz] of a tone: below lies rumble
+constexpr double greatest_frequency = 12e3;  // [Hz] of a tone
+constexpr double weighted_from = 100.0;      // [Hz] for the centre and the spread
+constexpr double prominence = 7.943;         // [1] 9 dB
+constexpr double median_of_noise = 1.23;     // [1] e^gamma ln 2: the median power over the geometric mean
+constexpr double half_band = 0.19;           // [1] a quarter octave as a share of the frequency
+constexpr std::size_t narrowest = 5;         // bins on either side
+constexpr double most_change = 0.03;         // [1] of a partial's frequency from frame to frame
+constexpr double most_bins = 1.5;            // the same for low ones
+constexpr std::size_t least_frames = 3;
+constexpr double tiny = 1e-30;
+
+std::size_t band_of(std::size_t bin) {
+    return std::max(narrowest, static_cast<std::size_t>(std::lround(half_band * static_cast<double>(bin))));
+}
+
+// the summit of the parabola through three logarithms, in bins from the middle one
+double summit(double left, double centre, double right) {
+    const double l = std::log(left + tiny);
+    const double r = std::log(right + tiny);
+    const double curvature = l - 2.0 * std::log(centre + tiny) + r;
+    return curvature < 0.0 ? std::clamp(0.5 * (l - r) / curvature, -0.5, 0.5) : 0.0;
+}
+
+}  // namespace
+
+struct ToneFinder::Line {
+    double place = 0.0;   // in bins
+    double energy = 0.0;  // [unit²] A-weighted, above its surroundings
+};
+
+struct ToneFinder::Partial {
+    std::size_t first = 0;  // frame
+    std::vector<Line> lines{};
+};
+
+struct ToneFinder::Frames {
+    std::size_t hop = 1;
+    std::vector<std::vector<Line>> lines{};  // shape [frame][line]
+    std::vector<double> power{};             // [unit²] A-weighted, shape [frame]
+    std::vector<double> spectrum{};          // [unit²] A-weighted, shape [bin]
+};
+
+ToneFinder::ToneFinder(double rate)
+    : rate_(rate),
+      size_(signal::power_of_two_near(frame_time, rate)),
+      fourier_(size_),
+      window_(signal::window(signal::Window::hann, size_)) {
+    const double width = rate_ / static_cast<double>(size_);  // [Hz] of a bin
+    for (std::size_t k = 0; k <= size_ / 2; ++k)
+        weights_.push_back(signal::a_weighting(static_cast<double>(k) * width));
+    lowest_ = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(least_frequency / width)));
+    highest_ = std::min(size_ / 2 - 2, static_cast<std::size_t>(greatest_frequency / width));
+}
+
+// the lines of one frame
+std::vector<ToneFinder::Line> ToneFinder::lines_of(std::span<const double> power) const {
+    // what lies 120 dB below the strongest bin is no surrounding to stand out of
+    const double least = *std::max_element(power.begin(), power.end()) * 1e-12 + tiny;
+    std::vector<double> logarithms(power.size() + 1);
+    for (std::size_t k = 0; k < power.size(); ++k)
+        logarithms[k + 1] = logarithms[k] + std::log(power[k] + least);
+    std::vector<Line> lines;
+    for (std::size_t k = lowest_; k < highest_; ++k) {
+        if (!(power[k] > power[k - 1] && power[k] >= power[k + 1])) continue;
+        const std::size_t band = band_of(k);
+        const std::size_t from = k > band ? k - band : 1;
+        const std::size_t to = std::min(power.size(), k + band + 1);
+        const double surroundings =
+            median_of_noise * std::exp((logarithms[to] - logarithms[from]) / static_cast<double>(to - from));
+        if (!(power[k] > prominence * surroundings)) continue;
+        Line line{static_cast<double>(k) + summit(power[k - 1], power[k], power[k + 1]), 0.0};
+        for (std::size_t j = k - 2; j <= k + 2; ++j)
+            line.energy += weights_[j] * std::max(0.0, power[j] - surroundings);
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+ToneFinder::Frames ToneFinder::frames_of(std::span<const double> samples) {
+    Frames frames;
+    frames.hop = size_ / 2;
+    frames.spectrum.assign(weights_.size(), 0.0);
+    const double mean = std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
+    std::vector<double> frame(size_);
+    std::vector<double> power(weights_.size());
+    for (std::size_t first = 0; first == 0 || first + size_ <= samples.size(); first += frames.hop) {
+        const std::size_t count = std::min(size_, samples.size() - first);
+        for (std::size_t n = 0; n < size_; ++n)
+            frame[n] = n < count ? (samples[first + n] - mean) * window_[n] : 0.0;
+        const auto spectrum = fourier_.spectrum(frame);
+        double sum = 0.0;
+        for (std::size_t k = 0; k < power.size(); ++k) {
+            power[k] = std::norm(spectrum[k]);
+            frames.spectrum[k] += weights_[k] * power[k];
+            if (k >= lowest_) sum += weights_[k] * power[k];
+        }
+        frames.lines.push_back(lines_of(power));
+        frames.power.push_back(sum);
+    }
+    // one-sided power over N times the window's square
+    const double sum_of_window = std::accumulate(window_.begin(), window_.end(), 0.0);
+    const double unit = 2.0 / (signal::noise_bandwidth(window_) * sum_of_window * sum_of_window) /
+                        static_cast<double>(frames.power.size());
+    for (double& value : frames.spectrum)
+        value *= unit;
+    return frames;
+}
+
+// Each partial goes on in the nearest line of the next frame, the strongest partial first.
+std::vector<ToneFinder::Partial> ToneFinder::partials_of(const Frames& frames) const {
+    std::vector<Partial> partials;
+    std::vector<std::size_t> going;
+    for (std::size_t j = 0; j < frames.lines.size(); ++j) {
+        const std::vector<Line>& lines = frames.lines[j];
+        std::vector<std::uint8_t> is_taken(lines.size(), 0);
+        std::vector<std::size_t> next;
+        std::stable_sort(going.begin(), going.end(), [&](std::size_t a, std::size_t b) {
+            return partials[a].lines.back().energy > partials[b].lines.back().energy;
+        });
+        for (const std::size_t p : going) {
+            const double place = partials[p].lines.back().place;
+            std::size_t nearest = lines.size();
+            double distance = std::max(most_bins, most_change * place);
+            for (std::size_t k = 0; k < lines.size(); ++k) {
+                const double here = std::abs(lines[k].place - place);
+                if (is_taken[k] != 0 || here > distance) continue;
+                nearest = k;
+                distance = here;
+            }
+            if (nearest == lines.size()) continue;
+            is_taken[nearest] = 1;
+            partials[p].lines.push_back(lines[nearest]);
+            next.push_back(p);
+        }
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            if (is_taken[k] != 0) continue;
+            next.push_back(partials.size());
+            partials.push_back({j, {lines[k]}});
+        }
+        going = std::move(next);
+    }
+    std::erase_if(partials, [](const Partial& partial) { return partial.lines.size() < least_frames; });
+    return partials;
+}
+
+namespace {
+
+// the value that nine tenths of the values do not exceed
+double ninth_decile(std::vector<double> values) {
+    const auto place = static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + place, values.end());
+    return values[static_cast<std::size_t>(place)];
+}
+
+struct Deviation {
+    double mean = 0.0;
+    double deviation = 0.0;
+};
+
+Deviation deviation_of(std::span<const double> values, std::span<const double> weights) {
+    double whole = 0.0;
+    double first = 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        whole += weights[k];
+        first += weights[k] * values[k];
+    }
+    if (!(whole > 0.0)) return {};
+    const double mean = first / whole;
+    double second = 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k)
+        second += weights[k] * (values[k] - mean) * (values[k] - mean);
+    return {mean, std::sqrt(second / whole)};
+}
+
+// the median distance of neighbouring lines that hold a hundredth of the strongest one's energy or more; 0 for fewer
+// than three
+double spacing_of(std::vector<double> places) {
+    if (places.size() < 3) return 0.0;
+    std::adjacent_difference(places.begin(), places.end(), places.begin());
+    return signal::median_of(std::span(places).subspan(1));
+}
+
+void describe_spectrum(std::span<const double> spectrum, double width, Tones& tones) {
+    tones.mean_square = std::accumulate(spectrum.begin(), spectrum.end(), 0.0);
+    const auto from = static_cast<std::size_t>(std::ceil(weighted_from / width));
+    std::vector<double> octaves;
+    for (std::size_t k = from; k < spectrum.size(); ++k)
+        octaves.push_back(std::log2(static_cast<double>(k) * width));
+    const Deviation found = deviation_of(octaves, spectrum.subspan(from));
+    if (!(found.mean > 0.0)) return;
+    tones.centre = std::exp2(found.mean);
+    tones.spread = found.deviation;
+}
+
+}  // namespace
+
+void ToneFinder::describe_spacing(const Frames& frames, Tones& tones) const {
+    std::vector<double> octaves;
+    std::vector<double> weights;
+    for (const std::vector<Line>& lines : frames.lines) {
+        double strongest = 0.0;
+        double energy = 0.0;
+        for (const Line& line : lines) {
+            strongest = std::max(strongest, line.energy);
+            energy += line.energy;
+        }
+        std::vector<double> places;
+        for (const Line& line : lines)
+            if (line.energy >= 0.01 * strongest) places.push_back(line.place);
+        const double spacing = spacing_of(std::move(places));
+        if (!(spacing > 0.0)) continue;
+        octaves.push_back(std::log2(spacing));
+        weights.push_back(energy);
+    }
+    const double width = rate_ / static_cast<double>(size_);
+    if (!octaves.empty()) tones.spacing = width * std::exp2(deviation_of(octaves, weights).mean);
+}
+
+Tones ToneFinder::find(std::span<const double> samples) {
+    Tones tones;
+    const Frames frames = frames_of(samples);
+    const double width = rate_ / static_cast<double>(size_);
+    const double step = static_cast<double>(frames.hop) / rate_;
+    describe_spectrum(frames.spectrum, width, tones);
+
+    std::vector<double> tonal(frames.power.size());  // [unit²] in tones, shape [frame]
+    std::vector<Line> strongest(frames.power.size());
+    double energy = 0.0;
+    for (const Partial& partial : partials_of(frames)) {
+        double here = 0.0;
+        for (std::size_t k = 0; k < partial.lines.size(); ++k) {
+            const Line& line = partial.lines[k];
+            here += line.energy;
+            tonal[partial.first + k] += line.energy;
+            if (line.energy > strongest[partial.first + k].energy) strongest[partial.first + k] = line;
+        }
+        energy += here;
+        tones.length += here * static_cast<double>(partial.lines.size()) * step;
+    }
+    if (energy > 0.0) tones.length /= energy;
+
+    std::vector<double> pitches;
+    std::vector<double> weights;
+    for (std::size_t j = 0; j < tonal.size(); ++j) {
+        if (strongest[j].energy > 0.0) {
+            const double frequency = strongest[j].place * width;
+            tones.pitch.push_back({(static_cast<double>(j) + 1.0) * step, frequency});
+            pitches.push_back(std::log2(frequency));
+            weights.push_back(strongest[j].energy);
+        }
+        tonal[j] = frames.power[j] > 0.0 ? std::min(1.0, tonal[j] / frames.power[j]) : 0.0;
+    }
+    tones.presence = ninth_decile(std::move(tonal));
+    tones.wander = deviation_of(pitches, weights).deviation;
+    describe_spacing(frames, tones);
+    return tones;
+}
+
+}  // namespace stridor::sound
