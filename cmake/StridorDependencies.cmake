@@ -28,11 +28,13 @@ pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)                   # ex
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo>=1.16)               # figures; tests link PkgConfig::cairo
 pkg_check_modules(pangocairo REQUIRED IMPORTED_TARGET pangocairo>=1.50)     # their text
 pkg_check_modules(libarchive REQUIRED IMPORTED_TARGET libarchive>=3.6)      # archives; tests link PkgConfig::libarchive
+find_path(metis_INCLUDE_DIRS metis.h DOC "Headers of METIS")                # orders the rows of large parts
+stridor_find_opened_library(metis metis metis_NAME)
 stridor_find_opened_library(netcdf netcdf netcdf_NAME)
 stridor_find_opened_library(cairo cairo cairo_NAME)
 stridor_find_opened_library(pangocairo pangocairo-1.0 pangocairo_NAME)
 stridor_find_opened_library(libarchive archive libarchive_NAME)
-foreach(library IN ITEMS netcdf cairo pangocairo libarchive)
+foreach(library IN ITEMS netcdf cairo pangocairo libarchive metis)
     if(NOT ${library}_NAME)
         message(FATAL_ERROR "The shared library of ${library} is not found beside its headers. Install it?")
     endif()

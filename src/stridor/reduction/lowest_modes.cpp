@@ -75,7 +75,7 @@ class MassOperator {
 public:
     using Scalar = double;
 
-    explicit MassOperator(const SparseMatrix& mass) : mass_(mass), factor_(mass, mass, 0.0) {}
+    explicit MassOperator(const SparseMatrix& mass) : mass_(mass), factor_(without_zeros(mass), mass, 0.0) {}
 
     Index rows() const { return mass_.rows(); }
     Index cols() const { return mass_.rows(); }

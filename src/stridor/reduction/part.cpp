@@ -82,7 +82,7 @@ void expect_positive_mass(const ElasticPart& part) {
         scale[row] = diagonal[row] > 0.0 ? 1.0 / std::sqrt(diagonal[row]) : 1.0;
     }
     // with a unit diagonal rotations weigh as much as displacements; rows without mass are zero rows
-    const SparseMatrix rows = scale.asDiagonal() * part.mass;
+    const SparseMatrix rows = scale.asDiagonal() * without_zeros(part.mass);
     const SparseMatrix scaled = rows * scale.asDiagonal();
     SparseMatrix unit(scaled.rows(), scaled.cols());
     unit.setIdentity();
@@ -155,6 +155,12 @@ std::string describe(const RowLabel& label) {
 
 Eigen::Index rows_of(const ElasticPart& part) {
     return part.stiffness.rows();
+}
+
+SparseMatrix without_zeros(const SparseMatrix& matrix) {
+    SparseMatrix left = matrix;
+    left.prune([](Eigen::Index, Eigen::Index, double value) { return value != 0.0; });
+    return left;
 }
 
 void expect_sound(const ElasticPart& part) {

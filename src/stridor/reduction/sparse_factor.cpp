@@ -1,5 +1,7 @@
 #include "stridor/reduction/sparse_factor.hpp"
 
+#include "stridor/reduction/least_fill.hpp"
+
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -18,7 +20,7 @@ using Columns = Eigen::Matrix<double, Eigen::Dynamic, at_once, Eigen::RowMajor>;
 }  // namespace
 
 struct SparseFactor::Held {
-    Eigen::SimplicialLDLT<SparseMatrix> factor;
+    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, LeastFill> factor;
 };
 
 SparseFactor::SparseFactor(const SparseMatrix& stiffness, const SparseMatrix& mass, double sigma)

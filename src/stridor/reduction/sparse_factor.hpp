@@ -6,7 +6,7 @@
 
 namespace stridor::reduction {
 
-/// The factors of K - sigma M: L D L' after an ordering of least fill (Eigen's SimplicialLDLT, AMD).
+/// The factors of K - sigma M: L D L' after an ordering of least fill (Eigen's SimplicialLDLT).
 ///
 /// D holds as many negative pivots as the pencil (K, M) has eigenvalues below sigma (Sylvester's law of inertia), if M
 /// is positive (semi)definite.

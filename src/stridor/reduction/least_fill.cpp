@@ -1,0 +1,68 @@
+#include "stridor/reduction/least_fill.hpp"
+
+#include "stridor/base/error.hpp"
+#include "stridor/base/opened_library.hpp"
+
+#include <Eigen/OrderingMethods>
+#include <fmt/format.h>
+#include <metis.h>
+
+#include <type_traits>
+#include <vector>
+
+namespace stridor::reduction {
+
+namespace {
+
+static_assert(std::is_same_v<idx_t, int>);
+
+/// METIS, opened when the first large part is factorised.
+struct Metis {
+    base::OpenedLibrary library{STRIDOR_METIS_LIBRARY};
+    decltype(&::METIS_NodeND) dissect = library.function("METIS_NodeND");
+};
+
+const Metis& metis() {
+    static const Metis opened;
+    opened.library.expect_whole("a part of this size cannot be factorised");
+    return opened;
+}
+
+/// Which rows meet which others, themselves left out.
+struct Neighbours {
+    std::vector<int> begin;  // shape [row + 1]
+    std::vector<int> rows;
+};
+
+Neighbours neighbours_in(const Eigen::SparseMatrix<double>& matrix) {
+    Neighbours found{{0}, {}};
+    found.begin.reserve(static_cast<std::size_t>(matrix.cols()) + 1);
+    found.rows.reserve(static_cast<std::size_t>(matrix.nonZeros()));
+    for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
+            if (entry.row() != column) found.rows.push_back(static_cast<int>(entry.row()));
+        found.begin.push_back(static_cast<int>(found.rows.size()));
+    }
+    return found;
+}
+
+}  // namespace
+
+void LeastFill::operator()(const Eigen::SparseMatrix<double>& matrix, PermutationType& order) const {
+    if (matrix.cols() <= few_rows) {
+        Eigen::AMDOrdering<int>()(matrix, order);
+        return;
+    }
+    Neighbours neighbours = neighbours_in(matrix);
+    int rows = static_cast<int>(matrix.cols());
+    order.resize(rows);
+    std::vector<int> place(static_cast<std::size_t>(rows));
+    // its own options: among them the seed of its choices
+    const int end = metis().dissect(&rows, neighbours.begin.data(), neighbours.rows.data(), nullptr, nullptr,
+                                    order.indices().data(), place.data());
+    if (end != METIS_OK)
+        throw Error(ErrorKind::numerical, {"the rows of the part could not be ordered",
+                                           fmt::format("METIS ended with {}: no memory, or a signal", end), ""});
+}
+
+}  // namespace stridor::reduction
