@@ -92,9 +92,9 @@ _stridor() {
             return
         fi
         case ${COMP_WORDS[2]} in
-            info) options="--help --stiffness --mass --damping --labels --units --json" ;;
-            check) options="--help --stiffness --mass --damping --labels --units --modes --contact --normal --friction --json" ;;
-            reduce) options="--help --stiffness --mass --damping --labels --units --boundary --recover --modes --below --normal --method --inertia --output --json" ;;
+            info) options="--help --stiffness --mass --damping --labels --units --solver --json" ;;
+            check) options="--help --stiffness --mass --damping --labels --units --solver --modes --contact --normal --friction --json" ;;
+            reduce) options="--help --stiffness --mass --damping --labels --units --solver --boundary --recover --modes --below --normal --method --inertia --output --json" ;;
         esac
     fi
     if [[ ${COMP_WORDS[1]} == library && $word != -* ]]; then

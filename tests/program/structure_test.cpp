@@ -1,6 +1,7 @@
 // stridor structure, from outside: what it prints, writes and refuses.
 
 #include "support/json_of.hpp"
+#include "support/needs.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <string>
+#include <vector>
 
 using stridor::support::Finished;
 using stridor::support::json_of;
@@ -44,6 +46,25 @@ TEST(Structure, ReducesAndReadsWhatItWrote) {
     const auto again = json_of(check.out);
     EXPECT_EQ(again["rows"], 48);
     EXPECT_NEAR(again["frequencies"][0].get<double>(), document["states"]["open"][0]["reduced"].get<double>(), 1e-8);
+}
+
+TEST(Structure, SaysWhoFactorised) {
+    const ScratchFolder folder;
+    const auto reduced_by = [&](const std::string& solver, bool as_json) {
+        std::vector<std::string> arguments{"structure", "reduce", block,      "--boundary", "FOOT",
+                                           "-o",        "x.nc",   "--solver", solver};
+        if (as_json) arguments.emplace_back("--json");
+        return run(arguments, folder.path());
+    };
+    EXPECT_EQ(json_of(reduced_by("eigen", true).out)["solver"], "eigen");
+    EXPECT_EQ(reduced_by("eigen", false).out.find("MUMPS"), std::string::npos);
+    EXPECT_EQ(reduced_by("pardiso", false).exit_code, 2);
+    const Finished reduced = reduced_by("mumps", false);
+    const bool has_mumps = reduced.err.find("has no MUMPS") == std::string::npos;
+    EXPECT_EQ(reduced.exit_code, has_mumps ? 0 : 2);
+    STRIDOR_NEEDS(has_mumps, "MUMPS", "libmumps-headers-dev libmumps-seq-5.5");
+    EXPECT_NE(reduced.out.find("solver       MUMPS"), std::string::npos) << reduced.err;
+    EXPECT_EQ(json_of(reduced_by("mumps", true).out)["solver"], "mumps");
 }
 
 TEST(Structure, TellsWhatItsContactsDoWhereNoForcesObeyTheLaws) {

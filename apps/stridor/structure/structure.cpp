@@ -45,7 +45,7 @@ std::optional<reduction::PartContacts> contacts_of(const reduction::ElasticPart&
                                                    const PartCheckOptions& options) {
     if (options.contact.empty()) return std::nullopt;
     std::optional<reduction::PartContacts> contacts =
-        part_contacts(part, named_rows(part, options.contact), options.normal);
+        part_contacts(part, named_rows(part, options.contact), options.normal, options.part.solver);
     if (!contacts)
         throw Error(ErrorKind::numerical, {"the inertia of the contacts is not known", "some motion has no mass",
                                            "Reduce the part first: stridor structure reduce."});
@@ -55,14 +55,13 @@ std::optional<reduction::PartContacts> contacts_of(const reduction::ElasticPart&
 void check(const PartCheckOptions& options) {
     const reduction::ElasticPart part = load_part(options.part);
     const reduction::PartSize size = part_size(part);
-    const reduction::PartVibration vibration = part_vibration(part, options.modes);
+    const reduction::PartVibration vibration = part_vibration(part, options.modes, options.part.solver);
     const std::optional<reduction::PartContacts> contacts = contacts_of(part, options);
-    if (options.json) {
+    if (options.json)
         console::print(io::part_json(part, size, &vibration, contacts ? &*contacts : nullptr) + "\n");
-    } else {
-        console::print(console::part_text(part, size) + console::vibration_text(vibration));
-        if (contacts) console::print(console::part_contacts_text(*contacts));
-    }
+    else
+        console::print(console::part_text(part, size) + console::vibration_text(vibration) +
+                       (contacts ? console::part_contacts_text(*contacts) : ""));
     if (contacts)
         for (const base::Problem& doubt : doubts(*contacts, options.friction))
             console::say(fmt::format("stridor: note: {} ({}). {}", doubt.what, doubt.why, doubt.suggestion));
@@ -83,6 +82,10 @@ void add_part_options(CLI::App& command, PartOptions& options) {
     command.add_option("--units", options.units, "of the files: m-kg-s, mm-t-s, mm-kg-ms, mm-kg-s or cm-g-s")
         ->type_name("UNITS")
         ->capture_default_str();
+    const auto choose = [&options](const std::string& name) { options.solver = reduction::solver_named(name); };
+    command.add_option_function<std::string>("--solver", choose, "who factorises: mumps is fast with large solids")
+        ->check(CLI::IsMember({"eigen", "mumps"}))
+        ->default_str("eigen");
 }
 
 reduction::ElasticPart load_part(const PartOptions& options) {
@@ -92,7 +95,7 @@ reduction::ElasticPart load_part(const PartOptions& options) {
     const reduction::UnitSystem& units = reduction::unit_system(options.units);
     const bool is_in_si = io::is_reduced_part(files);
     reduction::ElasticPart part = is_in_si ? io::read_reduced_part(files.files.front()).part : io::read_part(files);
-    expect_sound(part);
+    expect_sound(part, options.solver);
     for (const std::string& note : part.notes)
         console::say("stridor: note: " + note);
     if (is_in_si) return part;

@@ -16,12 +16,12 @@ namespace stridor::app {
 struct PartOptions {
     io::PartFiles files;
     std::string units = "m-kg-s";
+    reduction::LinearSolver solver = reduction::LinearSolver::eigen;
 };
 
 void add_part_options(CLI::App& command, PartOptions& options);
 
-/// Reads the part in SI and refuses it if it is no structure; its notes, and what its units seem to be if they are
-/// others, go to stderr.
+/// Reads the part in SI and refuses it if it is no structure; its notes, and a doubt of its units, go to stderr.
 reduction::ElasticPart load_part(const PartOptions& options);
 
 void add_structure_info(CLI::App& structure);

@@ -41,7 +41,7 @@ void reduce(const ReduceOptions& options) {
         .inertia =
             options.inertia == "lumped" ? reduction::BoundaryInertia::lumped : reduction::BoundaryInertia::consistent,
         .recovered = named_rows(part, options.recovered)};
-    const reduction::CondensedPart condensed(part, request.boundary);
+    const reduction::CondensedPart condensed(part, request.boundary, options.part.solver);
     const reduction::Reduction reduced =
         options.method == "macneal" ? macneal(condensed, request) : craig_bampton(condensed, request);
     constexpr Eigen::Index compared = 6;

@@ -88,20 +88,26 @@ SparseMatrix block(const SparseMatrix& matrix, const Parting& parting, RowKind r
     return found;
 }
 
-CondensedPart::CondensedPart(const ElasticPart& part, const std::vector<Index>& boundary)
+CondensedPart::CondensedPart(const ElasticPart& part, const std::vector<Index>& boundary, LinearSolver by)
     : part_(part),
+      linear_solver_(by),
       parting_(part_rows(part, boundary)),
       inner_stiffness_(block(part.stiffness, parting_, RowKind::interior, RowKind::interior)),
       inner_mass_(block(part.mass, parting_, RowKind::interior, RowKind::interior)),
       stiffness_(block(part.stiffness, parting_, RowKind::boundary, RowKind::boundary)) {
     constraint_.resize(inner_stiffness_.rows(), stiffness_.rows());
     if (constraint_.rows() == 0) return;
-    factor_ = std::make_unique<SparseFactor>(inner_stiffness_, inner_mass_, 0.0);
+    factor_ = std::make_unique<SparseFactor>(inner_stiffness_, inner_mass_, 0.0, by);
     if (!factor_->is_whole() || factor_->weakest_pivot() < is_loose || factor_->negative_pivots() > 0)
         base::refuse("the boundary does not hold the part", "with the boundary held still the interior can move freely",
                      "Add nodes to the boundary, or supports to the model.");
     const SparseMatrix across = block(part.stiffness, parting_, RowKind::interior, RowKind::boundary);
-    constraint_ = -factor_->solve(MatrixXd(across));
+    // some columns at a time: a large part's fill the memory
+    constexpr Index at_once = 64;
+    for (Index from = 0; from < constraint_.cols(); from += at_once) {
+        const Index columns = std::min(at_once, constraint_.cols() - from);
+        constraint_.middleCols(from, columns) = -factor_->solve(MatrixXd(across.middleCols(from, columns)));
+    }
     stiffness_ += across.transpose() * constraint_;
     stiffness_ = (0.5 * (stiffness_ + stiffness_.transpose())).eval();
 }

@@ -34,9 +34,12 @@ class CondensedPart {
 public:
     /// Keeps a reference to the part, which is sound and in SI. Throws `Error` (input) for a boundary that is empty,
     /// names a row twice, or does not hold the part still (a mechanism would remain inside).
-    CondensedPart(const ElasticPart& part, const std::vector<Eigen::Index>& boundary);
+    CondensedPart(const ElasticPart& part, const std::vector<Eigen::Index>& boundary,
+                  LinearSolver by = LinearSolver::eigen);
 
     const ElasticPart& part() const { return part_; }
+    /// Who factorises the full part.
+    LinearSolver linear_solver() const { return linear_solver_; }
     const Parting& parting() const { return parting_; }
     const SparseMatrix& inner_stiffness() const { return inner_stiffness_; }
     const SparseMatrix& inner_mass() const { return inner_mass_; }
@@ -56,6 +59,7 @@ public:
 
 private:
     const ElasticPart& part_;
+    LinearSolver linear_solver_;
     Parting parting_;
     SparseMatrix inner_stiffness_;
     SparseMatrix inner_mass_;

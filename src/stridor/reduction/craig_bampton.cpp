@@ -29,8 +29,9 @@ Modes held_modes(const CondensedPart& condensed, const ReductionRequest& request
     const SparseMatrix& stiffness = condensed.inner_stiffness();
     const SparseMatrix& mass = condensed.inner_mass();
     if (stiffness.rows() == 0) return {VectorXd(0), MatrixXd(0, 0)};
-    const Index modes = request.below > 0.0 ? modes_below(stiffness, mass, request.below) : request.modes;
-    return lowest_modes(stiffness, mass, modes, condensed.inner_solver(), ModeCount::counted);
+    const Index modes =
+        request.below > 0.0 ? modes_below(stiffness, mass, request.below, condensed.linear_solver()) : request.modes;
+    return lowest_modes(stiffness, mass, modes, condensed.inner_solver(), condensed.linear_solver());
 }
 
 // T' A T of a symmetric matrix; only a triangle of the large product is worked out
@@ -98,6 +99,7 @@ Reduction craig_bampton(const CondensedPart& condensed, const ReductionRequest& 
     const Modes modes = held_modes(condensed, request);
     Reduction reduction = opened_reduction(part, request, modes);
     reduction.method = ReductionMethod::craig_bampton;
+    reduction.solver = condensed.linear_solver();
     reduction.inertia = request.inertia;
     const Index boundary = reduction.boundary_rows;
     const Index kept = modes.squared.size();

@@ -75,7 +75,9 @@ class MassOperator {
 public:
     using Scalar = double;
 
-    explicit MassOperator(const SparseMatrix& mass) : mass_(mass), factor_(without_zeros(mass), mass, 0.0) {}
+    MassOperator(const SparseMatrix& mass, LinearSolver by)
+        : mass_(mass),
+          factor_(without_zeros(mass), mass, 0.0, by) {}
 
     Index rows() const { return mass_.rows(); }
     Index cols() const { return mass_.rows(); }
@@ -106,13 +108,13 @@ struct SolverAt {
 };
 
 // zero itself where the structure is held, else a little below the rigid-body modes
-Shifted shifted(const SparseMatrix& stiffness, const SparseMatrix& mass) {
-    SparseFactor at_zero(stiffness, mass, 0.0);
+Shifted shifted(const SparseMatrix& stiffness, const SparseMatrix& mass, LinearSolver by) {
+    SparseFactor at_zero(stiffness, mass, 0.0, by);
     if (at_zero.is_whole() && at_zero.negative_pivots() == 0 && at_zero.weakest_pivot() > is_singular)
         return {0.0, std::move(at_zero)};
     double sigma = -shift_of_free * largest_ratio(stiffness, mass);
     for (int attempt = 0; attempt < 8; ++attempt, sigma *= 10.0) {
-        SparseFactor factor(stiffness, mass, sigma);
+        SparseFactor factor(stiffness, mass, sigma, by);
         if (factor.is_whole() && factor.negative_pivots() == 0) return {sigma, std::move(factor)};
     }
     throw Error(ErrorKind::input,
@@ -179,16 +181,16 @@ void find_more(Modes& modes, const SolverAt& at, const SparseMatrix& mass, Index
 }
 
 // how many eigenvalues lie below the highest of these modes, and were not found
-Index missed(const Modes& modes, const SparseMatrix& stiffness, const SparseMatrix& mass) {
+Index missed(const Modes& modes, const SparseMatrix& stiffness, const SparseMatrix& mass, LinearSolver by) {
     const double highest = modes.squared[modes.squared.size() - 1];
     const double below = highest - margin * std::abs(highest);
-    const SparseFactor factor(stiffness, mass, below);
+    const SparseFactor factor(stiffness, mass, below, by, FactorUse::counting);
     if (!factor.is_whole()) give_up("the eigenvalues below the highest mode could not be counted");
     return factor.negative_pivots() - (modes.squared.array() < below).count();
 }
 
 Modes modes_at(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count, const SolverAt& at,
-               ModeCount mode_count) {
+               ModeCounter counter) {
     Modes modes;
     if (stiffness.rows() <= few_rows || 3 * count > stiffness.rows()) {
         modes = dense_modes(stiffness, mass, at.sigma);
@@ -198,8 +200,8 @@ Modes modes_at(const SparseMatrix& stiffness, const SparseMatrix& mass, Index co
     find_more(modes, at, mass, count);
     keep_lowest(modes, count);
     constexpr int most_searches = 20;
-    for (int search = 0; modes.squared.size() > 0 && mode_count == ModeCount::counted; ++search) {
-        const Index lacking = missed(modes, stiffness, mass);
+    for (int search = 0; modes.squared.size() > 0 && counter; ++search) {
+        const Index lacking = missed(modes, stiffness, mass, *counter);
         if (lacking == 0) return modes;
         if (lacking < 0 || search == most_searches) give_up("some of them hide behind others of the same frequency");
         find_more(modes, at, mass, lacking);
@@ -210,30 +212,30 @@ Modes modes_at(const SparseMatrix& stiffness, const SparseMatrix& mass, Index co
 
 }  // namespace
 
-Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count) {
+Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count, LinearSolver by) {
     const Index rows = stiffness.rows();
     if (count <= 0 || rows == 0) return {VectorXd(0), MatrixXd(rows, 0)};
-    const Shifted at = shifted(stiffness, mass);
+    const Shifted at = shifted(stiffness, mass, by);
     const StaticSolver solver = [&at](const VectorXd& load) { return VectorXd(at.factor.solve(load)); };
-    return modes_at(stiffness, mass, count, {at.sigma, solver}, ModeCount::counted);
+    return modes_at(stiffness, mass, count, {at.sigma, solver}, by);
 }
 
 Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Index count, const StaticSolver& solver,
-                   ModeCount mode_count) {
+                   ModeCounter counter) {
     if (count <= 0) return {VectorXd(0), MatrixXd(stiffness.rows(), 0)};
-    return modes_at(stiffness, mass, count, {0.0, solver}, mode_count);
+    return modes_at(stiffness, mass, count, {0.0, solver}, counter);
 }
 
-Index modes_below(const SparseMatrix& stiffness, const SparseMatrix& mass, double frequency) {
-    const SparseFactor factor(stiffness, mass, squared_of(frequency));
+Index modes_below(const SparseMatrix& stiffness, const SparseMatrix& mass, double frequency, LinearSolver by) {
+    const SparseFactor factor(stiffness, mass, squared_of(frequency), by, FactorUse::counting);
     if (!factor.is_whole())
         give_up(fmt::format("the modes below {} Hz could not be counted: one lies there", frequency));
     return factor.negative_pivots();
 }
 
-double highest_squared(const SparseMatrix& stiffness, const SparseMatrix& mass) {
+double highest_squared(const SparseMatrix& stiffness, const SparseMatrix& mass, LinearSolver by) {
     using Product = Spectra::SparseSymMatProd<double>;
-    MassOperator inertia(mass);
+    MassOperator inertia(mass, by);
     if (!inertia.is_regular()) return std::numeric_limits<double>::infinity();
     if (mass.rows() <= few_rows) {
         const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(MatrixXd(stiffness), MatrixXd(mass),

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "stridor/reduction/linear_solver.hpp"
 #include "stridor/reduction/part.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace stridor::reduction {
 
@@ -19,23 +21,25 @@ struct Modes {
 /// free. None is missed: below the highest of them the factors of K - sigma M count as many eigenvalues (Sylvester's
 /// law of inertia) as were found; where they count more, the search goes on in what is orthogonal to those found, as it
 /// must for modes of one frequency. Throws `Error` (numerical) where that does not help.
-Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Eigen::Index count);
+Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Eigen::Index count,
+                   LinearSolver by = LinearSolver::eigen);
 
-/// Is it counted that no mode is missed? That costs another factorisation, most of the time of a large part.
-enum class ModeCount { counted, trusted };
+/// Who counts that no mode is missed: another factorisation, most of the time of a large part. Nothing: it is trusted.
+using ModeCounter = std::optional<LinearSolver>;
 
 /// The displacements under a load: K^-1 f.
 using StaticSolver = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
 /// The same with what solves with K, which is positive definite.
 Modes lowest_modes(const SparseMatrix& stiffness, const SparseMatrix& mass, Eigen::Index count,
-                   const StaticSolver& solver, ModeCount mode_count);
+                   const StaticSolver& solver, ModeCounter counter);
 
 /// How many modes lie below a frequency [Hz] (Sylvester's law of inertia).
-Eigen::Index modes_below(const SparseMatrix& stiffness, const SparseMatrix& mass, double frequency);
+Eigen::Index modes_below(const SparseMatrix& stiffness, const SparseMatrix& mass, double frequency,
+                         LinearSolver by = LinearSolver::eigen);
 
 /// The highest omega^2 [rad^2/s^2] by Lanczos, to 1e-4; infinite where a motion has no mass.
-double highest_squared(const SparseMatrix& stiffness, const SparseMatrix& mass);
+double highest_squared(const SparseMatrix& stiffness, const SparseMatrix& mass, LinearSolver by = LinearSolver::eigen);
 
 /// omega^2 [rad^2/s^2] as a frequency [Hz]; zero for what is negative.
 double frequency_of(double squared);

@@ -46,8 +46,10 @@ Reduction macneal(const CondensedPart& condensed, const ReductionRequest& reques
     if (!solver || !flexibility)
         base::refuse("the part can move freely", "MacNeal's reduction needs the flexibility of its boundary",
                      "Hold it by a support, or reduce it by Craig-Bampton.");
-    const Index wanted = request.below > 0.0 ? modes_below(part.stiffness, part.mass, request.below) : request.modes;
-    const Modes modes = lowest_modes(part.stiffness, part.mass, wanted, *solver, ModeCount::counted);
+    const Index wanted = request.below > 0.0
+                             ? modes_below(part.stiffness, part.mass, request.below, condensed.linear_solver())
+                             : request.modes;
+    const Modes modes = lowest_modes(part.stiffness, part.mass, wanted, *solver, condensed.linear_solver());
     const MatrixXd at_boundary = modes.shapes(condensed.parting().boundary, Eigen::all);  // Phi_b
     const MatrixXd carried = modes.squared.cwiseInverse().asDiagonal() * at_boundary.transpose();
     const MatrixXd residual = *flexibility - at_boundary * carried;
@@ -59,6 +61,7 @@ Reduction macneal(const CondensedPart& condensed, const ReductionRequest& reques
 
     Reduction reduction = opened_reduction(part, request, modes);
     reduction.method = ReductionMethod::macneal;
+    reduction.solver = condensed.linear_solver();
     reduction.inertia = BoundaryInertia::massless;
     const Index boundary = reduction.boundary_rows;
     const Index kept = modes.squared.size();

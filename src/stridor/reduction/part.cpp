@@ -68,7 +68,7 @@ void expect_symmetric(const ElasticPart& part, const SparseMatrix& matrix, const
 }
 
 // a motion of negative kinetic energy would make an impact gain energy
-void expect_positive_mass(const ElasticPart& part) {
+void expect_positive_mass(const ElasticPart& part, LinearSolver by) {
     const Eigen::VectorXd diagonal = part.mass.diagonal();
     Eigen::VectorXd scale(diagonal.size());
     for (Eigen::Index row = 0; row < diagonal.size(); ++row) {
@@ -86,7 +86,7 @@ void expect_positive_mass(const ElasticPart& part) {
     const SparseMatrix scaled = rows * scale.asDiagonal();
     SparseMatrix unit(scaled.rows(), scaled.cols());
     unit.setIdentity();
-    const SparseFactor factor(scaled, unit, -symmetry_tolerance);
+    const SparseFactor factor(scaled, unit, -symmetry_tolerance, by, FactorUse::counting);
     if (!factor.is_whole() || factor.negative_pivots() > 0)
         refuse_part("the mass is negative for some motion",
                     fmt::format("{} of its pivots are negative", factor.negative_pivots()),
@@ -163,7 +163,7 @@ SparseMatrix without_zeros(const SparseMatrix& matrix) {
     return left;
 }
 
-void expect_sound(const ElasticPart& part) {
+void expect_sound(const ElasticPart& part, LinearSolver by) {
     if (rows_of(part) == 0) refuse_part("the part has no row", "there is nothing that could move");
     expect_labels(part);
     if (part.mass.rows() != part.stiffness.rows())
@@ -176,7 +176,7 @@ void expect_sound(const ElasticPart& part) {
     expect_symmetric(part, part.stiffness, "stiffness");
     expect_symmetric(part, part.mass, "mass");
     if (part.damping.rows() != 0) expect_symmetric(part, part.damping, "damping");
-    expect_positive_mass(part);
+    expect_positive_mass(part, by);
 }
 
 const std::vector<UnitSystem>& unit_systems() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/reduction/linear_solver.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -53,7 +55,7 @@ Eigen::Index rows_of(const ElasticPart& part);
 /// Refuses a part that is no structure: throws `Error` (input) for matrices of different sizes, a row without label, a
 /// label twice, a number that is not finite, a matrix that is not symmetric to 1e-10 of its diagonal, a mass that is
 /// negative for some motion (by the signs of its pivots), and a row with neither stiffness nor mass.
-void expect_sound(const ElasticPart& part);
+void expect_sound(const ElasticPart& part, LinearSolver by = LinearSolver::eigen);
 
 /// The same matrix without entries that are zero: of a mass two thirds, where an element's motions along x, y and z do
 /// not meet, and nearly all the work of its factors.

@@ -34,9 +34,10 @@ double painleve_friction(const MatrixXd& w, const std::vector<RowLabel>& labels,
 
 }  // namespace
 
-std::optional<PartContacts> part_contacts(const ElasticPart& part, const std::vector<Index>& rows, int normal) {
+std::optional<PartContacts> part_contacts(const ElasticPart& part, const std::vector<Index>& rows, int normal,
+                                          LinearSolver by) {
     const SparseMatrix none(part.mass.rows(), part.mass.cols());
-    const SparseFactor factor(part.mass, none, 0.0);
+    const SparseFactor factor(part.mass, none, 0.0, by);
     if (!factor.is_whole() || factor.weakest_pivot() < massless_pivot) return std::nullopt;
     const auto count = static_cast<Index>(rows.size());
     MatrixXd pushes = MatrixXd::Zero(rows_of(part), count);

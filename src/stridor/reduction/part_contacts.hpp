@@ -21,7 +21,8 @@ struct PartContacts {
 
 /// Nothing where some motion has no mass: W has no end then. `normal` is the component of the contacts' normal (1 to
 /// 3), 0 if it is not known.
-std::optional<PartContacts> part_contacts(const ElasticPart& part, const std::vector<Eigen::Index>& rows, int normal);
+std::optional<PartContacts> part_contacts(const ElasticPart& part, const std::vector<Eigen::Index>& rows, int normal,
+                                          LinearSolver by = LinearSolver::eigen);
 
 /// What makes contacts of a part hard to believe, in words, with what to do: more than a tenth of shared inertia, and a
 /// configuration of Painleve below this friction coefficient [1].

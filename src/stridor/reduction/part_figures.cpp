@@ -89,11 +89,11 @@ std::string units_doubt(const PartSize& size, const UnitSystem& units) {
                        units.name, guess->name, density_in(size, *guess).value_or(0.0), guess->name);
 }
 
-PartVibration part_vibration(const ElasticPart& part, Eigen::Index count) {
+PartVibration part_vibration(const ElasticPart& part, Eigen::Index count, LinearSolver by) {
     PartVibration vibration;
-    const double highest = highest_squared(part.stiffness, part.mass);
+    const double highest = highest_squared(part.stiffness, part.mass, by);
     vibration.highest_frequency = std::isfinite(highest) ? frequency_of(highest) : highest;
-    const Modes modes = lowest_modes(part.stiffness, part.mass, count + most_rigid);
+    const Modes modes = lowest_modes(part.stiffness, part.mass, count + most_rigid, by);
     const auto found = modes.squared.size();
     const double small = std::isfinite(highest) ? highest * share_of_highest * share_of_highest : 0.0;
     Eigen::Index rigid = (modes.squared.array() <= small).count();
@@ -103,7 +103,7 @@ PartVibration part_vibration(const ElasticPart& part, Eigen::Index count) {
         // between the last rigid-body mode and the first other one
         const double between =
             std::sqrt(std::max(std::abs(modes.squared[rigid - 1]), 1e-6 * modes.squared[rigid]) * modes.squared[rigid]);
-        const SparseFactor factor(part.stiffness, part.mass, between);
+        const SparseFactor factor(part.stiffness, part.mass, between, by, FactorUse::counting);
         if (factor.is_whole()) rigid = factor.negative_pivots();
     }
     vibration.rigid_body_modes = rigid;

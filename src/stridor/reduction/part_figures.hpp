@@ -39,6 +39,6 @@ struct PartVibration {
 
 /// The lowest frequencies, so many; rigid-body modes are those below a millionth of the highest frequency, or at most
 /// six that lie a thousand times below the next one: files hold ten to sixteen digits, so that none is zero.
-PartVibration part_vibration(const ElasticPart& part, Eigen::Index count);
+PartVibration part_vibration(const ElasticPart& part, Eigen::Index count, LinearSolver by = LinearSolver::eigen);
 
 }  // namespace stridor::reduction

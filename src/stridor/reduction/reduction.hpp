@@ -48,9 +48,10 @@ struct Reduction {
     Eigen::Index boundary_rows = 0;  // [1] the first of its rows
     ReductionMethod method = ReductionMethod::craig_bampton;
     BoundaryInertia inertia = BoundaryInertia::lumped;
-    std::vector<double> mode_frequencies;  // [Hz] of the modes, rising
-    std::vector<RowLabel> recovered;       // shape [recovered]
-    Eigen::MatrixXd recovery;              // [1] u of those rows = recovery * coordinates; shape [recovered][row]
+    LinearSolver solver = LinearSolver::eigen;  // of the full part
+    std::vector<double> mode_frequencies;       // [Hz] of the modes, rising
+    std::vector<RowLabel> recovered;            // shape [recovered]
+    Eigen::MatrixXd recovery;                   // [1] u of those rows = recovery * coordinates; shape [recovered][row]
 };
 
 /// A reduced part of these modes with its labels, places and sets, and no matrices yet.

@@ -53,11 +53,11 @@ std::vector<double> without_rigid_body(const Modes& modes, Index count) {
 
 // a mode that was missed would stand out: all behind it would seem to be wrong
 std::vector<double> frequencies_of(const ElasticPart& part, const std::vector<Index>& held,
-                                   const std::optional<StaticSolver>& solver, Index count) {
+                                   const std::optional<StaticSolver>& solver, Index count, LinearSolver by) {
     const SparseMatrix stiffness = without(part.stiffness, held);
     const SparseMatrix mass = without(part.mass, held);
-    if (!solver) return without_rigid_body(lowest_modes(stiffness, mass, count + most_rigid_modes), count);
-    return without_rigid_body(lowest_modes(stiffness, mass, count, *solver, ModeCount::trusted), count);
+    if (!solver) return without_rigid_body(lowest_modes(stiffness, mass, count + most_rigid_modes, by), count);
+    return without_rigid_body(lowest_modes(stiffness, mass, count, *solver, std::nullopt), count);
 }
 
 // nothing where the part can move freely
@@ -122,8 +122,8 @@ ReductionErrors reduction_errors(const CondensedPart& full, const Reduction& red
             held.push_back(full.parting().boundary[static_cast<std::size_t>(row)]);
         const auto exact = full.solver(state.held);
         const auto reduced = solver_of(reduction.part, state.held);
-        const std::vector<double> wanted = frequencies_of(full.part(), held, exact, count);
-        const std::vector<double> got = frequencies_of(reduction.part, state.held, reduced, count);
+        const std::vector<double> wanted = frequencies_of(full.part(), held, exact, count, full.linear_solver());
+        const std::vector<double> got = frequencies_of(reduction.part, state.held, reduced, count, LinearSolver::eigen);
         StateErrors& errors_of_state = errors.states.emplace_back(StateErrors{state.name, {}});
         for (std::size_t k = 0; k < std::min(wanted.size(), got.size()); ++k)
             errors_of_state.frequencies.push_back({wanted[k], got[k]});

@@ -95,6 +95,8 @@ std::string reduction_text(const reduction::Reduction& reduction, const reductio
                 ? std::string("inertia      none: the boundary follows at once\n")
                 : fmt::format("inertia      {}: neighbours are coupled by {:.2g} of their own\n",
                               name_of(reduction.inertia), errors.coupling < 1e-9 ? 0.0 : errors.coupling);
+    if (reduction.solver == reduction::LinearSolver::mumps)
+        text += "solver       MUMPS: its last digits are this machine's\n";
     text += "statics      " + statics_text(errors.flexibility) + "\n";
     text += "\ncontacts     frequency      reduced       error\n";
     for (const reduction::StateErrors& state : errors.states)

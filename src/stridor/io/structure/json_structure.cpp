@@ -47,6 +47,7 @@ std::string reduction_json(const reduction::Reduction& reduction, const reductio
     document["boundary_rows"] = reduction.boundary_rows;
     document["mode_frequencies"] = reduction.mode_frequencies;
     document["method"] = name_of(reduction.method);
+    document["solver"] = name_of(reduction.solver);
     document["inertia"] = name_of(reduction.inertia);
     document["coupling"] = errors.coupling;
     document["flexibility_error"] = errors.flexibility ? Json(*errors.flexibility) : Json();

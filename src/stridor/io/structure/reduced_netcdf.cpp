@@ -86,6 +86,8 @@ void write_reduced_part(const std::string& path, const Reduction& reduction, con
     put_origin(file, "structure", "reduced finite-element part");
     file.attribute("origin", origin);
     file.attribute("method", std::string(name_of(reduction.method)));
+    if (reduction.solver != reduction::LinearSolver::eigen)
+        file.attribute("solver", std::string(name_of(reduction.solver)));
     file.attribute("contact_inertia", std::string(name_of(reduction.inertia)));
     const int row = file.dimension("row", part.labels.size());
     const int column = file.dimension("column", part.labels.size());
