@@ -1,4 +1,4 @@
-#include "fuzz/targets/targets.hpp"
+#include "fuzz/targets/structure_reading.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/io/structure/calculix_deck.hpp"
 #include "stridor/io/structure/part_files.hpp"
@@ -10,20 +10,6 @@ namespace stridor::fuzz {
 namespace {
 
 using io::structure::StructureInput;
-
-StructureInput input_of(std::string_view bytes) {
-    return {recordings::bytes_of(std::string(bytes)), "input"};
-}
-
-/// What a reader makes of the bytes; an error stands in the file.
-template <typename Read>
-void expect_end(Read read) {
-    try {
-        read();
-    } catch (const Error& error) {
-        require(error.kind() == ErrorKind::input && error.place().has_value() && !error.problem().what.empty());
-    }
-}
 
 // a part is one of finite numbers, or says why it is none
 void read_as(std::string_view bytes, const io::PartFiles& files) {

@@ -24,6 +24,11 @@ void compressed_audio(std::string_view bytes);
 void mat(std::string_view bytes);
 void structure(std::string_view bytes);
 void numpy(std::string_view bytes);
+void calculix(std::string_view bytes);
+void nastran(std::string_view bytes);
+void abaqus(std::string_view bytes);
+void ansys(std::string_view bytes);
+void matrix_market(std::string_view bytes);
 
 struct Target {
     std::string_view name;  // of its folder in the corpus
@@ -44,7 +49,12 @@ inline constexpr std::array targets{Target{"signal_csv", signal_csv},
                                     Target{"compressed_audio", compressed_audio},
                                     Target{"mat", mat},
                                     Target{"structure", structure},
-                                    Target{"numpy", numpy}};
+                                    Target{"numpy", numpy},
+                                    Target{"calculix", calculix},
+                                    Target{"nastran", nastran},
+                                    Target{"abaqus", abaqus},
+                                    Target{"ansys", ansys},
+                                    Target{"matrix_market", matrix_market}};
 
 /// Stops the program where a promise is broken, in every build.
 inline void require(bool promise) {
