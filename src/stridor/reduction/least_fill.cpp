@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <metis.h>
 
+#include <mutex>
 #include <type_traits>
 #include <vector>
 
@@ -20,6 +21,7 @@ static_assert(std::is_same_v<idx_t, int>);
 struct Metis {
     base::OpenedLibrary library{STRIDOR_METIS_LIBRARY};
     decltype(&::METIS_NodeND) dissect = library.function("METIS_NodeND");
+    mutable std::mutex one_at_a_time;  // its choices come from the C library's rand, one for the process
 };
 
 const Metis& metis() {
@@ -57,7 +59,8 @@ void LeastFill::operator()(const Eigen::SparseMatrix<double>& matrix, Permutatio
     int rows = static_cast<int>(matrix.cols());
     order.resize(rows);
     std::vector<int> place(static_cast<std::size_t>(rows));
-    // its own options: among them the seed of its choices
+    // with its own options: among them the seed of its choices
+    const std::scoped_lock alone(metis().one_at_a_time);
     const int end = metis().dissect(&rows, neighbours.begin.data(), neighbours.rows.data(), nullptr, nullptr,
                                     order.indices().data(), place.data());
     if (end != METIS_OK)

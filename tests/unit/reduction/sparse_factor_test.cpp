@@ -17,6 +17,7 @@
 #include <functional>
 #include <numeric>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace stridor::reduction {
@@ -47,6 +48,17 @@ TEST(LeastFill, OrdersEachRowOnceAndAlwaysTheSame) {
         std::iota(rows.begin(), rows.end(), 0);
         EXPECT_EQ(sorted, rows);
     }
+}
+
+TEST(LeastFill, IsTheSameBesideOthers) {
+    const ElasticPart part = lattice_part({12, 12, 13}, LatticeSupport::free);
+    const std::vector<int> alone = order_of(part.stiffness);
+    std::vector<int> first;
+    std::thread other([&] { first = order_of(part.stiffness); });
+    const std::vector<int> second = order_of(part.stiffness);
+    other.join();
+    EXPECT_EQ(first, alone);
+    EXPECT_EQ(second, alone);
 }
 
 // the order of a machine is that of every other: these are Debian's METIS 5.1 and Eigen 3.4
