@@ -315,12 +315,13 @@ TEST(StructureFuzz, NamesPainlevesConfigurations) {
 // what the search by single changes did not find: it had run in circles, or met no impact that it could solve
 TEST(StructureFuzz, FindsTheForcesThatSingleChangesMiss) {
     for (const std::uint64_t number : {
-             279U,  // one contact: stuck it would be pulled, open it would fall, and it slips
-             8U,    // two contacts, one of them slipping
-             29U,   // two, one of them open
-             70U,   // three
-             178U,  // two that stuck
-             54U,   // an open contact that an impact elsewhere left below its surface by rounding
+             279U,    // one contact: stuck it would be pulled, open it would fall, and it slips
+             8U,      // two contacts, one of them slipping
+             29U,     // two, one of them open
+             70U,     // three
+             178U,    // two that stuck
+             54U,     // an open contact that an impact elsewhere left below its surface by rounding
+             16807U,  // a gap that closes at the very limit of what is zero: two sums of it did not agree
          }) {
         std::array<long, integration::reason_names.size()> ended{};
         EXPECT_EQ(failure_of(number, ended), "") << "wild structure " << number;

@@ -200,7 +200,6 @@ Settled Settling::failed() {
 }
 
 Settled Settling::go_on(TaylorState& state, const SurfaceSeries& surface) {
-    const std::size_t none = state.set.size();
     possible_.clear();
     // what obeyed the laws before flights were ended: where nothing does afterwards they go on
     std::optional<Lawful> lawful;
@@ -223,7 +222,7 @@ Settled Settling::go_on(TaylorState& state, const SurfaceSeries& surface) {
             case Forces::inconsistent:
                 return give_up();
             case Forces::closing:
-                if (!collide(state, surface, none)) return give_up();
+                if (!collide(state, surface, closing_)) return give_up();
                 continue;
             case Forces::found:
                 if (!lawful) lawful = Lawful{state, begins_, losses_, completed_};

@@ -102,6 +102,7 @@ private:
     TaylorBlock block_;
     std::vector<bool> broken_;  // limits that fell during this event
     std::vector<bool> begins_;  // slips that this event has begun: w = 0
+    std::size_t closing_ = 0;   // the contact whose gap closes, where `Forces` says so
     std::vector<std::array<int, most_functions>> orders_;
     std::vector<std::vector<ContactMode>> possible_;  // where no set was found: those looked at, shape [contact][mode]
     std::vector<std::size_t> pressed_;

@@ -124,7 +124,10 @@ Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSe
         }
         ContactMode& mode = state.set[worst.contact];
         if (mode == ContactMode::open) {
-            if (worst.order <= 1) return Forces::closing;
+            if (worst.order <= 1) {
+                closing_ = worst.contact;
+                return Forces::closing;
+            }
             const ModalContact& c = structure_.contacts[worst.contact];
             const double w = slip_velocity(c, state.v, surface[0]);
             mode = std::abs(w) > slip_zero(c, state, surface) ? slip_mode(model::slip_of(w)) : ContactMode::stick;
