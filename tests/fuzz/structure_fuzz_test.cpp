@@ -281,6 +281,9 @@ constexpr std::array once_broken{
     3U,     // contacts whose inertia is shared: by an inverse that was not exact enough a closed gap drifted
     768U,   // likewise
     1222U,  // a slip that is zero beside what accelerations change, and was not beside the velocities
+    7712U,  // a slip of 2e-6 m/s taken for none beside the forces of a set that would change it fast
+    9512U,  // likewise, of the size of the surface's velocity
+    3385U,  // a slip of some 1e-11 of the others, none in one set and one in the next
     511U,   // flights that ended by force left no forces
     396U,   // likewise
     856U,   // as 1430, many impacts

@@ -28,8 +28,10 @@ struct TaylorState {
     std::vector<std::array<int, most_functions>> dropped;  // shape [contact]
 };
 
-/// What counts as zero of the coefficients of an event function: the first two, and those behind them.
+/// What counts as zero of the coefficients of an event function: those that the state itself gives (gap and its rate,
+/// slip velocity), and those that come from forces and accelerations.
 struct FunctionZero {
+    int of_state = 0;  // coefficients
     double first = 0.0;
     double later = 0.0;
 };

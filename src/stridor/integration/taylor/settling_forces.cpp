@@ -21,7 +21,7 @@ struct Leading {
 
 Leading leading(const BlockSeries& c, const FunctionZero& zero) {
     for (int k = 0; k <= most_dropped; ++k)
-        if (std::abs(c[static_cast<std::size_t>(k)]) > (k < 2 ? zero.first : zero.later))
+        if (std::abs(c[static_cast<std::size_t>(k)]) > (k < zero.of_state ? zero.first : zero.later))
             return {k, c[static_cast<std::size_t>(k)]};
     return {};
 }
@@ -49,15 +49,14 @@ FunctionZero Settling::zero_of(const TaylorBlock& block, const TaylorState& stat
     if (mode == ContactMode::open) {
         // gap and rate come from the state, what follows from accelerations
         const double zero = gap_zero(law, state, block.step());
-        return {zero, zero + term_rounding * block.gap_change_scale(contact)};
+        return {2, zero, zero + term_rounding * block.gap_change_scale(contact)};
     }
-    double zero = function_rounding * largest(c);
-    if (is_slip(mode) && function == 1)
-        zero = slip_per_friction * zero +
-               term_rounding * (block.velocity_scale(contact) + block.velocity_change_scale(contact));
-    else
-        zero += term_rounding * block.force_scale(contact);
-    return {zero, zero};
+    const double zero = function_rounding * largest(c);
+    if (!is_slip(mode) || function == 0) return {0, 0.0, zero + term_rounding * block.force_scale(contact)};
+    // a slip comes from the state, however fast the set changes it
+    return {1, function_rounding * block.velocity_scale(contact) + term_rounding * block.free_change_scale(contact),
+            slip_per_friction * zero +
+                term_rounding * (block.velocity_scale(contact) + block.velocity_change_scale(contact))};
 }
 
 // compares a contact's functions with the worst so far; notes their orders
@@ -155,8 +154,7 @@ bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
         const ModalContact& c = structure_.contacts[k];
         const double w = slip_velocity(c, state.v, surface[0]);
         // what is no slip to `look`, beside all that accelerations change in a block, is none here
-        is_at_rest[k] = std::abs(w) <= slip_zero(c, state, surface) +
-                                           slip_per_friction * function_rounding * block_.velocity_change_scale(k);
+        is_at_rest[k] = std::abs(w) <= slip_zero(c, state, surface) + term_rounding * block_.free_change_scale(k);
         if (present[k] == ContactMode::open &&
             (gap(c, state.q) > gap_zero(c, state, block_.step()) ||
              block_.step() * gap_velocity(c, state.v) > gap_zero(c, state, block_.step())))

@@ -266,10 +266,13 @@ const std::vector<double>& TaylorBlock::constraint_sizes() const {
     return constraint_sizes_;
 }
 
+double TaylorBlock::free_change_scale(std::size_t contact) const {
+    return step_ * dot_of_sizes(structure_.contacts[contact].tangent, acceleration_sizes());
+}
+
 double TaylorBlock::velocity_change_scale(std::size_t contact) const {
     const auto own = static_cast<Eigen::Index>(2 * contact + 1);
-    return step_ * (dot_of_sizes(structure_.contacts[contact].tangent, acceleration_sizes()) +
-                    structure_.compliance(own, own) * force_scale(contact));
+    return free_change_scale(contact) + step_ * structure_.compliance(own, own) * force_scale(contact);
 }
 
 double TaylorBlock::gap_change_scale(std::size_t contact) const {

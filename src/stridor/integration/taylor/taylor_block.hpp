@@ -57,7 +57,9 @@ public:
     double force_scale(std::size_t contact) const;
     double velocity_scale(std::size_t contact) const;
 
-    /// The same in what accelerations change the slip velocity over a block [m/s].
+    /// The same in what accelerations change the slip velocity over a block [m/s]: without those by contact forces, of
+    /// any set the same, and with them.
+    double free_change_scale(std::size_t contact) const;
     double velocity_change_scale(std::size_t contact) const;
 
     /// The same in what accelerations, those by contact forces too, change the gap over a block [m].
