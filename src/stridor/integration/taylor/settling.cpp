@@ -130,6 +130,14 @@ bool Settling::meet(TaylorState& state, const SurfaceSeries& surface, std::size_
         state.set[k] = impulses->mode[k];
         begins_[k] = false;
     }
+    // an impact tells a velocity beside the largest of all: a gap that falls by less, but by more than its own
+    // rounding, is closed
+    for (std::size_t k = 0; k < p; ++k) {
+        const ModalContact& c = structure_.contacts[k];
+        if (!meeting.touches[k] || state.set[k] != ContactMode::open) continue;
+        if (block_.step() * impulses->gap_velocity[k] < -gap_zero(c, state, block_.step()))
+            state.set[k] = closed_mode(c, state, surface);
+    }
     return true;
 }
 

@@ -127,9 +127,7 @@ Settling::Forces Settling::change_one_by_one(TaylorState& state, const SurfaceSe
                 closing_ = worst.contact;
                 return Forces::closing;
             }
-            const ModalContact& c = structure_.contacts[worst.contact];
-            const double w = slip_velocity(c, state.v, surface[0]);
-            mode = std::abs(w) > slip_zero(c, state, surface) ? slip_mode(model::slip_of(w)) : ContactMode::stick;
+            mode = closed_mode(structure_.contacts[worst.contact], state, surface);
         } else if (worst.function == 0) {
             mode = ContactMode::open;
         } else if (is_slip(mode)) {

@@ -1,7 +1,8 @@
 #pragma once
 
-// What counts as zero at an event of the Taylor engine. Private to this folder.
+// What counts as zero at an event of the Taylor engine, and what follows from it. Private to this folder.
 
+#include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/taylor/settling.hpp"
 
 #include <cmath>
@@ -25,6 +26,12 @@ inline double gap_zero(const ModalContact& c, const TaylorState& state, double s
 /// Of the slip velocity [m/s].
 inline double slip_zero(const ModalContact& c, const TaylorState& state, const SurfaceSeries& surface) {
     return function_rounding * (dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]));
+}
+
+/// What a contact does that closes: it slips the way it moves, or sticks.
+inline ContactMode closed_mode(const ModalContact& contact, const TaylorState& state, const SurfaceSeries& surface) {
+    const double w = slip_velocity(contact, state.v, surface[0]);
+    return std::abs(w) > slip_zero(contact, state, surface) ? slip_mode(model::slip_of(w)) : ContactMode::stick;
 }
 
 }  // namespace stridor::integration
