@@ -86,17 +86,30 @@ void Settling::project(TaylorState& state, const SurfaceSeries& surface) const {
     hold_at_zero(rates, structure_.compliance, state.v);
 }
 
+// what has been ended is held; what that changes is lost
+void Settling::hold_ended(TaylorState& state, const SurfaceSeries& surface) {
+    const double before = free_energy(structure_, state);
+    project(state, surface);
+    losses_.impact_loss += before - free_energy(structure_, state);
+}
+
 // closed contacts have the state that their slip velocity says
-void Settling::correct_modes(TaylorState& state, const SurfaceSeries& surface) const {
+void Settling::correct_modes(TaylorState& state, const SurfaceSeries& surface) {
+    bool has_ended = false;
     for (std::size_t k = 0; k < state.set.size(); ++k) {
         if (state.set[k] == ContactMode::open) continue;
         const ModalContact& c = structure_.contacts[k];
         const double w = slip_velocity(c, state.v, surface[0]);
-        if (std::abs(w) > slip_zero(c, state, surface))
+        if (std::abs(w) > slip_zero(c, state, surface)) {
             state.set[k] = slip_mode(model::slip_of(w));
-        else if (!begins_[k])
+        } else if (!begins_[k]) {
+            // a slip this small is none, and was more than rounding
+            const double terms = dot_of_sizes(c.tangent, state.v) + std::abs(c.drive_share * surface[0]);
+            if (is_slip(state.set[k]) && std::abs(w) > term_rounding * terms) has_ended = true;
             state.set[k] = ContactMode::stick;
+        }
     }
+    if (has_ended) hold_ended(state, surface);
 }
 
 // impulses of all that touches; returns false where there are none that obey the laws
@@ -192,11 +205,8 @@ bool Settling::complete(TaylorState& state, const SurfaceSeries& surface) {
             has_ended = true;
         }
     }
-    if (!has_ended) return false;
-    const double before = free_energy(structure_, state);
-    project(state, surface);
-    losses_.impact_loss += before - free_energy(structure_, state);
-    return true;
+    if (has_ended) hold_ended(state, surface);
+    return has_ended;
 }
 
 // why no set obeys all laws

@@ -95,7 +95,8 @@ private:
     bool stick_again(TaylorState& state, const SurfaceSeries& surface, std::vector<bool>& has_tried);
     bool find_any(TaylorState& state, const SurfaceSeries& surface);
     bool complete(TaylorState& state, const SurfaceSeries& surface);
-    void correct_modes(TaylorState& state, const SurfaceSeries& surface) const;
+    void hold_ended(TaylorState& state, const SurfaceSeries& surface);
+    void correct_modes(TaylorState& state, const SurfaceSeries& surface);
     void look(const TaylorState& state, std::size_t contact, Violation& worst);
     Settled failed();
     Settled go_on(TaylorState& state, const SurfaceSeries& surface);

@@ -167,7 +167,7 @@ bool Settling::find_any(TaylorState& state, const SurfaceSeries& surface) {
     // all sets are to see the same: no slip at all
     for (std::size_t k = 0; k < p; ++k)
         if (is_slip(present[k]) && is_at_rest[k]) begins_[k] = true;
-    if (begins_ != broken_) project(state, surface);
+    if (begins_ != broken_) hold_ended(state, surface);
     for (const ContactSet& set : contact_sets(possible, present)) {
         if (!block_.choose(set)) continue;
         state.set = set;
