@@ -284,6 +284,10 @@ constexpr std::array once_broken{
     7712U,   // a slip of 2e-6 m/s taken for none beside the forces of a set that would change it fast
     9512U,   // likewise, of the size of the surface's velocity
     3385U,   // a slip of some 1e-11 of the others, none in one set and one in the next
+    6030U,   // a load that a contact carries: its rounding moved it the same way in each block
+    12923U,  // likewise
+    4787U,   // likewise, and the gap that had drifted found no forces
+    3041U,   // likewise, five contacts that share inertia
     12892U,  // a slip of 4e-14 m/s ended because it is none, and what it drew from the surface was not booked
     511U,    // flights that ended by force left no forces
     396U,    // likewise

@@ -22,7 +22,7 @@ inline constexpr storage::Identity store_identity{0x53545244, 3};
 
 /// Generation of the numbers. Raise it with every change that moves a result (the changelog's "Results changed"): a
 /// store begun before is then refused, for its cells and new ones would not fit together.
-inline constexpr int results_version = 6;
+inline constexpr int results_version = 7;
 
 /// The finished cells of one study in one SQLite file, from the first cell on: the sweep's only memory.
 ///

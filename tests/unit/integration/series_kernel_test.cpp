@@ -21,7 +21,7 @@ std::vector<Lanes> table(std::size_t rows, std::size_t columns, double seed) {
 }
 
 enum class Damping { by_mode, whole };
-enum class Forces { plain, refined, eliminated };
+enum class Forces { plain, eliminated };
 
 // a problem of numbers without meaning, and its series
 struct Expansion {
@@ -29,14 +29,12 @@ struct Expansion {
         : modes(mode_count),
           rows(row_count),
           is_whole(damping_kind == Damping::whole),
-          is_refined(forces == Forces::refined),
           square(table(1, modes, 1.0)),
           damping(table(is_whole ? modes : 1, modes, 2.0)),
           load(table(1, modes, 3.0)),
           constraint(table(rows, modes, 4.0)),
           push(table(rows, modes, 5.0)),
           inverse(table(rows, rows, 6.0)),
-          seen(table(rows, rows, 7.0)),
           q(table(order + 2, modes, 8.0)),
           v(table(order + 2, modes, 9.0)),
           force((order + 1) * registers_for(rows)),
@@ -50,11 +48,11 @@ struct Expansion {
     }
 
     void expand(InstructionSet set) {
-        series_kernel(set).expand(
-            {registers_for(modes), rows, square.data(), damping.data(), is_whole ? modes : 0, load.data(),
-             constraint.data(), push.data(), inverse.data(), is_refined ? seen.data() : nullptr, drive.data(),
-             surface.data(), 0.5, eliminated.empty() ? nullptr : eliminated.data(), modes},
-            static_cast<int>(order), {q.data(), v.data(), force.data(), acceleration.data(), right.data()});
+        series_kernel(set).expand({registers_for(modes), rows, square.data(), damping.data(), is_whole ? modes : 0,
+                                   load.data(), constraint.data(), push.data(), inverse.data(), drive.data(),
+                                   surface.data(), 0.5, eliminated.empty() ? nullptr : eliminated.data(), modes},
+                                  static_cast<int>(order),
+                                  {q.data(), v.data(), force.data(), acceleration.data(), right.data()});
     }
 
     // what each number of q, of v, the surface and the load give, one after the other
@@ -89,9 +87,8 @@ struct Expansion {
     }
 
     std::size_t modes, rows;
-    bool is_whole, is_refined;
-    std::vector<Lanes> square, damping, load, constraint, push, inverse, seen, q, v, force, acceleration, right,
-        eliminated;
+    bool is_whole;
+    std::vector<Lanes> square, damping, load, constraint, push, inverse, q, v, force, acceleration, right, eliminated;
     std::vector<double> drive, surface;
 };
 
@@ -107,32 +104,24 @@ void expect_recurrence(const Expansion& e) {
                 if (e.is_whole || k == j)
                     a[j] -= e.at(e.damping, e.is_whole ? k : 0, e.modes, j) * e.at(e.v, m, e.modes, k);
         }
-        for (std::size_t r = 0; r < e.rows; ++r) {
-            right[r] = e.drive[r] * per_step * e.surface[m + 1];
-            for (std::size_t j = 0; j < e.modes; ++j)
-                right[r] -= e.at(e.constraint, r, e.modes, j) * a[j];
-        }
-        const auto times = [&](const std::vector<Lanes>& matrix, const std::vector<double>& x) {
-            std::vector<double> product(e.rows, 0.0);
-            for (std::size_t r = 0; r < e.rows; ++r)
+        // the constraints of the first coefficient are held twice
+        for (int pass = 0; pass < (m == 0 ? 2 : 1); ++pass) {
+            for (std::size_t r = 0; r < e.rows; ++r) {
+                right[r] = e.drive[r] * per_step * e.surface[m + 1];
+                for (std::size_t j = 0; j < e.modes; ++j)
+                    right[r] -= e.at(e.constraint, r, e.modes, j) * a[j];
+            }
+            for (std::size_t r = 0; r < e.rows; ++r) {
+                double more = 0.0;
                 for (std::size_t c = 0; c < e.rows; ++c)
-                    product[r] += e.at(matrix, c, e.rows, r) * x[c];
-            return product;
-        };
-        force = times(e.inverse, right);
-        if (e.is_refined) {
-            std::vector<double> left = times(e.seen, force);
-            for (std::size_t r = 0; r < e.rows; ++r)
-                left[r] = right[r] - left[r];
-            const std::vector<double> more = times(e.inverse, left);
-            for (std::size_t r = 0; r < e.rows; ++r)
-                force[r] += more[r];
+                    more += e.at(e.inverse, c, e.rows, r) * right[c];
+                force[r] += more;
+                for (std::size_t j = 0; j < e.modes; ++j)
+                    a[j] += e.at(e.push, r, e.modes, j) * more;
+            }
         }
-        for (std::size_t r = 0; r < e.rows; ++r) {
+        for (std::size_t r = 0; r < e.rows; ++r)
             EXPECT_NEAR(e.at(e.force, m, e.rows, r), force[r], 1e-9 * (1.0 + std::abs(force[r])));
-            for (std::size_t j = 0; j < e.modes; ++j)
-                a[j] += e.at(e.push, r, e.modes, j) * e.at(e.force, m, e.rows, r);
-        }
         for (std::size_t j = 0; j < e.modes; ++j) {
             EXPECT_EQ(e.at(e.q, m + 1, e.modes, j), 1.0 / per_step * e.at(e.v, m, e.modes, j));
             const double next = e.at(e.v, m + 1, e.modes, j);
@@ -147,7 +136,7 @@ TEST(SeriesKernel, FollowsTheRecurrenceOfTheEquations) {
             Expansion plain(modes, rows, Damping::by_mode, Forces::plain);
             plain.expand(InstructionSet::baseline);
             expect_recurrence(plain);
-            Expansion whole(modes, rows, Damping::whole, Forces::refined);
+            Expansion whole(modes, rows, Damping::whole, Forces::plain);
             whole.expand(InstructionSet::baseline);
             expect_recurrence(whole);
         }
@@ -181,8 +170,7 @@ void expect_same_bits(std::size_t modes, std::size_t rows, Damping damping, Forc
 TEST(SeriesKernel, HasTheSameBitsForEveryInstructionSet) {
     for (const Damping damping : {Damping::by_mode, Damping::whole}) {
         for (const std::size_t modes : {3U, 16U, 43U})
-            for (const Forces forces : {Forces::plain, Forces::refined})
-                expect_same_bits(modes, 9, damping, forces);
+            expect_same_bits(modes, 9, damping, Forces::plain);
         expect_same_bits(7, 5, damping, Forces::eliminated);
     }
 }

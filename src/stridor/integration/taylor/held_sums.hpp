@@ -14,8 +14,8 @@ struct HeldSum {
     Eigen::Index number = 0;  // of the row in the table of products
 };
 
-/// Moves x by as little as makes all sums zero, to rounding of their terms. The rows are independent of each other;
-/// `products` holds those of each row with each, shape [number][number].
+/// Moves x by as little as makes all sums zero, to rounding of their terms; where they are it stays. The rows are
+/// independent of each other; `products` holds those of each row with each, shape [number][number].
 void hold_at_zero(const std::vector<HeldSum>& sums, const Eigen::MatrixXd& products, std::span<double> x);
 
 }  // namespace stridor::integration

@@ -13,7 +13,7 @@ inline constexpr std::size_t block_places = 8;
 using BlockPlaces = std::array<double, block_places>;
 
 /// The equations whose series is wanted. All modes are filled up with zeros to whole registers, and so are the rows of
-/// `inverse` and `seen`.
+/// `inverse`.
 struct SeriesProblem {
     std::size_t modes;         // in registers
     std::size_t rows;          // constraints
@@ -24,7 +24,6 @@ struct SeriesProblem {
     const Lanes* constraint;   // R', shape [row][mode]
     const Lanes* push;         // B', shape [row][mode]
     const Lanes* inverse;      // (R'B)^-1, shape [column][row]
-    const Lanes* seen;         // R'B, likewise, where the forces are to be refined once; else null
     const double* drive;       // [1] share of the surface's velocity in each row, shape [row]
     const double* surface;     // [m/s] coefficients of V
     double step;               // [s] h

@@ -39,26 +39,16 @@ STRIDOR_INLINE void multiply(const Lanes* matrix, std::size_t columns, std::size
     }
 }
 
-// those that hold the constraints, of one coefficient
+// those that hold the constraints, of one coefficient: (R'B)^-1 (r - R'a)
 STRIDOR_INLINE void find_forces(const SeriesProblem& problem, std::size_t modes, const Lanes* a, double surface_rate,
                                 Lanes* right, Lanes* force) {
-    const std::size_t registers = registers_for(problem.rows);
     for (std::size_t r = 0; r < problem.rows; ++r) {
         Vector sum = load(no_numbers);
         for (std::size_t j = 0; j < modes; ++j)
             sum = sum + load(problem.constraint[r * modes + j]) * load(a[j]);
         number_in(right, r) = problem.drive[r] * surface_rate - sum_of(sum);
     }
-    multiply(problem.inverse, problem.rows, registers, right, force);
-    if (problem.seen == nullptr) return;
-    // one step of iterative refinement: the forces leave no more than rounding of their own
-    Lanes* left_over = right + registers;
-    multiply(problem.seen, problem.rows, registers, force, left_over);
-    for (std::size_t r = 0; r < registers; ++r)
-        save(load(right[r]) - load(left_over[r]), left_over[r]);
-    multiply(problem.inverse, problem.rows, registers, left_over, right);
-    for (std::size_t r = 0; r < registers; ++r)
-        save(load(force[r]) + load(right[r]), force[r]);
+    multiply(problem.inverse, problem.rows, registers_for(problem.rows), right, force);
 }
 
 // the pushes of all rows on so many registers of modes at once
@@ -75,10 +65,31 @@ STRIDOR_INLINE void push(const SeriesProblem& problem, std::size_t modes, std::s
         save(sum[j], a[first + j]);
 }
 
+// the pushes of all rows on all modes
+STRIDOR_INLINE void push_modes(const SeriesProblem& problem, std::size_t modes, const Lanes* force, Lanes* a) {
+    constexpr std::size_t at_once = 4;
+    std::size_t first = 0;
+    for (; first + at_once <= modes; first += at_once)
+        push<at_once>(problem, modes, first, force, a);
+    for (; first < modes; ++first)
+        push<1>(problem, modes, first, force, a);
+}
+
+// What rounding leaves of the constraints in the first coefficient, where load and stretched springs cancel with
+// forces. It would move closed contacts the same way in each block.
+STRIDOR_INLINE void hold_constraints(const SeriesProblem& problem, std::size_t modes, double surface_rate, Lanes* right,
+                                     Lanes* force, Lanes* a) {
+    const std::size_t registers = registers_for(problem.rows);
+    Lanes* more = right + registers;
+    find_forces(problem, modes, a, surface_rate, right, more);
+    for (std::size_t r = 0; r < registers; ++r)
+        save(load(force[r]) + load(more[r]), force[r]);
+    push_modes(problem, modes, more, a);
+}
+
 // `modes` in registers; `a` holds so many
 STRIDOR_INLINE void expand_modes(const SeriesProblem& problem, int order, const SeriesRoom& room, std::size_t modes,
                                  Lanes* a) {
-    constexpr std::size_t at_once = 4;
     const std::size_t registers = registers_for(problem.rows);
     for (std::size_t m = 0; m <= static_cast<std::size_t>(order); ++m) {
         const double per_step = static_cast<double>(m + 1) / problem.step;
@@ -86,12 +97,10 @@ STRIDOR_INLINE void expand_modes(const SeriesProblem& problem, int order, const 
         accelerate_freely(problem, modes, room.q + m * modes, v, a, m == 0);
         if (problem.rows > 0) {
             Lanes* force = room.force + m * registers;
-            find_forces(problem, modes, a, per_step * problem.surface[m + 1], room.right, force);
-            std::size_t first = 0;
-            for (; first + at_once <= modes; first += at_once)
-                push<at_once>(problem, modes, first, force, a);
-            for (; first < modes; ++first)
-                push<1>(problem, modes, first, force, a);
+            const double surface_rate = per_step * problem.surface[m + 1];
+            find_forces(problem, modes, a, surface_rate, room.right, force);
+            push_modes(problem, modes, force, a);
+            if (m == 0) hold_constraints(problem, modes, surface_rate, room.right, force, a);
         }
         const double scale = 1.0 / per_step;
         for (std::size_t j = 0; j < modes; ++j) {
@@ -127,8 +136,11 @@ STRIDOR_INLINE void expand_eliminated(const SeriesProblem& problem, int order, c
         }
         const double scale = 1.0 / per_step;
         save(load(room.v[m]) * scale, room.q[m + 1]);
-        save((a + a_last) * scale, room.v[m + 1]);
         save(force + force_last, room.force[m]);
+        Lanes sum;  // stays in a register
+        save(a + a_last, sum);
+        if (m == 0) hold_constraints(problem, 1, rate, room.right, room.force, &sum);
+        save(load(sum) * scale, room.v[m + 1]);
     }
 }
 

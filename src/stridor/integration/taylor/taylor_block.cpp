@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t most_prepared = 4096;  // sets: beyond it they are prepared anew
 constexpr double least_pivot_share = 1e-13;  // of the largest: rows with less depend on each other
-constexpr double exact_pivot_share = 1e-2;   // likewise: with less the inverse alone is not exact enough
 // a last term above this share of the first is not rounding
 constexpr double series_rounding = 1e-17;
 
@@ -130,21 +129,13 @@ TaylorBlock::Rows TaylorBlock::prepare(const ContactSet& set) const {
     Rows rows = listed(set);
     const auto size = static_cast<Eigen::Index>(rows.count());
     if (size == 0) return rows;
-    const Eigen::MatrixXd seen = products(set, rows);
-    Eigen::FullPivLU<Eigen::MatrixXd> factor(seen);
+    Eigen::FullPivLU<Eigen::MatrixXd> factor(products(set, rows));
     factor.setThreshold(least_pivot_share);
     rows.is_singular = !factor.isInvertible();
     if (rows.is_singular) return rows;
-    const auto columns = [&](const Eigen::MatrixXd& matrix) {
-        return in_registers({matrix.data(), static_cast<std::size_t>(matrix.size())}, rows.count());
-    };
     const Eigen::MatrixXd inverse = factor.inverse();
-    rows.inverse = columns(inverse);
-    const Eigen::VectorXd pivots = factor.matrixLU().diagonal().cwiseAbs();
-    if (!(pivots.minCoeff() > exact_pivot_share * pivots.maxCoeff()))
-        rows.seen = columns(seen);
-    else if (registers_ == 1 && rows.count() <= lanes)
-        rows.eliminated = eliminated(rows, inverse);
+    rows.inverse = in_registers({inverse.data(), static_cast<std::size_t>(inverse.size())}, rows.count());
+    if (registers_ == 1 && rows.count() <= lanes) rows.eliminated = eliminated(rows, inverse);
     return rows;
 }
 
@@ -179,7 +170,6 @@ void TaylorBlock::expand(std::span<const double> q, std::span<const double> v, c
                     .constraint = rows_->constraint.data(),
                     .push = rows_->push.data(),
                     .inverse = rows_->inverse.data(),
-                    .seen = rows_->seen.empty() ? nullptr : rows_->seen.data(),
                     .drive = rows_->drive.data(),
                     .surface = surface_.data(),
                     .step = step_,

@@ -84,7 +84,6 @@ private:
         std::vector<Lanes> constraint;     // R', shape [row][mode]
         std::vector<Lanes> push;           // B', shape [row][mode]
         std::vector<Lanes> inverse;        // (R'B)^-1, shape [column][row]
-        std::vector<Lanes> seen;           // R'B where its inverse is far from exact, else empty; likewise
         std::vector<double> drive;         // [1] share of the surface's velocity, shape [row]
         std::vector<Lanes> eliminated;     // of small structures (series_kernel.hpp), else empty
 
