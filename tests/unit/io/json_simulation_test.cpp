@@ -68,6 +68,54 @@ TEST(SimulationJson, ListsSeveralContacts) {
     EXPECT_FALSE(simulation_document()["phases"][0].contains("contacts"));
 }
 
+TEST(SimulationJson, HoldsTheOtherFormulationBesideAndWhetherItAgrees) {
+    parameters::Case c;
+    c.joint_name = "upper";
+    parameters::add_joint(c, "lower", parameters::Case());
+    record::Tally tally;
+    tally.contacts.resize(2);
+    for (record::ContactTally& contact : tally.contacts)
+        contact.time = contact.judged_time = {1.0, 0.0, 0.0};
+    tally.vibration.resize(5);
+    tally.closing_vibration.resize(5);
+    integration::Motion motion;
+    motion.record.phases = {tally, tally};
+    motion.massless = integration::MasslessTwin{{integration::Reason::completed, 1.0}, {tally, tally}};
+    record::ContactTally& other = motion.massless->phases[1].contacts[1];
+    other.time = other.judged_time = {0.5, 0.25, 0.25};
+    const auto verdicts = classification::classify_phases(motion.record.phases, c.verdict);
+    const Json document = Json::parse(simulation_json(c, motion, {}, verdicts));
+    EXPECT_EQ(document["outcome"]["massless"], "completed");
+    const Json agreeing = document["phases"][0]["massless"], differing = document["phases"][1]["massless"];
+    EXPECT_EQ(agreeing["category"], "none");
+    EXPECT_EQ(agreeing["agrees"], true);
+    EXPECT_EQ(differing["category"], "undecided");
+    EXPECT_EQ(differing["agrees"], false);
+    ASSERT_EQ(differing["contacts"].size(), 2U);
+    EXPECT_EQ(differing["contacts"][0]["name"], "upper");
+    EXPECT_EQ(differing["contacts"][0]["verdict"]["category"], "none");
+    EXPECT_EQ(differing["contacts"][1]["rates"]["stick"], 0.25);
+    EXPECT_EQ(differing["contacts"][1]["verdict"]["category"], "undecided");
+    // the verdict itself stays that of the standard formulation
+    EXPECT_EQ(document["phases"][1]["verdict"]["category"], "none");
+}
+
+TEST(SimulationJson, SaysHowAFormulationBesideEndedWithoutAResult) {
+    parameters::Case c;
+    record::Tally tally;
+    tally.contacts.resize(1);
+    tally.vibration.resize(4);
+    tally.closing_vibration.resize(4);
+    integration::Motion motion;
+    motion.record.phases = {tally};
+    motion.massless = integration::MasslessTwin{{integration::Reason::no_forces, 0.25}, {tally}};
+    const auto verdicts = classification::classify_phases(motion.record.phases, c.verdict);
+    const Json document = Json::parse(simulation_json(c, motion, {}, verdicts));
+    EXPECT_EQ(document["outcome"]["massless"], "no_forces");
+    EXPECT_FALSE(document["phases"][0].contains("massless"));
+    EXPECT_FALSE(simulation_document()["outcome"].contains("massless"));
+}
+
 TEST(SimulationJson, HasTheKeysOfTheContract) {
     const Json document = simulation_document();
     EXPECT_EQ(document["schema"], "stridor.simulation/1");

@@ -163,11 +163,12 @@ std::string massless_text(const parameters::Case& c, const integration::Motion& 
         }
         const Category first = classification::classify_all(with, c.verdict).whole.category;
         const Category second = classification::classify_all(without, c.verdict).whole.category;
+        const std::string phase = fmt::format("{}: ", record::phase_names[static_cast<std::size_t>(with.phase)]);
+        if (motion.massless->phases.size() > 1) text += phase;
         text += "without inertia at the contacts shares differ by at most: " + rates_text(most) + "\n";
         if (first != second)
-            text += fmt::format("{}: the formulations disagree: {} with inertia at the contacts, {} without\n",
-                                record::phase_names[static_cast<std::size_t>(with.phase)], classification::name(first),
-                                classification::name(second));
+            text += fmt::format("{}the formulations disagree: {} with inertia at the contacts, {} without\n", phase,
+                                classification::name(first), classification::name(second));
     }
     return text;
 }
