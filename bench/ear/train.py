@@ -2,7 +2,7 @@
 
     python3 bench/ear/synthesise.py 150 FOLDER                 # 600 synthetic sounds with table.csv
     python3 bench/ear/train.py --clips FOLDER=TABLE.csv ... --synthetic FOLDER \
-        [--out src/stridor/classification/ear_weights.hpp]
+        [--degraded FOLDER] [--out src/stridor/classification/ear_weights.hpp]
 
 TABLE.csv has the columns file, repository, label, expected ("squeak|creak") and confidence (high, low); files lie in
 FOLDER by their last name, or as the table says. The figures come from `stridor classify --json`; the model is the
@@ -135,17 +135,22 @@ def decide(probabilities, energy):
     return chosen, np.average(probabilities[heard_there, chosen], weights=energy[heard_there])
 
 
-def cross_validated(clips, names, synthetic):
+def cross_validated(clips, names, synthetic, others=()):
+    """The verdicts on each clip by a model that has met no clip of its repository; likewise on lists of other clips of
+    the same repositories, such as degraded copies."""
     figures, outcomes, weights, places = design(clips, names)
     repositories = np.array([row["repository"] for row, _ in clips])
-    verdicts = [None] * len(clips)
+    lists = [clips, *others]
+    verdicts = [[None] * len(each) for each in lists]
     for repository in np.unique(repositories):
         known = repositories[places] != repository
         model = fitted((figures[known], outcomes[known], weights[known]), synthetic)
-        for place in np.where(repositories == repository)[0]:
-            passages = clips[place][1]
-            p = model.probabilities(np.array([[passage["figures"][name] for name in names] for passage in passages]))
-            verdicts[place] = decide(p, np.array([passage["energy"] for passage in passages]))
+        for each, said in zip(lists, verdicts):
+            for place, (row, passages) in enumerate(each):
+                if row["repository"] != repository:
+                    continue
+                p = model.probabilities(np.array([[one["figures"][name] for name in names] for one in passages]))
+                said[place] = decide(p, np.array([one["energy"] for one in passages]))
     return verdicts
 
 
@@ -199,6 +204,7 @@ def main():
     parser.add_argument("--program", default="build/stridor")
     parser.add_argument("--clips", action="append", required=True, metavar="FOLDER=TABLE.csv")
     parser.add_argument("--synthetic", required=True, metavar="FOLDER")
+    parser.add_argument("--degraded", metavar="FOLDER", help="copies by degrade.py, heard by the same models")
     parser.add_argument("--out", metavar="FILE.hpp")
     options = parser.parse_args()
     sets = [read_clips(options.program, *pair.split("=", 1)) for pair in options.clips]
@@ -206,11 +212,17 @@ def main():
     names = list(made[0][1][0]["figures"])
     synthetic = design(made, names)[:3]
     clips = [clip for each in sets for clip in each]
-    verdicts = cross_validated(clips, names, synthetic)
+    kinds = sorted(os.listdir(options.degraded)) if options.degraded else []
+    copies = [read_clips(options.program, os.path.join(options.degraded, kind),
+                         os.path.join(options.degraded, kind, "table.csv")) for kind in kinds]
+    verdicts, *of_copies = cross_validated(clips, names, synthetic, copies)
     first = 0
     for pair, each in zip(options.clips, sets):
         report(pair, each, verdicts[first:first + len(each)])
         first += len(each)
+    report("together", clips, verdicts)
+    for kind, each, said in zip(kinds, copies, of_copies):
+        report(kind, each, said)
     model = fitted(design(clips, names)[:3], synthetic)
     if options.out:
         with open(options.out, "w") as text:
