@@ -34,7 +34,7 @@ _stridor() {
         library) options="--help" ;;
         analyse) options="--help --full-scale --channel --dataset --rate --set --a-weighting --field --figure --json" ;;
         classify) options="--help --full-scale --channel --dataset --rate --set --json" ;;
-        evaluate) options="--help --planes --set --of --perturb-every --recordings --csv --threads --json" ;;
+        evaluate) options="--help --planes --set --of --perturb-every --recordings --labels --csv --threads --json" ;;
         compare) options="--help --label --library --of --quantity --json" ;;
         match) options="--help --chart --set --best --every --store --out --with-level --threads --library --of --quantity --json" ;;
         structure) options="--help" ;;

@@ -184,8 +184,8 @@ def header(model):
 
 #include <array>
 
-/// The fitted numbers of the ear, by figure in the order of `ear_figures`, and by `Heard`. bench/ear/train.py writes
-/// this file.
+/// The fitted numbers of the ear, by figure in the order of `ear_figures`, and by `EarOutcome`. bench/ear/train.py
+/// writes this file.
 namespace stridor::classification {{
 
 inline constexpr std::array<double, {count}> ear_means{{{numbers(model.mean)}}};

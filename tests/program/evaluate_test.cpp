@@ -79,7 +79,7 @@ double tone(double time) {
 // struck 20 times a second
 double impulses(double time) {
     const double since = std::fmod(time, 0.05);
-    return std::exp(-since / 0.0008) * std::sin(6.283185307179586 * 1500.0 * since);
+    return std::exp(-since / 0.006) * std::sin(6.283185307179586 * 1500.0 * since);
 }
 
 void make_sounds(const ScratchFolder& folder) {

@@ -123,10 +123,10 @@ EarVerdict hear(const Passage& passage) {
 
     const auto best = std::max_element(probabilities.begin(), probabilities.end());
     const auto first = static_cast<std::size_t>(best - probabilities.begin());
-    verdict.heard = static_cast<Heard>(first);
+    verdict.heard = static_cast<EarOutcome>(first);
     std::size_t second = probabilities.size();
     for (std::size_t h = 0; h < probabilities.size(); ++h) {
-        const bool is_rival = category_of(static_cast<Heard>(h)) != category_of(verdict.heard);
+        const bool is_rival = category_of(static_cast<EarOutcome>(h)) != category_of(verdict.heard);
         if (is_rival && (second == probabilities.size() || probabilities[h] > probabilities[second])) second = h;
     }
     for (std::size_t k = 0; k < ear_figure_count; ++k)

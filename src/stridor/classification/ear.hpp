@@ -13,12 +13,12 @@ namespace stridor::classification {
 
 /// What a passage of a recording may be. Rubbing without noise and what is no friction at all, such as wind, water,
 /// steps, voices and engines, are both `Category::none`.
-enum class Heard : std::uint8_t { rubbing, other, squeal, squeak, creak };
+enum class EarOutcome : std::uint8_t { rubbing, other, squeal, squeak, creak };
 
 inline constexpr std::array<std::string_view, 5> heard_names{"rubbing", "other", "squeal", "squeak", "creak"};
 
 /// The category of it.
-constexpr Category category_of(Heard heard) {
+constexpr Category category_of(EarOutcome heard) {
     constexpr std::array categories{Category::none, Category::none, Category::squeal, Category::squeak,
                                     Category::creak};
     return categories[static_cast<std::size_t>(heard)];
@@ -41,9 +41,9 @@ using EarValues = std::array<double, ear_figure_count>;
 
 /// What the ear makes of a passage.
 struct EarVerdict {
-    std::array<double, heard_names.size()> probabilities{};  // [1] by `Heard`, of sum 1
+    std::array<double, heard_names.size()> probabilities{};  // [1] by `EarOutcome`, of sum 1
     EarValues values{};                                      // in the order of `ear_figures`
-    Heard heard = Heard::other;                              // the most probable
+    EarOutcome heard = EarOutcome::other;                    // the most probable
     EarValues reasons{};  // [1] what each figure adds to the logarithm of that one's odds against the next category
 };
 

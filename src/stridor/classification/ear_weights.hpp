@@ -2,8 +2,8 @@
 
 #include <array>
 
-/// The fitted numbers of the ear, by figure in the order of `ear_figures`, and by `Heard`. bench/ear/train.py writes
-/// this file.
+/// The fitted numbers of the ear, by figure in the order of `ear_figures`, and by `EarOutcome`. bench/ear/train.py
+/// writes this file.
 namespace stridor::classification {
 
 inline constexpr std::array<double, 13> ear_means{0.4977, 1.5149, 0.2607, -0.0294, 0.3047, 0.8434, 3.2179,

@@ -35,7 +35,7 @@ std::size_t place_of(Category category) {
 std::array<double, category_names.size()> by_category(const EarVerdict& heard) {
     std::array<double, category_names.size()> probabilities{};
     for (std::size_t h = 0; h < heard.probabilities.size(); ++h)
-        probabilities[place_of(category_of(static_cast<Heard>(h)))] += heard.probabilities[h];
+        probabilities[place_of(category_of(static_cast<EarOutcome>(h)))] += heard.probabilities[h];
     return probabilities;
 }
 
@@ -148,7 +148,7 @@ bool is_unlike_friction(std::span<const HeardPassage> heard) {
     double whole = 0.0;
     for (const HeardPassage& passage : heard) {
         whole += passage.energy;
-        other += passage.energy * passage.ear.probabilities[static_cast<std::size_t>(Heard::other)];
+        other += passage.energy * passage.ear.probabilities[static_cast<std::size_t>(EarOutcome::other)];
     }
     return other >= no_friction * whole;
 }

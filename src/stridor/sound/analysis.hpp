@@ -81,8 +81,8 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
 bool is_heard_through_air(const signal::Channel& channel);
 
 /// Reads a recording to its end and analyses all channels; shape [channel]. The stretches, the passages and the
-/// overview of each channel are pieces of work for `run`, and so is reading on. With a `field` the channels in Pa get their sound
-/// quality, heard in it.
+/// overview of each channel are pieces of work for `run`, and so is reading on. With a `field` the channels in Pa get
+/// their sound quality, heard in it.
 ///
 /// Throws what `Source::read` throws, and `Error` (input) for a recording without samples or with one that is no finite
 /// number, for a rate below 1 kHz or above 10 MHz, and for more than 64 channels.

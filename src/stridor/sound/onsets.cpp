@@ -106,12 +106,12 @@ std::vector<std::size_t> onset_parts(std::span<const double> steps, std::span<co
     return onsets;
 }
 
-struct Moments {
+struct StepMoments {
     double deviation = 0.0;
     double skewness = 0.0;  // [1] steps of a fraction of a decibel do not count as skewed
 };
 
-Moments moments_of(std::span<const double> values, std::span<const std::uint8_t> counted) {
+StepMoments moments_of(std::span<const double> values, std::span<const std::uint8_t> counted) {
     double count = 0.0;
     double mean = 0.0;
     for (std::size_t k = 0; k < values.size(); ++k) {

@@ -44,15 +44,15 @@ TEST(HeldSums, LeavesRoundingWhereRowsNearlyDependOnEachOther) {
         EXPECT_LT(std::abs(sum(held, x)), 1e-10);  // x is 3e4: eps of that, some terms
 }
 
-// what is zero but for rounding of its own terms may be more than rounding of another sum's
+// 0.1 + 0.2 - 0.3 is zero but for rounding of its own terms, which is more than that of the other sum
 TEST(HeldSums, LeavesAloneWhatIsHeldAlready) {
-    const std::vector<double> a{1.0, 0.0, 0.3}, b{1.0, 1e-5, 0.3}, c{0.1, 1.0, -0.7};
-    std::vector<double> x{0.9, -0.4, 0.2};
-    const std::vector<HeldSum> sums{{a, 0.1, 0}, {b, -0.2, 1}, {c, 0.0, 2}};
+    const std::vector<double> large{0.1, 0.2, -0.3}, small{1e-9, -1e-9, 0.0};
+    std::vector<double> x{1.0, 1.0, 1.0};
+    const std::vector<HeldSum> sums{{large, 0.0, 0}, {small, 0.0, 1}};
+    ASSERT_NE(sum(sums.front(), x), 0.0);
+    const std::vector<double> before = x;
     hold_at_zero(sums, products_of(sums), x);
-    const std::vector<double> once = x;
-    hold_at_zero(sums, products_of(sums), x);
-    EXPECT_EQ(x, once);
+    EXPECT_EQ(x, before);
 }
 
 TEST(HeldSums, HoldsNothingWithoutSums) {

@@ -1,32 +1,21 @@
 #include "stridor/sound/features.hpp"
 
-#include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/signal/perturb.hpp"
 #include "stridor/sound/analysis.hpp"
+#include "support/made_sounds.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace stridor::sound {
 namespace {
 
-constexpr double sound_rate = 48000.0;
-
-signal::Signal sampled(double duration, const std::function<double(double)>& f) {
-    signal::Signal result{sound_rate, "m/s", {}};
-    const auto count = static_cast<std::size_t>(duration * sound_rate);
-    for (std::size_t n = 0; n < count; ++n)
-        result.samples.push_back(f(static_cast<double>(n) / sound_rate));
-    return result;
-}
-
-double sine(double turns) {
-    return base::sine_cosine_of_turns(turns).sine;
-}
+using support::sampled;
+using support::sine;
+using support::sound_rate;
 
 TEST(SoundFeatures, ASteadyToneIsAllInOneLineAndRegular) {
     const SoundFeatures f = sound_features(sampled(0.5, [](double t) { return 0.3 * sine(1000.0 * t); }));

@@ -1,0 +1,98 @@
+#include "stridor/classification/recording_verdict.hpp"
+
+#include "support/made_sounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace stridor::classification {
+namespace {
+
+sound::SoundAnalysis analysed(std::vector<signal::Signal> parts, const char* unit = signal::full_scale) {
+    signal::Signal whole = parts.front();
+    for (std::size_t k = 1; k < parts.size(); ++k)
+        whole.samples.insert(whole.samples.end(), parts[k].samples.begin(), parts[k].samples.end());
+    whole.unit = unit;
+    return sound::analyse(*signal::source_of({whole})).front();
+}
+
+signal::Signal softer(signal::Signal signal, double factor) {
+    for (double& sample : signal.samples)
+        sample *= factor;
+    return signal;
+}
+
+double share(const RecordingVerdict& verdict, Category category) {
+    return verdict.shares[static_cast<std::size_t>(category)];
+}
+
+TEST(RecordingVerdict, OfAMotionIsThatOfTheRules) {
+    const sound::SoundAnalysis motion = analysed({support::squeal(1.0)}, "m/s");
+    EXPECT_TRUE(motion.passages.empty());
+    const RecordingVerdict verdict = verdict_on(motion, {});
+    EXPECT_TRUE(verdict.passages.empty());
+    EXPECT_EQ(verdict.probability, 0.0);
+    EXPECT_FALSE(verdict.segments.front().verdict.margins.empty());
+}
+
+TEST(RecordingVerdict, NamesTheNoiseAndNotTheMajority) {
+    const RecordingVerdict verdict = verdict_on(
+        analysed({softer(support::hiss(3.0), 0.5), softer(support::squeal(3.0), 0.3), softer(support::hiss(3.0), 0.5)}),
+        {});
+    EXPECT_EQ(verdict.category, Category::squeal);
+    EXPECT_LT(share(verdict, Category::squeal), 0.9);
+    EXPECT_NE(verdict.reasons.front().find("over rubbing"), std::string::npos) << verdict.reasons.front();
+    EXPECT_GT(verdict.probability, 0.5);
+    // the squeal is the middle segment
+    ASSERT_EQ(verdict.segments.size(), 3U);
+    EXPECT_EQ(verdict.segments[1].verdict.category, Category::squeal);
+    EXPECT_NEAR(verdict.segments[1].from, 3.0, 0.1);
+    EXPECT_NEAR(verdict.segments[1].to, 6.0, 0.1);
+}
+
+TEST(RecordingVerdict, TellsASecondNoise) {
+    parameters::SoundThresholds thresholds;
+    thresholds.least_share = 0.02;
+    const RecordingVerdict verdict =
+        verdict_on(analysed({softer(support::squeal(3.0), 0.3), support::creak()}), thresholds);
+    ASSERT_EQ(verdict.reasons.size(), 2U);
+    EXPECT_NE(verdict.reasons[1].find(" too, "), std::string::npos) << verdict.reasons[1];
+    EXPECT_GT(share(verdict, Category::squeal), 0.0);
+    EXPECT_GT(share(verdict, Category::creak), 0.0);
+}
+
+TEST(RecordingVerdict, CountsTheOnsetsOfACreak) {
+    const RecordingVerdict verdict = verdict_on(analysed({support::creak()}), {});
+    ASSERT_EQ(verdict.category, Category::creak);
+    const SoundSegment* loudest = verdict.loudest();
+    ASSERT_NE(loudest, nullptr);
+    EXPECT_GT(loudest->impulses.size(), 20U);
+    EXPECT_GT(loudest->impulse_interval, 0.04);
+    EXPECT_LT(loudest->impulse_interval, 0.13);
+    EXPECT_GT(loudest->impulse_regularity, 0.9);
+}
+
+TEST(RecordingVerdict, AbstainsBelowTheCertaintyAskedFor) {
+    parameters::SoundThresholds thresholds;
+    thresholds.certainty = 1.0;
+    const RecordingVerdict verdict = verdict_on(analysed({support::creak()}), thresholds);
+    EXPECT_EQ(verdict.category, Category::undecided);
+    EXPECT_NE(verdict.reasons.back().find("not likely enough"), std::string::npos);
+}
+
+TEST(RecordingVerdict, TakesWhatIsFarBelowForBackground) {
+    const RecordingVerdict verdict = verdict_on(analysed({support::squeal(3.0), softer(support::creak(), 1e-4)}), {});
+    EXPECT_EQ(verdict.category, Category::squeal);
+    EXPECT_EQ(verdict.passages.back().category, Category::none);
+}
+
+TEST(RecordingVerdict, OfSilenceIsNone) {
+    const RecordingVerdict verdict = verdict_on(analysed({support::sampled(1.0, [](double) { return 0.0; })}), {});
+    EXPECT_EQ(verdict.category, Category::none);
+    EXPECT_EQ(verdict.reasons.front(), "there is nothing to hear");
+}
+
+}  // namespace
+}  // namespace stridor::classification

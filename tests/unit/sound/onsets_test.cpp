@@ -1,0 +1,93 @@
+#include "stridor/sound/onsets.hpp"
+
+#include "support/made_sounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace stridor::sound {
+namespace {
+
+using support::sampled;
+using support::sine;
+using support::struck;
+
+Onsets onsets_in(const signal::Signal& signal) {
+    return onsets_of(signal.samples, signal.rate);
+}
+
+TEST(Onsets, OfACreakAreItsImpulses) {
+    const Onsets onsets = onsets_in(support::creak());
+    EXPECT_NEAR(static_cast<double>(onsets.instants.size()), 40.0, 2.0);
+    EXPECT_NEAR(onsets.instants.front(), 0.1, 0.004);
+    EXPECT_GT(onsets.rise, 15.0);
+    EXPECT_GT(onsets.skewness, 1.0);  // up at once, down slowly
+    EXPECT_GT(onsets.train, 0.9);
+    EXPECT_GT(onsets.longest_train, 30.0);
+    EXPECT_GT(onsets.kurtosis, 6.0);
+}
+
+TEST(Onsets, FollowEachOtherUnlikeByChance) {
+    std::mt19937_64 random(7);
+    std::exponential_distribution<double> interval(15.0);
+    std::vector<double> instants;
+    for (double t = 0.1; t < 4.9; t += interval(random))
+        instants.push_back(t);
+    EXPECT_LT(onsets_in(struck(5.0, instants)).train, 0.5);
+}
+
+TEST(Onsets, OfSteadySoundsAreFew) {
+    const Onsets noise = onsets_in(support::hiss(3.0));
+    EXPECT_LT(noise.rate, 2.0);
+    EXPECT_LT(std::abs(noise.skewness), 0.3);
+    EXPECT_NEAR(noise.kurtosis, 3.0, 0.1);
+    EXPECT_LT(noise.beat, 1.0);
+    EXPECT_LT(onsets_in(support::squeal(3.0)).rate, 2.0);
+    EXPECT_NEAR(onsets_in(sampled(1.0, [](double t) { return sine(3000.0 * t); })).kurtosis, 1.5, 0.05);
+}
+
+// reversed, the level rises slowly and falls at once
+TEST(Onsets, TellRisesFromFalls) {
+    signal::Signal backwards = support::creak();
+    std::reverse(backwards.samples.begin(), backwards.samples.end());
+    EXPECT_LT(onsets_in(backwards).skewness, -1.0);
+}
+
+TEST(Onsets, CountPausesButNotWhatLiesAround) {
+    const auto chirps = [](double t) { return t > 1.0 && t < 2.0 && std::fmod(t, 0.4) < 0.2 ? sine(1500.0 * t) : 0.0; };
+    EXPECT_NEAR(onsets_in(sampled(3.0, chirps)).sounding, 0.6, 0.11);
+    const auto once = [](double t) { return t > 1.0 && t < 2.0 ? sine(1500.0 * t) : 0.0; };
+    EXPECT_EQ(onsets_in(sampled(3.0, once)).sounding, 1.0);
+}
+
+TEST(Onsets, DoNotDependOnGain) {
+    const signal::Signal loud = support::creak();
+    signal::Signal soft = loud;
+    for (double& sample : soft.samples)
+        sample *= 1.0 / 1024.0;
+    const Onsets a = onsets_in(loud);
+    const Onsets b = onsets_in(soft);
+    EXPECT_EQ(a.instants, b.instants);
+    EXPECT_NEAR(a.rise, b.rise, 1e-9);
+    EXPECT_NEAR(a.beat, b.beat, 1e-9);
+    EXPECT_NEAR(a.level_spread, b.level_spread, 1e-9);
+}
+
+TEST(Onsets, OfSilenceAreNone) {
+    const Onsets onsets = onsets_in(sampled(0.5, [](double) { return 0.0; }));
+    EXPECT_TRUE(onsets.instants.empty());
+    EXPECT_EQ(onsets.kurtosis, 0.0);
+    EXPECT_EQ(onsets.rate, 0.0);
+}
+
+TEST(Onsets, AreFoundAtLowRates) {
+    const signal::Signal low{2000.0, signal::full_scale, std::vector<double>(1000, 0.1)};
+    EXPECT_TRUE(std::isfinite(onsets_in(low).level_spread));
+}
+
+}  // namespace
+}  // namespace stridor::sound
