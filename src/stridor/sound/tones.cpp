@@ -75,15 +75,16 @@ ToneFinder::ToneFinder(double rate)
 std::vector<ToneFinder::Line> ToneFinder::lines_of(std::span<const double> power) const {
     // what lies 120 dB below the strongest bin is no surrounding to stand out of
     const double least = *std::max_element(power.begin(), power.end()) * 1e-12 + tiny;
-    std::vector<double> logarithms(power.size() + 1);
-    for (std::size_t k = 0; k < power.size(); ++k)
+    const std::size_t end = std::min(power.size(), highest_ + band_of(highest_) + 1);
+    std::vector<double> logarithms(end + 1);
+    for (std::size_t k = 0; k < end; ++k)
         logarithms[k + 1] = logarithms[k] + std::log(power[k] + least);
     std::vector<Line> lines;
     for (std::size_t k = lowest_; k < highest_; ++k) {
         if (!(power[k] > power[k - 1] && power[k] >= power[k + 1])) continue;
         const std::size_t band = band_of(k);
         const std::size_t from = k > band ? k - band : 1;
-        const std::size_t to = std::min(power.size(), k + band + 1);
+        const std::size_t to = std::min(end, k + band + 1);
         const double surroundings =
             median_of_noise * std::exp((logarithms[to] - logarithms[from]) / static_cast<double>(to - from));
         if (!(power[k] > prominence * surroundings)) continue;
@@ -110,8 +111,9 @@ ToneFinder::Frames ToneFinder::frames_of(std::span<const double> samples) {
         double sum = 0.0;
         for (std::size_t k = 0; k < power.size(); ++k) {
             power[k] = std::norm(spectrum[k]);
-            frames.spectrum[k] += weights_[k] * power[k];
-            if (k >= lowest_) sum += weights_[k] * power[k];
+            const double weighted = weights_[k] * power[k];
+            frames.spectrum[k] += weighted;
+            if (k >= lowest_) sum += weighted;
         }
         frames.lines.push_back(lines_of(power));
         frames.power.push_back(sum);
