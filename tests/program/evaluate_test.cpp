@@ -203,6 +203,43 @@ TEST(Evaluate, HearsRecordingsOfAFolder) {
     EXPECT_EQ(document[0]["is_right"], true);
 }
 
+TEST(Evaluate, ScoresRecordingsByATableThatLiesElsewhere) {
+    const ScratchFolder folder;
+    make_sounds(folder);
+    const ScratchFolder elsewhere;
+    const std::string labels = (elsewhere / "labels.csv").string();
+    write_text(labels,
+               "file,repository,expected,confidence\npublic/tone_01.csv,a,squeal|squeak,high\n"
+               "public/tone_02.csv,a,squeal,low\npublic/struck.csv,b,creak,high\npublic/hiss.csv,c,creak,high\n");
+    const std::vector<std::string> arguments{"evaluate", "--recordings", folder.path().string(), "--labels", labels};
+    std::vector<std::string> for_json = arguments;
+    for_json.emplace_back("--json");
+    const json document = json_of(run(for_json).out);
+    EXPECT_EQ(document["recordings"][1]["is_sure"], false);
+    EXPECT_EQ(document["recordings"][1]["source"], "a");
+    EXPECT_GT(document["recordings"][1]["probability"], 0.5);
+    const json& score = document["score"];
+    EXPECT_EQ(score["shares"][0]["what"], "all");
+    EXPECT_EQ(score["shares"][0]["right"], 3);
+    EXPECT_EQ(score["shares"][1]["count"], 3);  // sure of the label
+    EXPECT_EQ(score["shares"][2]["right"], 1);  // of two creaks
+    EXPECT_EQ(score["rows"].size(), 3u);
+    EXPECT_EQ(score["abstention"][0]["decided"], 4);
+    // from twenty on the score is printed
+    std::string rows = "file,expected\n";
+    for (int k = 0; k < 20; ++k)
+        rows += "tone_01.csv,squeal\n";
+    write_text(labels, rows);
+    const std::string text = run(arguments).out;
+    EXPECT_NE(text.find("20 of 20  100.0 %"), std::string::npos) << text;
+    EXPECT_NE(text.find("decided from"), std::string::npos) << text;
+    write_text(labels, "file,expected\n");
+    const Finished refused = run(arguments);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("labels no recording"), std::string::npos) << refused.err;
+    EXPECT_EQ(run({"evaluate", "--labels", labels}).exit_code, 2);
+}
+
 TEST(Evaluate, RefusesAFolderWithoutAGoodTable) {
     const ScratchFolder folder;
     const auto refused = [&](const std::string& part) {

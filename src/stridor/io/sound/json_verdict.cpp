@@ -63,6 +63,7 @@ std::string verdict_json(const SoundReport& report, std::size_t channel,
     Json& shares = document["shares"] = Json::object();
     for (std::size_t k = 0; k < verdict.shares.size(); ++k)
         shares[std::string(classification::category_names[k])] = verdict.shares[k];
+    if (verdict.probability > 0.0) document["probability"] = verdict.probability;
     document["reasons"] = verdict.reasons;
     Json& kept = document["figures"] = Json::object();
     for (const noise_library::Figure& figure : figures)
