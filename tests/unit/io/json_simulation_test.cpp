@@ -104,8 +104,8 @@ TEST(SimulationJson, SaysHowAFormulationBesideEndedWithoutAResult) {
     parameters::Case c;
     record::Tally tally;
     tally.contacts.resize(1);
-    tally.vibration.resize(4);
-    tally.closing_vibration.resize(4);
+    tally.vibration.resize(3);
+    tally.closing_vibration.resize(3);
     integration::Motion motion;
     motion.record.phases = {tally};
     motion.massless = integration::MasslessTwin{{integration::Reason::no_forces, 0.25}, {tally}};
