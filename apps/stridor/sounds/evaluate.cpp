@@ -80,12 +80,9 @@ void hear_charts(std::vector<io::HeardChart>& charts, hearing::HearingOptions op
 // they, too, are kept until all of them are heard
 std::vector<hearing::HeardRecording> hear_recordings(const std::vector<hearing::Expectation>& expectations,
                                                      const hearing::HearingOptions& options) {
-    std::vector<std::string> files;
-    for (const hearing::Expectation& each : expectations)
-        files.push_back(each.file);
     const parameters::SoundThresholds& thresholds = options.settings.thresholds;
     storage::CommandCache kept("evaluate", hearing::heard_text(expectations, thresholds), console::say);
-    console::HeardFilesDisplay display(files);
+    console::HeardFilesDisplay display(expectations);
     hearing::RecordingHearing hearing{thresholds, options.stop, kept.results()};
     hearing.begin = [&](const std::string& file) { display.begin(file); };
     hearing.progress = [&](double share) { display.show(share); };

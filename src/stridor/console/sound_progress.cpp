@@ -57,9 +57,9 @@ void SearchDisplay::show(const hearing::SearchProgress& progress) {
                   fmt::format("{} of {} cells", progress.done, progress.known));
 }
 
-HeardFilesDisplay::HeardFilesDisplay(const std::vector<std::string>& files) : count_(files.size()) {
-    for (const std::string& file : files)
-        total_ += size_of(file);
+HeardFilesDisplay::HeardFilesDisplay(const std::vector<hearing::Expectation>& recordings) : count_(recordings.size()) {
+    for (const hearing::Expectation& recording : recordings)
+        total_ += size_of(recording.file);
 }
 
 void HeardFilesDisplay::begin(const std::string& file) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/console/progress.hpp"
+#include "stridor/hearing/heard_recordings.hpp"
 #include "stridor/hearing/sound_search.hpp"
 
 #include <cstddef>
@@ -58,8 +59,8 @@ private:
 /// How far a row of recordings is by their bytes: "2 of 8: squeak.wav".
 class HeardFilesDisplay {
 public:
-    /// The files that will be heard; their sizes are read now.
-    explicit HeardFilesDisplay(const std::vector<std::string>& files);
+    /// The recordings that will be heard; the sizes of their files are read now.
+    explicit HeardFilesDisplay(const std::vector<hearing::Expectation>& recordings);
 
     /// The next file is begun.
     void begin(const std::string& file);
