@@ -15,7 +15,7 @@
 #include <functional>
 #include <vector>
 
-namespace stridor::signal {
+namespace stridor::sound {
 namespace {
 
 constexpr double rate = 48000.0;                         // [Hz]
@@ -23,7 +23,7 @@ constexpr std::size_t minute = 60 * std::size_t{48000};  // [1] frames
 
 // Table 1's squeal again and again: many short stretches
 std::vector<double> squeal() {
-    const Signal once = hearing::sound_of_case(parameters::Case{}, {});
+    const signal::Signal once = hearing::sound_of_case(parameters::Case{}, {});
     std::vector<double> samples;
     while (samples.size() < minute)
         samples.insert(samples.end(), once.samples.begin(), once.samples.end());
@@ -33,9 +33,9 @@ std::vector<double> squeal() {
 
 // one long stretch after the other
 std::vector<double> noise() {
-    Signal knock{rate, "FS", std::vector<double>(minute)};
+    signal::Signal knock{rate, "FS", std::vector<double>(minute)};
     knock.samples.front() = 1.0;
-    return with_noise(knock, -200.0, 1).samples;
+    return signal::with_noise(knock, -200.0, 1).samples;
 }
 
 void in_threads(std::size_t count, const std::function<void(std::size_t)>& work) {
@@ -43,10 +43,10 @@ void in_threads(std::size_t count, const std::function<void(std::size_t)>& work)
 }
 
 void sound_minute(benchmark::State& state, std::vector<double> (*make)(), const Runner& run) {
-    const Signal channel{rate, "FS", make()};
+    const signal::Signal channel{rate, "FS", make()};
     for ([[maybe_unused]] const auto repetition : state) {
         state.PauseTiming();
-        const auto source = source_of({channel, channel});
+        const auto source = signal::source_of({channel, channel});
         state.ResumeTiming();
         benchmark::DoNotOptimize(analyse(*source, {}, run).front().stretches.size());
     }
@@ -69,7 +69,7 @@ BENCHMARK(sound_quality_minute)->Unit(benchmark::kMillisecond);
 
 // a frame there and back
 void sound_transform(benchmark::State& state) {
-    Fourier fourier(static_cast<std::size_t>(state.range(0)));
+    signal::Fourier fourier(static_cast<std::size_t>(state.range(0)));
     std::vector<double> frame(fourier.size());
     for (std::size_t n = 0; n < frame.size(); ++n)
         frame[n] = std::sin(0.1 * static_cast<double>(n * n % 997));
@@ -79,4 +79,4 @@ void sound_transform(benchmark::State& state) {
 BENCHMARK(sound_transform)->Arg(1024)->Arg(4096);
 
 }  // namespace
-}  // namespace stridor::signal
+}  // namespace stridor::sound
