@@ -113,7 +113,7 @@ drawing::Panel spectrogram_panel(const ComparedSound& sound, std::size_t column,
         panel.layers.emplace_back(remark("nothing to be heard"));
         return panel;
     }
-    drawing::ValueCells cells = spectrogram_cells(sound.analysis, highest);
+    drawing::ValueCells cells = spectrogram_cells(sound.analysis.spectrogram, highest);
     const double strongest = *std::max_element(cells.values.begin(), cells.values.end());
     for (double& value : cells.values)
         value -= strongest;

@@ -4,10 +4,11 @@
 
 namespace stridor::signal {
 
-Spectrograph::Spectrograph(double spacing, double hop, std::size_t lines)
+Spectrograph::Spectrograph(double spacing, double hop, std::size_t lines, SpectrogramBounds bounds)
     : spacing_(spacing),
       hop_(hop),
-      pool_((lines + most_rows - 1) / most_rows),
+      most_columns_(bounds.columns),
+      pool_((lines + bounds.rows - 1) / bounds.rows),
       rows_(lines / pool_),
       current_(rows_) {}
 
@@ -24,15 +25,15 @@ void Spectrograph::push(std::span<const double> density) {
         value = 0.0;
     }
     filled_ = 0;
-    if (density_.size() == most_columns * rows_) merge();
+    if (density_.size() == most_columns_ * rows_) merge();
 }
 
 void Spectrograph::merge() {
-    for (std::size_t column = 0; 2 * column < most_columns; ++column)
+    for (std::size_t column = 0; 2 * column < most_columns_; ++column)
         for (std::size_t row = 0; row < rows_; ++row)
             density_[column * rows_ + row] =
                 0.5 * (density_[2 * column * rows_ + row] + density_[(2 * column + 1) * rows_ + row]);
-    density_.resize(most_columns / 2 * rows_);
+    density_.resize(most_columns_ / 2 * rows_);
     stride_ *= 2;
 }
 
@@ -41,6 +42,8 @@ Spectrogram Spectrograph::spectrogram() const {
     result.column = hop_ * static_cast<double>(stride_);
     result.row = spacing_ * static_cast<double>(pool_);
     result.rows = rows_;
+    // a frame of two hops has its middle a hop after its beginning, and stands for half a hop around it
+    result.from = 0.5 * hop_;
     result.density = density_;
     // what stands in a column that is not full yet counts too, if it is most of one
     if (2 * filled_ > stride_)

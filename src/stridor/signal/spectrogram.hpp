@@ -12,36 +12,41 @@ namespace stridor::signal {
 
 /// Power over time and frequency: columns of equal duration, rows of equal width.
 struct Spectrogram {
-    double column = 0.0;  // [s] duration of a column
+    double column = 0.0;  // [s] duration of a column; the first one begins at `from`
     double row = 0.0;     // [Hz] width of a row; row r lies around (r + 1/2) * row
     std::size_t rows = 0;
     std::string unit = full_scale;  // of the samples
     std::vector<double> density{};  // [unit²/Hz] shape [column][row]
+    double from = 0.0;              // [s] a column lies around the middles of its frames, not their beginnings
     /// How many columns there are [1].
     std::size_t columns() const { return rows == 0 ? 0 : density.size() / rows; }
 };
 
-/// Gathers the frames of a `Welch` into a spectrogram of bounded size: lines are averaged into at most `most_rows`
+/// How large a spectrogram may become.
+struct SpectrogramBounds {
+    std::size_t rows = 512;
+    std::size_t columns = 1024;  // even
+};
+
+/// Gathers the frames of a `Welch` into a spectrogram of bounded size: lines are averaged into at most `bounds.rows`
 /// rows, and whenever there are too many columns, neighbours are averaged and columns become twice as long.
 class Spectrograph {
 public:
-    /// Frames of `lines` lines, `spacing` [Hz] apart, one each `hop` [s].
-    Spectrograph(double spacing, double hop, std::size_t lines);
+    /// Half overlapped frames of `lines` lines, `spacing` [Hz] apart, one each `hop` [s].
+    Spectrograph(double spacing, double hop, std::size_t lines, SpectrogramBounds bounds = {});
 
-    /// Takes the next frame's density [unit²/Hz], shape [line].
+    /// Takes the next frame's density [unit²/Hz], shape [line]; lines beyond the last are left out.
     void push(std::span<const double> density);
 
     /// What was gathered so far.
     Spectrogram spectrogram() const;
-
-    static constexpr std::size_t most_rows = 512;
-    static constexpr std::size_t most_columns = 1024;
 
 private:
     void merge();
 
     double spacing_;
     double hop_;
+    std::size_t most_columns_;
     std::size_t pool_;  // lines per row
     std::size_t rows_;
     std::size_t stride_ = 1;  // frames per column

@@ -250,8 +250,12 @@ std::vector<SoundAnalysis> analyse(signal::Source& source, const AnalysisProgres
         results.push_back(overviews[channel].finish());
         results.back().stretches = finders[channel].finish();
     }
-    for (std::size_t k = 0; k < passages.size(); ++k)
-        results[heard[k]].passages = passages[k].finish();
+    for (std::size_t k = 0; k < passages.size(); ++k) {
+        SoundAnalysis& result = results[heard[k]];
+        result.passages = passages[k].finish();
+        result.impulses = passages[k].impulses();
+        result.impulses.unit = result.unit;
+    }
     for (std::size_t k = 0; k < meters.size(); ++k)
         results[metered[k]].quality = meters[k].finish();
     return results;

@@ -45,6 +45,7 @@ struct SoundAnalysis {
     Waveform waveform{};
     std::vector<SoundStretch> stretches{};  // one after the other, in time
     std::vector<Passage> passages{};        // likewise, of a microphone's channel: in Pa or uncalibrated
+    signal::Spectrogram impulses{};         // of the loudest of them, through short frames
     std::optional<SoundQuality> quality{};  // of a channel in Pa, if asked for
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/signal/spectrogram.hpp"
 #include "stridor/sound/onsets.hpp"
 #include "stridor/sound/tones.hpp"
 
@@ -35,6 +36,10 @@ public:
 
     /// Ends the recording: all passages, in time. A recording shorter than 20 ms has none.
     std::vector<Passage> finish();
+
+    /// The loudest passage through frames of 5 ms, up to 12 kHz: an impulse is a moment there, and not a stripe. It is
+    /// within 0.5 dB of the loudest; without columns where all is silent.
+    const signal::Spectrogram& impulses() const;
 
 private:
     struct State;

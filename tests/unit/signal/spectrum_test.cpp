@@ -196,12 +196,26 @@ TEST(Noise, HasTheRatioAskedForAndTheSameBits) {
 TEST(Spectrograph, StaysBoundedAndKeepsThePower) {
     const Signal signal = tone(3000.0, 1.0, 60.0, 8000.0);
     const Spectrogram graph = spectrogram(signal, 256);
-    EXPECT_LE(graph.columns(), Spectrograph::most_columns);
+    EXPECT_LE(graph.columns(), SpectrogramBounds{}.columns);
     EXPECT_NEAR(graph.column * static_cast<double>(graph.columns()), 60.0, 0.2);
     double sum = 0.0;
     for (std::size_t row = 0; row < graph.rows; ++row)
         sum += graph.density[row] * graph.row;
     EXPECT_NEAR(sum, 0.5, 1e-6);
+}
+
+TEST(Spectrograph, PutsAnImpulseIntoTheColumnsAroundIt) {
+    Signal knock{8000.0, "FS", std::vector<double>(8000)};
+    knock.samples[4000] = 1.0;
+    const Spectrogram graph = spectrogram(knock, 64);
+    double weight = 0.0;
+    double moment = 0.0;
+    for (std::size_t column = 0; column < graph.columns(); ++column) {
+        const double here = graph.density[column * graph.rows + 10];
+        weight += here;
+        moment += here * (graph.from + (static_cast<double>(column) + 0.5) * graph.column);
+    }
+    EXPECT_NEAR(moment / weight, 0.5, 0.5 * graph.column);
 }
 
 }  // namespace

@@ -14,9 +14,6 @@ namespace {
 using classification::Category;
 using classification::RecordingVerdict;
 
-constexpr std::size_t most_columns = 360;
-constexpr std::size_t most_rows = 140;
-
 bool occurs(Category category, const RecordingVerdict& verdict) {
     return std::any_of(verdict.segments.begin(), verdict.segments.end(),
                        [&](const auto& segment) { return segment.verdict.category == category; });
@@ -53,13 +50,12 @@ double highest_frequency(const signal::Spectrum& spectrum) {
     return std::min(limit, std::max(2000.0, 2.0 * static_cast<double>(k) * spectrum.spacing));
 }
 
-drawing::ValueCells spectrogram_cells(const sound::SoundAnalysis& analysis, double highest) {
-    const signal::Spectrogram& graph = analysis.spectrogram;
+drawing::ValueCells spectrogram_cells(const signal::Spectrogram& graph, double highest, PaperCells most) {
     const auto rows = std::min(graph.rows, static_cast<std::size_t>(std::ceil(highest / graph.row)));
-    const std::size_t row_pool = (rows + most_rows - 1) / most_rows;
-    const std::size_t column_pool = (graph.columns() + most_columns - 1) / most_columns;
+    const std::size_t row_pool = (rows + most.rows - 1) / most.rows;
+    const std::size_t column_pool = (graph.columns() + most.columns - 1) / most.columns;
     drawing::ValueCells cells;
-    const double reference = signal::reference_of(analysis.unit);
+    const double reference = signal::reference_of(graph.unit);
     for (std::size_t row = 0; row < rows; row += row_pool) {
         cells.y_edges.push_back(static_cast<double>(row) * graph.row);
         for (std::size_t column = 0; column < graph.columns(); column += column_pool) {
@@ -73,8 +69,8 @@ drawing::ValueCells spectrogram_cells(const sound::SoundAnalysis& analysis, doub
     }
     cells.y_edges.push_back(static_cast<double>(rows) * graph.row);
     for (std::size_t column = 0; column < graph.columns(); column += column_pool)
-        cells.x_edges.push_back(static_cast<double>(column) * graph.column);
-    cells.x_edges.push_back(static_cast<double>(graph.columns()) * graph.column);
+        cells.x_edges.push_back(graph.from + static_cast<double>(column) * graph.column);
+    cells.x_edges.push_back(graph.from + static_cast<double>(graph.columns()) * graph.column);
     const double top = std::ceil(*std::max_element(cells.values.begin(), cells.values.end()));
     cells.colours = {{top - spectrogram_depth, top}, drawing::AxisScale::linear};
     return cells;

@@ -18,8 +18,14 @@ drawing::Line waveform_line(const sound::SoundAnalysis& analysis);
 /// The frequency below which 99.9 % of the power lies, doubled; at least 2 kHz, if the recording reaches so far [Hz].
 double highest_frequency(const signal::Spectrum& spectrum);
 
+/// The most cells of a spectrogram on paper.
+struct PaperCells {
+    std::size_t columns = 360;
+    std::size_t rows = 140;
+};
+
 /// Levels over time and frequency up to `highest` [Hz], pooled to what paper can show [dB re the unit's reference].
-drawing::ValueCells spectrogram_cells(const sound::SoundAnalysis& analysis, double highest);
+drawing::ValueCells spectrogram_cells(const signal::Spectrogram& graph, double highest, PaperCells most = {});
 
 /// The segments in the colours of their categories, over y from 0 to 1; a layer per category that occurs.
 std::vector<drawing::Layer> segment_layers(const classification::RecordingVerdict& verdict, double duration);
