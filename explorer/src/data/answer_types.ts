@@ -35,6 +35,28 @@ export interface Stability extends Document {
   units: Units;
 }
 
+/** Level over time and frequency: a row per moment, in base64 of floats. */
+export interface LevelMap {
+  time: number[];
+  frequency: number[];
+  rows: number;
+  columns: number;
+  level: string;
+}
+
+export interface SoundSegment {
+  from: number;
+  to: number;
+  category: Category;
+  reasons: string[];
+}
+
+/** What the ear follows in a recording: nothing of a simulated motion. */
+export interface Tracks {
+  pitch: { time: number[]; frequency: number[] };
+  onsets: number[];
+}
+
 export interface Analysis {
   schema: string;
   unit: string;
@@ -42,12 +64,12 @@ export interface Analysis {
   duration: number;
   level: { time: number[]; decibels: (number | null)[]; unit: string };
   spectrum: { frequency: number[]; level: (number | null)[]; unit: string };
-  spectrogram: { time: number[]; frequency: number[]; rows: number; columns: number; level: string };
-  verdict: {
-    category: Category;
-    reasons: string[];
-    segments: { from: number; to: number; category: Category; reasons: string[] }[];
-  };
+  spectrogram: LevelMap;
+  /** The loudest passage of a recording through short frames, which tell impulses apart. */
+  impulses: LevelMap | null;
+  tracks: Tracks;
+  /** The probability is the ear's, of a recording; the rules for motions know none. */
+  verdict: { category: Category; probability: number | null; reasons: string[]; segments: SoundSegment[] };
 }
 
 /** The strongest lines in the spectrum of a velocity, and the free modes that have most of each. */

@@ -1,21 +1,30 @@
 /** Level over time and frequency as a picture. Painting only. */
 import { floatsOf } from "../data/frames.ts";
-import type { Analysis } from "../data/answer_types.ts";
-import { paintAxes } from "./axes.ts";
-import { sequential } from "./colours.ts";
+import type { LevelMap, SoundSegment, Tracks } from "../data/answer_types.ts";
+import { paintAxes, type Box } from "./axes.ts";
+import { fillOf, sequential, tile } from "./colours.ts";
 import { h } from "./dom.ts";
 import { plain } from "./format.ts";
 import { surface, type Surface } from "./surface.ts";
 import { onTheme, palette } from "./theme.ts";
 
 const span = 70; // [dB] from the darkest to the brightest colour
+const pitchColour = "#E62E2E"; // on every colour of the scale
+const segmentsHeight = 8; // [px]
+const onsetsHeight = 8;
+
+/** What is drawn over a spectrogram and above it. */
+export interface Overlay extends Partial<Tracks> {
+  segments: SoundSegment[];
+}
 
 export class Spectrogram {
   readonly element: HTMLElement;
   private readonly surface_: Surface;
   private picture_: HTMLCanvasElement | null = null;
   private top_ = 0;
-  private content_: Analysis["spectrogram"] | null = null;
+  private content_: LevelMap | null = null;
+  private overlay_: Overlay | null = null;
 
   constructor(private readonly name_: string) {
     const canvas = h("canvas", { "role": "img", "aria-label": name_ });
@@ -24,8 +33,9 @@ export class Spectrogram {
     onTheme(() => this.surface_.invalidate());
   }
 
-  show(content: Analysis["spectrogram"], title = this.name_): void {
+  show(content: LevelMap, title = this.name_, overlay: Overlay | null = null): void {
     this.content_ = content;
+    this.overlay_ = overlay;
     this.surface_.canvas.setAttribute(
       "aria-label",
       `${title}: spectrogram up to ${plain(content.frequency.at(-1) ?? 0)} Hz`,
@@ -52,19 +62,16 @@ export class Spectrogram {
     const { content_: content, picture_: picture } = this;
     if (!content || !picture) return;
     const { pen, width, height } = s;
-    const box = { left: 66, top: 6, width: width - 66 - 46, height: height - 46 };
+    const overlay = this.overlay_;
+    const above = overlay ? segmentsHeight + 3 + (overlay.onsets?.length ? onsetsHeight : 0) : 0;
+    const box = { left: 66, top: 6 + above, width: width - 66 - 46, height: height - 46 - above };
     if (box.width < 20 || box.height < 20) return;
     pen.imageSmoothingEnabled = true;
     pen.drawImage(picture, box.left, box.top, box.width, box.height);
-    const [t, f] = [content.time, content.frequency];
-    paintAxes(
-      pen,
-      palette(),
-      box,
-      { title: "time [s]", from: t[0] ?? 0, to: t.at(-1) ?? 1 },
-      { title: "frequency [Hz]", from: f[0] ?? 0, to: f.at(-1) ?? 1 },
-    );
+    const [t, f] = [reach(content.time), reach(content.frequency)];
+    paintAxes(pen, palette(), box, { title: "time [s]", ...t }, { title: "frequency [Hz]", ...f });
     this.paintScale_(s, box);
+    if (overlay) paintOverlay(pen, box, overlay, t, f);
   }
 
   private paintScale_(s: Surface, box: { top: number; height: number }): void {
@@ -80,4 +87,41 @@ export class Spectrogram {
     for (const drop of [0, 20, 40, 60])
       pen.fillText(plain(this.top_ - drop, 3), left + 11, box.top + 6 + ((box.height - 6) * drop) / span);
   }
+}
+
+interface Reach {
+  from: number;
+  to: number;
+}
+
+// from the first edge to the last one of cells with these middles
+function reach(middles: number[]): Reach {
+  const [first = 0.5, second = 3 * first] = middles;
+  const half = 0.5 * (second - first);
+  return { from: first - half, to: (middles.at(-1) ?? first) + half };
+}
+
+function paintOverlay(pen: CanvasRenderingContext2D, box: Box, overlay: Overlay, t: Reach, f: Reach): void {
+  const x = (time: number): number => box.left + ((time - t.from) / (t.to - t.from)) * box.width;
+  const right = box.left + box.width;
+  for (const { from, to, category } of overlay.segments) {
+    const [begin, end] = [Math.max(x(from), box.left), Math.min(x(to), right)];
+    if (end <= begin) continue;
+    const fill = fillOf(palette(), category);
+    const marks = tile(fill, devicePixelRatio);
+    for (const style of [fill.ground, marks && pen.createPattern(marks, "repeat")]) {
+      if (!style) continue;
+      pen.fillStyle = style;
+      pen.fillRect(begin, 6, end - begin, segmentsHeight);
+    }
+  }
+  pen.fillStyle = palette().ink;
+  for (const onset of overlay.onsets ?? [])
+    if (onset >= t.from && onset <= t.to) pen.fillRect(x(onset) - 0.5, box.top - onsetsHeight, 1, onsetsHeight - 1);
+  pen.fillStyle = pitchColour;
+  overlay.pitch?.time.forEach((time, k) => {
+    const part = ((overlay.pitch?.frequency[k] ?? 0) - f.from) / (f.to - f.from);
+    if (time >= t.from && time <= t.to && part <= 1)
+      pen.fillRect(x(time) - 1, box.top + (1 - part) * box.height - 1, 2, 2);
+  });
 }

@@ -200,6 +200,11 @@ TEST(Api, MakesASoundOfADirection) {
     EXPECT_EQ(heard["unit"], "m/s");
     EXPECT_EQ(heard["verdict"]["category"], "squeal");
     EXPECT_FALSE(heard["spectrogram"]["level"].get<std::string>().empty());
+    // a motion is judged by the rules, which follow no tracks
+    EXPECT_TRUE(heard["impulses"].is_null());
+    EXPECT_TRUE(heard["verdict"]["probability"].is_null());
+    EXPECT_TRUE(heard["tracks"]["onsets"].empty());
+    EXPECT_TRUE(heard["tracks"]["pitch"]["time"].empty());
 }
 
 // half a second of a steady tone
@@ -241,6 +246,15 @@ TEST(Api, ShowsPlaysAndHearsTheLibrary) {
     const json heard = json::parse(ask(entry + "/analysis").body);
     EXPECT_EQ(heard["unit"], "Pa");
     EXPECT_EQ(heard["verdict"]["category"], "squeal");
+    EXPECT_GT(heard["verdict"]["probability"], 0.5);
+    EXPECT_LE(heard["verdict"]["probability"], 1.0);
+    const json& pitch = heard["tracks"]["pitch"];
+    ASSERT_FALSE(pitch["time"].empty());
+    ASSERT_EQ(pitch["time"].size(), pitch["frequency"].size());
+    for (const json& frequency : pitch["frequency"])
+        EXPECT_NEAR(frequency.get<double>(), 800.0, 10.0);
+    EXPECT_EQ(heard["impulses"]["rows"], heard["impulses"]["time"].size());
+    EXPECT_LE(heard["impulses"]["frequency"].back(), 12e3 + 200.0);
     refusal(ask("/api/library/99/audio"), 400);
     // a library from elsewhere may hold anything under that name
     std::filesystem::path sound;

@@ -10,6 +10,7 @@
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/recordings/open_signal.hpp"
 #include "stridor/sound/analysis.hpp"
+#include "stridor/sound/tracks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,7 @@ namespace {
 
 constexpr double longest_sound = 20.0;    // [s]
 constexpr double loudest_sample = 0.891;  // [1] -1 dBFS
+constexpr std::size_t most_marks = 2000;  // of a track over a spectrogram
 constexpr double floor_level = -200.0;    // [dB] what stands for silence, which has no logarithm
 
 struct Listening {
@@ -105,11 +107,11 @@ std::vector<double> levels_of(std::vector<double> squares, double reference) {
     return squares;
 }
 
-// the middles of equal steps from 0 on
-Json middles(std::size_t count, double step) {
+// the middles of equal steps
+Json middles(std::size_t count, double step, double from = 0.0) {
     Json array = Json::array();
     for (std::size_t k = 0; k < count; ++k)
-        array.push_back((static_cast<double>(k) + 0.5) * step);
+        array.push_back(from + (static_cast<double>(k) + 0.5) * step);
     return array;
 }
 
@@ -130,9 +132,27 @@ Json spectrogram_object(const signal::Spectrogram& spectrogram, double reference
             static_cast<float>(std::max(floor_level, signal::level_of(density * spectrogram.row, reference))));
     return {{"rows", spectrogram.columns()},
             {"columns", spectrogram.rows},
-            {"time", middles(spectrogram.columns(), spectrogram.column)},
+            {"time", middles(spectrogram.columns(), spectrogram.column, spectrogram.from)},
             {"frequency", middles(spectrogram.rows, spectrogram.row)},
             {"level", base64_of<float>(levels)}};
+}
+
+// the loudest passage through short frames; null for a motion, and for silence
+Json impulses_object(const sound::SoundAnalysis& sound, double reference) {
+    return sound.impulses.columns() == 0 ? Json() : spectrogram_object(sound.impulses, reference);
+}
+
+// what the ear follows, to 0.1 ms and 0.1 Hz; a motion has none
+Json tracks_object(const sound::SoundAnalysis& sound) {
+    const auto to_step = [](double value, double steps) { return std::round(value * steps) / steps; };
+    Json tracks{{"pitch", {{"time", Json::array()}, {"frequency", Json::array()}}}, {"onsets", Json::array()}};
+    for (const sound::TonePoint& point : sound::pitch_track(sound, most_marks)) {
+        tracks["pitch"]["time"].push_back(to_step(point.time, 1e4));
+        tracks["pitch"]["frequency"].push_back(to_step(point.frequency, 10.0));
+    }
+    for (const double instant : sound::onset_track(sound, most_marks))
+        tracks["onsets"].push_back(to_step(instant, 1e4));
+    return tracks;
 }
 
 Json verdict_object(const classification::RecordingVerdict& verdict) {
@@ -143,6 +163,7 @@ Json verdict_object(const classification::RecordingVerdict& verdict) {
                             {"category", classification::name(segment.verdict.category)},
                             {"reasons", segment.verdict.reasons}});
     return {{"category", classification::name(verdict.category)},
+            {"probability", verdict.passages.empty() ? Json() : Json(verdict.probability)},
             {"reasons", verdict.reasons},
             {"segments", std::move(segments)}};
 }
@@ -169,6 +190,8 @@ Response analysis_of(signal::Source& source) {
                           {"level", rounded(levels_of(lines, reference))},
                           {"unit", unit}}},
                         {"spectrogram", spectrogram_object(sound.spectrogram, reference)},
+                        {"impulses", impulses_object(sound, reference)},
+                        {"tracks", tracks_object(sound)},
                         {"verdict", verdict_object(classification::verdict_on(sound, parameters::SoundThresholds{}))}};
     return json(document.dump());
 }
