@@ -8,8 +8,9 @@
 /// What the passages of a channel hold of its course, thinned to what a picture can show.
 namespace stridor::sound {
 
-/// The strongest tone over time, while the fast level lies within 20 dB of its greatest: the pitch of what can hardly be
-/// heard explains nothing. At most `most` points, one in each of as many equal moments, with the median frequency there.
+/// The strongest tone over time, while the fast level lies within 20 dB of its greatest: the pitch of what can hardly
+/// be heard explains nothing. At most `most` points, one in each of as many equal moments, with the median frequency
+/// there.
 std::vector<TonePoint> pitch_track(const SoundAnalysis& channel, std::size_t most);
 
 /// The instants of the onsets [s]: at most `most`, the first in each of as many equal moments.
