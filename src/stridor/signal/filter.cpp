@@ -43,7 +43,7 @@ std::vector<Biquad> high_pass(double corner, double rate, int order) {
 namespace {
 
 // one section at work
-struct Section {
+struct RunningBiquad {
     Biquad biquad;
     double first = 0.0;
     double second = 0.0;
@@ -62,13 +62,13 @@ std::vector<double> filtered(std::span<const double> samples, std::span<const Bi
     std::vector<double> result(samples.begin(), samples.end());
     // each section waits for itself, so two of them take hardly longer than one
     for (std::size_t k = 0; k + 1 < sections.size(); k += 2) {
-        Section one{sections[k]};
-        Section other{sections[k + 1]};
+        RunningBiquad one{sections[k]};
+        RunningBiquad other{sections[k + 1]};
         for (double& value : result)
             value = other.next(one.next(value));
     }
     if (sections.size() % 2 == 0) return result;
-    Section last{sections.back()};
+    RunningBiquad last{sections.back()};
     for (double& value : result)
         value = last.next(value);
     return result;
