@@ -1,0 +1,89 @@
+#include "stridor/sweep/share.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/base/error.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+#include <utility>
+
+namespace stridor::sweep {
+
+namespace {
+
+std::optional<std::size_t> whole_number(std::string_view text) {
+    std::size_t number = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (text.empty() || failure != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+Share checked(const Share& share, const std::string& text) {
+    if (share.count == 0 || share.count > most_shares)
+        throw Error(
+            ErrorKind::input,
+            {text + " is no share", fmt::format("a chart is cut into 1 to {} shares", most_shares), "Choose fewer."});
+    if (share.index >= share.count)
+        throw Error(ErrorKind::input, {text + " is no share",
+                                       share.count == 1 ? "the only one is 0/1"
+                                                        : fmt::format("{0} shares count from 0/{0} to {1}/{0}",
+                                                                      share.count, share.count - 1),
+                                       ""});
+    return share;
+}
+
+}  // namespace
+
+bool is_in(const Share& share, std::size_t run) {
+    STRIDOR_EXPECT(share.index < share.count);
+    return run / runs_per_block % share.count == share.index;
+}
+
+std::string text_of(const Share& share) {
+    return fmt::format("{}/{}", share.index, share.count);
+}
+
+std::string file_name_of(const Share& share) {
+    return fmt::format("{:04}-of-{:04}", share.index, share.count);
+}
+
+Share read_share(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    const std::optional<std::size_t> index = whole_number(text.substr(0, slash));
+    const std::optional<std::size_t> count =
+        slash == std::string_view::npos ? std::nullopt : whole_number(text.substr(slash + 1));
+    const std::string quoted = '"' + std::string(text) + '"';
+    if (!index || !count)
+        throw Error(ErrorKind::input, {quoted + " is no share", "a share is INDEX/COUNT, counted from 0: 3/16",
+                                       "In a task of a Slurm array use `auto`."});
+    return checked({*index, *count}, quoted);
+}
+
+Share share_of(const ArrayTask& task) {
+    const std::pair<const char*, const std::string*> variables[] = {{"SLURM_ARRAY_TASK_ID", &task.id},
+                                                                    {"SLURM_ARRAY_TASK_MIN", &task.first},
+                                                                    {"SLURM_ARRAY_TASK_COUNT", &task.count}};
+    std::size_t numbers[3] = {};
+    std::size_t k = 0;
+    for (const auto& [name, text] : variables) {
+        const std::optional<std::size_t> number = whole_number(*text);
+        if (!number)
+            throw Error(ErrorKind::input,
+                        {"there is no share to be found",
+                         text->empty() ? fmt::format("{} is not set, as it is in each task of a Slurm array", name)
+                                       : fmt::format("{} is \"{}\", which is no number", name, *text),
+                         "Name the share: INDEX/COUNT, counted from 0, such as 3/16."});
+        numbers[k++] = *number;
+    }
+    const auto [id, first, count] = numbers;
+    if (id < first || id - first >= count)
+        throw Error(ErrorKind::input,
+                    {fmt::format("task {} of the array has no share", id),
+                     fmt::format("the array has {} tasks from {} on and so has gaps", count, first),
+                     "Submit an array without gaps, such as --array=0-15, or name the share: INDEX/COUNT."});
+    return checked({id - first, count}, fmt::format("task {} of an array of {}", id, count));
+}
+
+}  // namespace stridor::sweep

@@ -1,0 +1,64 @@
+#include "stridor/sweep/share.hpp"
+
+#include "support/error_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace stridor::sweep {
+namespace {
+
+using support::thrown_by;
+
+TEST(Share, IsTheWholeChartUnlessToldOtherwise) {
+    for (const std::size_t run : {0U, 1U, 1023U, 1024U, 5000U, 100'000'000U})
+        EXPECT_TRUE(is_in({}, run)) << run;
+}
+
+TEST(Share, DealsEveryRunToExactlyOneInBlocksOfNeighbours) {
+    for (const std::size_t count : {1U, 2U, 5U, 16U})
+        for (std::size_t run = 0; run < 40 * runs_per_block; run += 7) {
+            std::vector<std::size_t> owners;
+            for (std::size_t index = 0; index < count; ++index)
+                if (is_in({index, count}, run)) owners.push_back(index);
+            ASSERT_EQ(owners, std::vector<std::size_t>{run / runs_per_block % count}) << run << " of " << count;
+        }
+}
+
+TEST(Share, ReadsWhatItWrites) {
+    for (const Share share : {Share{0, 1}, Share{3, 16}, Share{15, 16}, Share{9998, 9999}})
+        EXPECT_EQ(read_share(text_of(share)), share);
+    EXPECT_EQ(text_of({3, 16}), "3/16");
+    EXPECT_EQ(file_name_of({3, 16}), "0003-of-0016");
+}
+
+TEST(Share, RefusesWhatIsNone) {
+    for (const char* text : {"", "3", "/", "3/", "/16", "-1/16", "3/16 ", "+3/16", "3 / 16", "a/b", "1.5/16", "3/16/2"})
+        EXPECT_TRUE(thrown_by([&] { read_share(text); }).says("a share is INDEX/COUNT, counted from 0")) << text;
+    EXPECT_TRUE(thrown_by([] { read_share("16/16"); }).says("16 shares count from 0/16 to 15/16"));
+    EXPECT_TRUE(thrown_by([] { read_share("1/1"); }).says("the only one is 0/1"));
+    EXPECT_TRUE(thrown_by([] { read_share("0/0"); }).says("1 to 9999 shares"));
+    EXPECT_TRUE(thrown_by([] { read_share("0/10000"); }).says("1 to 9999 shares"));
+    EXPECT_EQ(thrown_by([] { read_share("99999999999999999999999/4"); }).kind, ErrorKind::input);
+}
+
+TEST(Share, OfAnArrayCountsFromTheArraysFirstTask) {
+    EXPECT_EQ(share_of({"3", "0", "16"}), (Share{3, 16}));
+    EXPECT_EQ(share_of({"1", "1", "4"}), (Share{0, 4}));
+    EXPECT_EQ(share_of({"4", "1", "4"}), (Share{3, 4}));
+}
+
+TEST(Share, OfAnArraySaysWhatIsMissing) {
+    const auto message = [](const ArrayTask& task) { return thrown_by([&] { share_of(task); }).message; };
+    EXPECT_NE(message({"", "0", "16"}).find("SLURM_ARRAY_TASK_ID is not set"), std::string::npos);
+    EXPECT_NE(message({"3", "", "16"}).find("SLURM_ARRAY_TASK_MIN is not set"), std::string::npos);
+    EXPECT_NE(message({"3", "0", ""}).find("SLURM_ARRAY_TASK_COUNT is not set"), std::string::npos);
+    EXPECT_NE(message({"x", "0", "16"}).find("SLURM_ARRAY_TASK_ID is \"x\", which is no number"), std::string::npos);
+    // --array=0,2,4,6
+    EXPECT_NE(message({"4", "0", "4"}).find("task 4 of the array has no share"), std::string::npos);
+    EXPECT_NE(message({"0", "1", "4"}).find("task 0 of the array has no share"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace stridor::sweep
