@@ -95,11 +95,14 @@ struct CellVerdict {
 /// What a chart shows of a cell.
 CellVerdict verdict_of(const Cell& cell);
 
+/// The index of a cell where there is one for each cell (`most_cells`).
+using CellIndex = std::uint32_t;
+
 /// A finished sweep; cells in index order (see `place_of`).
 struct SweepResult {
     Study study;
     std::vector<CellVerdict> cells;
-    std::vector<std::size_t> sources{};  // the computed cell each takes after, itself unless inferred; empty: itself
+    std::vector<CellIndex> sources{};  // the computed cell each takes after, itself unless inferred; empty: itself
     std::shared_ptr<ComputedCells> computed{};  // with their figures
 };
 

@@ -5,6 +5,7 @@
 #include "stridor/sweep/refinement.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace stridor::sweep {
@@ -13,14 +14,15 @@ namespace {
 
 // per cell the nearest of the cells that are there, direction by direction; distance is the larger one of the grid
 // steps in x and y
-std::vector<std::size_t> nearest(const Study& study, const std::vector<bool>& there) {
+std::vector<CellIndex> nearest(const Study& study, const std::vector<bool>& there) {
     const std::size_t columns = static_cast<std::size_t>(study.x.points);
     const std::size_t points = columns * static_cast<std::size_t>(study.y.points);
-    std::vector<std::size_t> sources(there.size(), there.size());
+    constexpr CellIndex none = std::numeric_limits<CellIndex>::max();
+    std::vector<CellIndex> sources(there.size(), none);
     std::vector<std::size_t> reached;  // in the order of their distance, the cells that are there first
     for (std::size_t index = 0; index < there.size(); ++index)
         if (there[index]) {
-            sources[index] = index;
+            sources[index] = static_cast<CellIndex>(index);
             reached.push_back(index);
         }
     for (std::size_t next = 0; next < reached.size(); ++next) {
@@ -30,7 +32,7 @@ std::vector<std::size_t> nearest(const Study& study, const std::vector<bool>& th
         for (std::size_t row = std::max<std::size_t>(y, 1) - 1; row <= y + 1 && row * columns < points; ++row)
             for (std::size_t column = std::max<std::size_t>(x, 1) - 1; column <= x + 1 && column < columns; ++column) {
                 const std::size_t neighbour = index - index % points + row * columns + column;
-                if (sources[neighbour] < there.size()) continue;
+                if (sources[neighbour] != none) continue;
                 sources[neighbour] = sources[index];
                 reached.push_back(neighbour);
             }
@@ -77,23 +79,23 @@ void MemoryKeeper::visit(std::size_t first, std::size_t last, const std::functio
 
 SweepResult load(const Study& study, std::shared_ptr<CellKeeper> keeper) {
     std::vector<CellVerdict> cells(cell_count(study));
-    std::vector<int> marks(cells.size(), unknown_mark);
+    std::vector<int> marks(study.refine == 0 ? 0 : cells.size(), unknown_mark);
     std::size_t there = 0;
     keeper->visit(0, cells.size(), [&](const IndexedCell& indexed) {
-        marks[indexed.index] = mark_of(study, indexed.cell);
+        if (study.refine > 0) marks[indexed.index] = mark_of(study, indexed.cell);
         cells[indexed.index] = verdict_of(indexed.cell);
         ++there;
     });
-    Refinement refinement = refine(study, marks);
-    if (!refinement.missing.empty()) {
-        const std::size_t known =
-            study.refine == 0 ? cells.size() : there + refinement.missing.size() * directions_per_run(study);
+    Refinement refinement;
+    if (study.refine > 0) refinement = refine(study, marks);
+    const std::size_t needed =
+        study.refine == 0 ? cells.size() : there + refinement.missing.size() * directions_per_run(study);
+    if (there < needed)
         throw Error(ErrorKind::interrupted,
                     {"the sweep is not finished",
                      keeper->name() + " holds " + std::to_string(there) + " of " +
-                         (study.refine == 0 ? "" : "at least ") + std::to_string(known) + " cells",
+                         (study.refine == 0 ? "" : "at least ") + std::to_string(needed) + " cells",
                      "Run the same command again: it goes on where it stopped."});
-    }
     cells = inferred(std::move(cells), refinement.sources);
     return {study, std::move(cells), std::move(refinement.sources), std::move(keeper)};
 }
@@ -102,9 +104,9 @@ SweepResult provisional(const Study& study, std::shared_ptr<CellKeeper> keeper) 
     std::vector<CellVerdict> cells(cell_count(study));
     keeper->visit(0, cells.size(),
                   [&](const IndexedCell& indexed) { cells[indexed.index] = verdict_of(indexed.cell); });
-    std::vector<std::size_t> sources = nearest(study, keeper->stored());
+    std::vector<CellIndex> sources = nearest(study, keeper->stored());
     STRIDOR_EXPECT(
-        std::all_of(sources.begin(), sources.end(), [&](std::size_t source) { return source < cells.size(); }));
+        std::all_of(sources.begin(), sources.end(), [&](CellIndex source) { return source < cells.size(); }));
     cells = inferred(std::move(cells), sources);
     return {study, std::move(cells), std::move(sources), std::move(keeper)};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -41,6 +42,16 @@ std::vector<int> point_marks(const Study& study, std::span<const int> marks, std
     return joint;
 }
 
+// every one that is not known: no tree is needed where all cells are computed
+std::vector<std::size_t> unknown_runs(const Study& study, std::span<const int> marks) {
+    std::vector<std::size_t> runs;
+    for (std::size_t index = 0; index < marks.size(); ++index) {
+        const std::size_t run = run_of(study, index);
+        if (marks[index] == unknown_mark && run == index) runs.push_back(run);
+    }
+    return runs;
+}
+
 // the quadtree as far as the known points tell it
 class Tree {
 public:
@@ -67,22 +78,26 @@ public:
     }
 
     // for each point itself if it is required, else the nearest corner of its block
-    std::vector<std::size_t> sources() const {
-        std::vector<std::size_t> nearest(marks_.size());
-        std::vector<long> distances(marks_.size(), std::numeric_limits<long>::max());
+    std::vector<CellIndex> sources() const {
+        // a block is 2^most_refinement wide at most, so that squares fit
+        using Square = std::uint16_t;
+        static_assert(2 * (1 << most_refinement) * (1 << most_refinement) < std::numeric_limits<Square>::max());
+        std::vector<CellIndex> nearest(marks_.size());
+        std::vector<Square> distances(marks_.size(), std::numeric_limits<Square>::max());
         for (const Block& block : leaves_)
             for (int y = block.y0; y <= block.y1; ++y)
                 for (int x = block.x0; x <= block.x1; ++x)
                     for (const auto& [cx, cy] : corners(block)) {
                         const std::size_t point = at(x, y);
-                        const long dx = x - cx;
-                        const long dy = y - cy;
-                        const std::pair offer{dx * dx + dy * dy, at(cx, cy)};
+                        const int dx = x - cx;
+                        const int dy = y - cy;
+                        const std::pair offer{static_cast<Square>(dx * dx + dy * dy),
+                                              static_cast<CellIndex>(at(cx, cy))};
                         if (offer >= std::pair{distances[point], nearest[point]}) continue;
                         std::tie(distances[point], nearest[point]) = offer;
                     }
         for (std::size_t point = 0; point < marks_.size(); ++point)
-            if (is_required_[point] != 0) nearest[point] = point;
+            if (is_required_[point] != 0) nearest[point] = static_cast<CellIndex>(point);
         return nearest;
     }
 
@@ -179,6 +194,7 @@ int mark_of(const Study& study, const Cell& cell) {
 
 Refinement refine(const Study& study, std::span<const int> marks) {
     STRIDOR_EXPECT(marks.size() == cell_count(study));
+    if (study.refine == 0) return {unknown_runs(study, marks), {}};
     const std::size_t points = point_count(study);
     Refinement result;
     for (std::size_t first = 0; first < study.directions.size(); first += directions_per_run(study)) {
@@ -186,15 +202,17 @@ Refinement refine(const Study& study, std::span<const int> marks) {
         for (const std::size_t point : tree.missing())
             result.missing.push_back(first * points + point);
         if (!result.missing.empty()) continue;
-        const std::vector<std::size_t> sources = tree.sources();
+        const std::vector<CellIndex> sources = tree.sources();
+        result.sources.reserve(marks.size());
         for (std::size_t k = 0; k < directions_per_run(study); ++k)
-            for (const std::size_t source : sources)
-                result.sources.push_back((first + k) * points + source);
+            for (const CellIndex source : sources)
+                result.sources.push_back(static_cast<CellIndex>((first + k) * points + source));
     }
     return result;
 }
 
-std::vector<CellVerdict> inferred(std::vector<CellVerdict> cells, std::span<const std::size_t> sources) {
+std::vector<CellVerdict> inferred(std::vector<CellVerdict> cells, std::span<const CellIndex> sources) {
+    if (sources.empty()) return cells;
     STRIDOR_EXPECT(cells.size() == sources.size());
     for (std::size_t index = 0; index < cells.size(); ++index)
         cells[index] = cells[sources[index]];

@@ -19,6 +19,8 @@
 ///     same, to find islands.
 /// What is asked of a point never depends on when it became known, and a split is never taken back. So the points to be
 /// computed are the least set closed under these rules: a function of the chart alone, not of threads, stops or kills.
+/// It may be asked at any time, while other points are still being computed: it then asks for some of the least set,
+/// and for nothing else.
 /// In the end all computed points of a block that is not split are alike; the others in it are inferred.
 namespace stridor::sweep {
 
@@ -32,14 +34,15 @@ int mark_of(const Study& study, const Cell& cell);
 /// How far the computed cells carry.
 struct Refinement {
     std::vector<std::size_t> missing;  // runs to compute next, by the index of their first cell; empty: none is missing
-    std::vector<std::size_t> sources;  // if so, per cell the computed one that it takes after: itself, or the nearest
-                                       // corner of its block (of equally near ones the first); shape [cell]
+    std::vector<CellIndex> sources;    // if so, per cell the computed one that it takes after: itself, or the nearest
+                                       // corner of its block (of equally near ones the first); shape [cell], or empty:
+                                       // itself
 };
 
 /// What to compute next, given the marks of all cells (shape [cell]); a run is known when all its cells are.
 Refinement refine(const Study& study, std::span<const int> marks);
 
 /// The verdicts of all cells, given those of the computed ones: a cell whose source is another has that one's.
-std::vector<CellVerdict> inferred(std::vector<CellVerdict> cells, std::span<const std::size_t> sources);
+std::vector<CellVerdict> inferred(std::vector<CellVerdict> cells, std::span<const CellIndex> sources);
 
 }  // namespace stridor::sweep

@@ -1,8 +1,9 @@
 #include "stridor/sweep/run.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/sweep/agenda.hpp"
 #include "stridor/sweep/refinement.hpp"
-#include "stridor/sweep/workers.hpp"
+#include "stridor/sweep/thread_crew.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -16,7 +17,7 @@ namespace stridor::sweep {
 
 namespace {
 
-using Clock = Workers::Clock;
+using Clock = Crew::Clock;
 using Seconds = std::chrono::duration<double>;
 
 // ten reports a second: more than an eye follows, and a reaction to a stop within that time
@@ -45,47 +46,26 @@ private:
     std::deque<Note> history_;
 };
 
-// the marks of the cells that are kept; shape [cell]
-std::vector<int> stored_marks(const Study& study, CellKeeper& keeper) {
-    std::vector<int> marks(cell_count(study), unknown_mark);
-    const std::vector<bool> stored = keeper.stored();
-    STRIDOR_EXPECT(stored.size() == marks.size());
-    if (study.refine == 0)
-        std::transform(stored.begin(), stored.end(), marks.begin(),
-                       [&](bool is_there) { return is_there ? 0 : unknown_mark; });
-    else
-        keeper.visit(0, marks.size(),
-                     [&](const IndexedCell& indexed) { marks[indexed.index] = mark_of(study, indexed.cell); });
-    return marks;
-}
-
 // the one owner of finished cells: writes them in batches and says how far the sweep is
 class Ledger {
 public:
-    Ledger(const Study& study, CellKeeper& keeper, const RunOptions& options)
-        : study_(study),
-          keeper_(keeper),
-          options_(options),
-          marks_(stored_marks(study, keeper)) {
+    Ledger(CellKeeper& keeper, const RunOptions& options) : keeper_(keeper), options_(options) {
         progress_.counts = keeper.counts();
     }
 
     std::size_t computed() const { return computed_; }
     const Progress& progress() const { return progress_; }
-    std::span<const int> marks() const { return marks_; }
 
-    // so many cells are to come before anything else is known to be needed
-    void expect(std::size_t cells) {
-        progress_.total = study_.refine == 0 ? cell_count(study_) : known() + cells;
-        progress_.done = progress_.total - cells;
+    // so many cells are there, and so many are to come before anything else is known to be needed
+    void expect(std::size_t there, std::size_t to_come) {
+        progress_.total = there + to_come;
+        progress_.done = there;
         report(Clock::now());
     }
 
     void take(std::vector<IndexedCell> cells) {
-        for (const IndexedCell& indexed : cells) {
+        for (const IndexedCell& indexed : cells)
             count(progress_.counts, verdict_of(indexed.cell));
-            marks_[indexed.index] = mark_of(study_, indexed.cell);
-        }
         computed_ += cells.size();
         progress_.done += cells.size();
         std::move(cells.begin(), cells.end(), std::back_inserter(batch_));
@@ -107,6 +87,9 @@ public:
 
 private:
     void write() {
+        // in index order, in which a store takes them ten times as fast as in any
+        std::sort(batch_.begin(), batch_.end(),
+                  [](const IndexedCell& a, const IndexedCell& b) { return a.index < b.index; });
         if (!batch_.empty()) keeper_.write(batch_);
         batch_.clear();
         written_ = Clock::now();
@@ -119,14 +102,8 @@ private:
         if (options_.progress) options_.progress(progress_);
     }
 
-    std::size_t known() const {
-        return marks_.size() - static_cast<std::size_t>(std::count(marks_.begin(), marks_.end(), unknown_mark));
-    }
-
-    const Study& study_;
     CellKeeper& keeper_;
     const RunOptions& options_;
-    std::vector<int> marks_;  // of the finished cells; shape [cell]
     Progress progress_;
     Rate rate_;
     std::vector<IndexedCell> batch_;
@@ -135,33 +112,129 @@ private:
     Clock::time_point reported_;
 };
 
+// what is known of the study, and what is to be computed next
+class Plan {
+public:
+    Plan(const Study& study, CellKeeper& keeper, const RunOptions& options)
+        : study_(study),
+          options_(options),
+          agenda_(cell_count(study)) {
+        if (study.refine == 0) {
+            add_all_but(keeper.stored());
+            return;
+        }
+        marks_.assign(cell_count(study), unknown_mark);
+        keeper.visit(0, marks_.size(),
+                     [&](const IndexedCell& indexed) { marks_[indexed.index] = mark_of(study, indexed.cell); });
+        look();
+    }
+
+    Agenda& agenda() { return agenda_; }
+    std::size_t there() const { return there_; }        // [1] cells of this share that were known at the last look
+    std::size_t to_come() const { return to_come_; }    // [1] cells of this share that were missing then
+    std::size_t new_runs() const { return new_runs_; }  // [1] of these, found by that look
+
+    void note(std::span<const IndexedCell> cells) {
+        since_ += cells.size();
+        if (study_.refine == 0) return;
+        for (const IndexedCell& indexed : cells)
+            marks_[indexed.index] = mark_of(study_, indexed.cell);
+    }
+
+    // Has enough become known for another look, which costs as much as there are cells? What is asked of a cell never
+    // depends on when it became known (refinement.hpp), so a look may come before all is there that was asked for.
+    bool is_worth_a_look(bool is_idle) const {
+        if (study_.refine == 0 || since_ == 0) return false;
+        const bool is_round = options_.round != nullptr;
+        return is_idle || (!is_round && since_ >= std::max<std::size_t>(there_ / 100, 1));
+    }
+
+    void look() {
+        since_ = 0;
+        const std::size_t before = agenda_.left();
+        std::size_t missing = 0;
+        for (const std::size_t run : refine(study_, marks_).missing) {
+            if (!is_in(options_.share, run)) continue;
+            ++missing;
+            agenda_.add(run);
+        }
+        new_runs_ = agenda_.left() - before;
+        to_come_ = missing * directions_per_run(study_);
+        there_ = 0;
+        for (std::size_t index = 0; index < marks_.size(); ++index)
+            there_ += marks_[index] != unknown_mark && is_in(options_.share, run_of(study_, index)) ? 1U : 0U;
+    }
+
+private:
+    // a run is there when all its cells are
+    void add_all_but(const std::vector<bool>& stored) {
+        const std::size_t stride = stored.size() / study_.directions.size();
+        const std::size_t cells = directions_per_run(study_);
+        for (std::size_t first = 0; first < stored.size() / cells; ++first) {
+            if (!is_in(options_.share, first)) continue;
+            bool is_there = true;
+            for (std::size_t k = 0; k < cells; ++k)
+                is_there = is_there && stored[first + k * stride];
+            if (!is_there) agenda_.add(first);
+            there_ += is_there ? cells : 0;
+        }
+        to_come_ = agenda_.left() * cells;
+        new_runs_ = agenda_.left();
+    }
+
+    const Study& study_;
+    const RunOptions& options_;
+    Agenda agenda_;
+    std::vector<int> marks_;  // of the known cells of a refined study; shape [cell]
+    std::size_t there_ = 0;
+    std::size_t to_come_ = 0;
+    std::size_t new_runs_ = 0;
+    std::size_t since_ = 0;  // [1] cells that became known since the last look
+};
+
 }  // namespace
 
 RunReport run(const Study& study, CellKeeper& keeper, const RunOptions& options) {
     STRIDOR_EXPECT(options.threads >= 0 && options.cells_per_commit > 0);
-    Ledger ledger(study, keeper, options);
-    std::vector<std::size_t> missing = refine(study, ledger.marks()).missing;
-    ledger.expect(missing.size() * directions_per_run(study));
-    // a complete chart has one round, a refined one as many as its boundaries take to be followed; cells are written
-    // when enough of them or of time has gathered, for a write waits for the disk
-    while (!missing.empty()) {
-        Workers workers(study, missing, options.threads, options.stop);
-        while (!workers.have_ended())
-            ledger.take(workers.take(options.cells_per_commit, Clock::now() + tick));
-        const bool was_stopped = ledger.progress().done < ledger.progress().total;
-        if (was_stopped) {
-            // what was finished is kept before anybody hears of a failure
-            ledger.finish();
-            workers.rethrow();
-            return {SweepEnding::stopped, ledger.computed(), ledger.progress()};
+    Plan plan(study, keeper, options);
+    Ledger ledger(keeper, options);
+    ledger.expect(plan.there(), plan.to_come());
+    const auto report = [&](SweepEnding ending) {
+        ledger.finish();
+        return RunReport{ending, ledger.computed(), ledger.progress()};
+    };
+    if (plan.to_come() == 0) return report(SweepEnding::completed);
+
+    const CrewMaker make = options.crew ? options.crew : thread_crews(options.threads);
+    const std::unique_ptr<Crew> crew = make(study, options.stop);
+    Agenda& agenda = plan.agenda();
+    for (;;) {
+        if (const std::size_t most = crew->appetite(agenda.left()); most > 0) crew->give(agenda.next(most));
+        std::vector<IndexedCell> cells = crew->take(options.cells_per_commit, Clock::now() + tick);
+        plan.note(cells);
+        ledger.take(std::move(cells));
+        const bool is_idle = crew->is_idle();
+        if (is_idle && crew->has_stopped()) {
+            // what has come since the last look may ask for more
+            if (study.refine > 0) {
+                plan.look();
+                ledger.expect(plan.there(), plan.to_come());
+            }
+            break;
         }
-        missing = refine(study, ledger.marks()).missing;
-        if (missing.empty()) break;
-        if (options.round) ledger.end_round();
-        ledger.expect(missing.size() * directions_per_run(study));
+        if (agenda.left() > 0) continue;
+        if (plan.is_worth_a_look(is_idle)) {
+            plan.look();
+            if (options.round && agenda.left() > 0) ledger.end_round();
+            ledger.expect(plan.there(), plan.to_come());
+        }
+        if (is_idle && agenda.left() == 0) break;
     }
-    ledger.finish();
-    return {SweepEnding::completed, ledger.computed(), ledger.progress()};
+    const bool was_stopped = ledger.progress().done < ledger.progress().total;
+    // what was finished is kept before anybody hears of a failure
+    const RunReport result = report(was_stopped ? SweepEnding::stopped : SweepEnding::completed);
+    if (was_stopped) crew->rethrow();
+    return result;
 }
 
 }  // namespace stridor::sweep

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "stridor/sweep/crew.hpp"
 #include "stridor/sweep/keeper.hpp"
+#include "stridor/sweep/share.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <cstddef>
@@ -22,14 +24,17 @@ struct RunOptions {
     int threads = 0;                                // [1] 0: one per processor this process may use
     std::stop_token stop;                           // asks for an early end
     std::function<void(const Progress&)> progress;  // called from the caller's thread, at most ten times a second
-    std::function<void()> round;  // called likewise whenever a round of refinement is done and kept and another follows
-    std::size_t cells_per_commit = 256;  // [1] so many finished cells, or
-    double seconds_per_commit = 0.5;     // [s] so much time, may be lost to a kill
+    std::function<void()> round;          // called likewise whenever a round of refinement is done and kept and another
+                                          // follows; without it no round waits for the end of the one before
+    std::size_t cells_per_commit = 4096;  // [1] so many finished cells, or
+    double seconds_per_commit = 0.5;      // [s] so much time, may be lost to a kill
+    Share share{};                        // compute the cells of this share only
+    CrewMaker crew{};                     // who computes; nothing: `threads` threads of this process
 };
 
 /// How a sweep ended.
 enum class SweepEnding {
-    completed,  // every cell that has to be computed is kept
+    completed,  // every cell that has to be computed is kept, as far as this share can know
     stopped,    // on request; the finished cells are kept, and the next run goes on
 };
 
@@ -41,12 +46,13 @@ struct RunReport {
 };
 
 /// Computes the cells that are not kept yet, on all processors, and has each kept as it is finished. Of a refined
-/// study only the cells that refinement asks for (refinement.hpp), in rounds.
+/// study only the cells that refinement asks for (refinement.hpp); of a share only its own, as far as what is kept
+/// tells that they are needed.
 ///
 /// A stop request ends it within a fraction of a second with all finished points saved. The same study gives the same
-/// cells, bit for bit, for every number of threads and however often it was stopped or killed. Memory depends on the
-/// number of cells, never on the simulated time. What a worker, the keeper or a callback throws comes out of here,
-/// once the workers have ended.
+/// cells, bit for bit, for every crew and however often it was stopped or killed. Memory depends on the
+/// number of cells, never on the simulated time. What the crew, the keeper or a callback throws comes out of here, once
+/// the crew has ended.
 RunReport run(const Study& study, CellKeeper& keeper, const RunOptions& options = {});
 
 }  // namespace stridor::sweep

@@ -118,6 +118,12 @@ void check_axis(const Study& study, const Axis& axis, const std::string& name) {
                      "a logarithmic axis spans less than 1000 octaves", "");
 }
 
+void check_size(const Study& study) {
+    if (cell_count(study) > most_cells)
+        base::refuse("a chart of " + std::to_string(cell_count(study)) + " cells is too large",
+                     "it has at most " + std::to_string(most_cells), "Cut it into several charts.");
+}
+
 void check_directions(const Study& study) {
     if (study.directions.empty())
         base::refuse("chart.directions is empty", "there would be nothing to compute",
@@ -253,6 +259,12 @@ std::size_t directions_per_run(const Study& study) {
     return is_constant(study) ? 1 : study.directions.size();
 }
 
+std::size_t run_of(const Study& study, std::size_t index) {
+    const std::size_t points = cell_count(study) / study.directions.size();
+    const std::size_t direction = index / points;
+    return index - direction % directions_per_run(study) * points;
+}
+
 CellPlace place_of(const Study& study, std::size_t index) {
     const auto columns = static_cast<std::size_t>(study.x.points);
     const auto rows = static_cast<std::size_t>(study.y.points);
@@ -289,6 +301,7 @@ void check(const Study& study) {
     check_directions(study);
     check_starts(study);
     check_refinement(study);
+    check_size(study);
     check_quantities(study);
     for (std::size_t start = 0; start < std::max<std::size_t>(1, study.starts.size()); ++start)
         check_corners(study, start);

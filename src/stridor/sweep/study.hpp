@@ -13,8 +13,11 @@ namespace stridor::sweep {
 using parameters::Scale;
 using parameters::scale_names;
 
-/// Most points of an axis: more make a chart nobody can compute, and are a slip of the keyboard.
-inline constexpr int most_points = 4096;
+/// Most points of an axis: more are a slip of the keyboard.
+inline constexpr int most_points = 65536;
+
+/// Most cells of a study: what a sweep remembers of each is counted in 32 bits.
+inline constexpr std::size_t most_cells = 4'000'000'000;
 
 /// One axis of a chart: a quantity of the case and the values it takes, rising, both ends included.
 struct Axis {
@@ -64,6 +67,10 @@ std::size_t cell_count(const Study& study);
 /// How many directions one run gives the cells of: one with a constant drive, else all of the study.
 std::size_t directions_per_run(const Study& study);
 
+/// The run that gives a cell, by the index of its first cell: the same place in the first direction of those that it
+/// gives.
+std::size_t run_of(const Study& study, std::size_t index);
+
 /// Where a cell stands: index = (direction * y.points + iy) * x.points + ix.
 struct CellPlace {
     std::size_t direction = 0;  // into study.directions
@@ -82,7 +89,8 @@ std::size_t index_of(const Study& study, const CellPlace& place);
 parameters::Case case_at(const Study& study, const CellPlace& place);
 
 /// Throws `Error` (input) for an axis that is no quantity of this case, has an end outside its range, does not rise,
-/// has too few or too many points or a logarithm of something not positive; for two equal axes, no direction or the
+/// has too few or too many points or a logarithm of something not positive; for more than `most_cells` cells; for two
+/// equal axes, no direction or the
 /// same twice, a start twice, an unknown quantity to draw, a refinement beyond `most_refinement`; and for what is wrong
 /// with the case in every cell, whatever the axes say.
 void check(const Study& study);

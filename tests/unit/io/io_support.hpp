@@ -62,7 +62,7 @@ inline sweep::SweepResult refined_chart() {
     result.study.refine = 1;
     std::vector<sweep::IndexedCell> computed;
     for (std::size_t index = 0; index < result.cells.size(); ++index) {
-        result.sources.push_back(index == 1 ? 0 : index == 13 ? 15 : index);
+        result.sources.push_back(static_cast<sweep::CellIndex>(index == 1 ? 0 : index == 13 ? 15 : index));
         if (!sweep::is_inferred(result, index)) computed.push_back({index, sweep::computed_cell(result, index)});
     }
     result.computed = sweep::in_memory(std::move(computed));

@@ -136,7 +136,7 @@ TEST(NoiseChart, SaysHowManyCellsWereComputed) {
     sweep::SweepResult result = quiet_sweep();
     EXPECT_EQ(noise_chart(result).caption.size(), 1U);
     for (std::size_t index = 0; index < result.cells.size(); ++index)
-        result.sources.push_back(index < 9 ? 0 : index);
+        result.sources.push_back(static_cast<sweep::CellIndex>(index < 9 ? 0 : index));
     const drawing::Scene scene = noise_chart(result);
     ASSERT_EQ(scene.caption.size(), 2U);
     EXPECT_EQ(drawing::plain_text(scene.caption[1]),
@@ -145,10 +145,10 @@ TEST(NoiseChart, SaysHowManyCellsWereComputed) {
 
 TEST(FigureChart, GivesInferredCellsTheValueOfTheComputedOneTheyTakeAfter) {
     std::vector<sweep::Cell> cells = quiet_cells();
-    std::vector<std::size_t> sources;
+    std::vector<sweep::CellIndex> sources;
     for (std::size_t index = 0; index < cells.size(); ++index) {
         set_figure(cells[index], sweep::cell_figure("frequency"), 400.0 + static_cast<double>(index));
-        sources.push_back(index);
+        sources.push_back(static_cast<sweep::CellIndex>(index));
     }
     sources[14] = 16;
     sweep::SweepResult result = sweep::complete(small_study(), cells);

@@ -144,6 +144,27 @@ TEST_F(Run, PassesOnWhatTheCallbackThrows) {
     EXPECT_THROW(run(study_, store_, options), std::logic_error);
 }
 
+// the runs of a share are every second block of neighbours
+TEST_F(Run, ComputesItsShareOnly) {
+    Study study = small_study();
+    study.x.points = 64;
+    study.y.points = 40;
+    study.base.run.duration = 0.002;
+    study.base.run.window = 0.001;
+    for (const std::size_t index : {0U, 1U}) {
+        MemoryKeeper keeper(study);
+        RunOptions options;
+        options.share = {index, 2};
+        const RunReport report = run(study, keeper, options);
+        EXPECT_EQ(report.ending, SweepEnding::completed);
+        const std::vector<bool> there = keeper.stored();
+        for (std::size_t run = 0; run < there.size(); ++run)
+            ASSERT_EQ(there[run], is_in(options.share, run)) << run;
+        EXPECT_EQ(report.progress.total, report.computed);
+        EXPECT_EQ(sweep::run(study, keeper, options).computed, 0U);
+    }
+}
+
 class RefinedRun : public testing::Test {
 protected:
     RefinedRun() {
@@ -202,6 +223,15 @@ TEST_F(RefinedRun, GoesOnFromAnyPartOfItsCells) {
         EXPECT_TRUE(same_cells(all_cells(load(study_, part)), all_cells(load(study_, whole)))) << stride;
         EXPECT_EQ(part.read().size(), cells.size()) << stride;
     }
+}
+
+TEST_F(RefinedRun, IsNotCompleteWhenItIsStoppedBetweenRounds) {
+    MemoryKeeper keeper(study_);
+    std::stop_source source;
+    RunOptions options;
+    options.stop = source.get_token();
+    options.round = [&] { source.request_stop(); };
+    EXPECT_EQ(run(study_, keeper, options).ending, SweepEnding::stopped);
 }
 
 TEST_F(RefinedRun, DoesNothingWhenAllIsThere) {
