@@ -1,0 +1,65 @@
+#pragma once
+
+#include "stridor/base/error.hpp"
+#include "stridor/sweep/cell.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// What ranks tell one another. The bytes are those of this machine: all ranks run one program on machines of one kind,
+/// which the first message sees to.
+namespace stridor::cluster {
+
+/// The first message of a rank to rank 0.
+struct Hello {
+    std::string build;          // program, commit, generation of results
+    std::string study;          // a fingerprint of what decides the results
+    std::string host;           // the machine it runs on
+    std::uint32_t threads = 1;  // [1] that compute there
+};
+
+/// Rank 0 gives a rank runs to compute, in this order.
+struct Batch {
+    std::vector<std::size_t> runs;  // by the index of their first cells
+};
+
+/// A rank hands over finished cells.
+struct Cells {
+    std::vector<sweep::IndexedCell> cells;
+    double seconds_per_run = 0.0;  // [s] on average in that rank; 0: not known yet
+};
+
+/// A rank has nothing to hand over, and lives.
+struct Alive {};
+
+/// Rank 0 asks a rank to give up what it computes and to hand over what is finished.
+struct Stop {};
+
+/// A rank has stopped, and all that it finished was handed over before.
+struct Stopped {};
+
+/// Something failed in a rank, which computes nothing any more.
+struct Failure {
+    ErrorKind kind = ErrorKind::io;
+    base::Problem problem;
+};
+
+/// Rank 0 has no more work, now or ever.
+struct End {
+    int exit_code = 0;  // of the whole job
+};
+
+/// Any of them.
+using Message = std::variant<Hello, Batch, Cells, Alive, Stop, Stopped, Failure, End>;
+
+/// As bytes.
+std::string pack(const Message& message);
+
+/// Out of bytes. Throws `Error` (io) where they are none of ours, or end too soon.
+Message unpack(std::string_view bytes);
+
+}  // namespace stridor::cluster

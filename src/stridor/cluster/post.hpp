@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace stridor::cluster {
+
+/// A message that has arrived.
+struct Letter {
+    int from = 0;  // [1] the rank that sent it
+    std::string bytes;
+};
+
+/// Carries messages between the ranks of a job: processes that are numbered from 0 on.
+///
+/// Letters from one rank to another arrive in the order in which they were sent; those of different ranks in any. Only
+/// one thread of a rank, always the same, may use its post. Neither call waits.
+class Post {
+public:
+    Post() = default;
+    virtual ~Post() = default;
+    Post(const Post&) = delete;
+    Post& operator=(const Post&) = delete;
+
+    /// This rank, from 0 to `ranks() - 1`.
+    virtual int rank() const = 0;
+    /// Number of ranks.
+    virtual int ranks() const = 0;
+
+    /// Sends to another rank, and returns before it has arrived.
+    virtual void send(int to, std::string bytes) = 0;
+
+    /// The next letter that has arrived, if any.
+    virtual std::optional<Letter> poll() = 0;
+};
+
+}  // namespace stridor::cluster

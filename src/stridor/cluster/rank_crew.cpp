@@ -1,0 +1,200 @@
+#include "stridor/cluster/rank_crew.hpp"
+
+#include "stridor/base/check.hpp"
+#include "stridor/cluster/hello.hpp"
+#include "stridor/sweep/thread_crew.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace stridor::cluster {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+// long beside the time of a letter, short beside what anybody wants to lose
+constexpr double seconds_per_batch = 0.1;
+constexpr double most_runs_per_batch = 4096.0;
+// what is left is spread over so many batches a rank, so that all end together
+constexpr std::size_t batches_at_the_end = 4;
+// mpirun kills one second after it has passed on a signal, and the store is to be written before
+constexpr auto patience = 400ms;
+
+}  // namespace
+
+RankCrew::RankCrew(Post& post, const sweep::Study& study, const std::stop_token& stop, RankCrewOptions options)
+    : post_(post),
+      options_(std::move(options)),
+      hello_(hello_of(study, options_.threads)),
+      cells_per_run_(sweep::directions_per_run(study)),
+      relay_(stop, [this] { halt_.request_stop(); }),
+      own_(options_.crew(study, halt_.get_token())) {
+    STRIDOR_EXPECT(post.rank() == 0);
+    for (int rank = 1; rank < post.ranks(); ++rank) {
+        members_.push_back({});
+        members_.back().rank = rank;
+        members_.back().heard = options_.timing.now();
+    }
+}
+
+std::size_t RankCrew::batch(const Member& member) {
+    const auto threads = static_cast<double>(member.hello.threads);
+    // before the first has ended nobody knows how long one takes
+    if (!(member.seconds_per_run > 0.0)) return 2 * member.hello.threads;
+    return static_cast<std::size_t>(
+        std::clamp(seconds_per_batch * threads / member.seconds_per_run, 1.0, most_runs_per_batch));
+}
+
+std::size_t RankCrew::appetite(std::size_t left) {
+    own_wanted_ = 0;
+    for (Member& member : members_)
+        member.wanted = 0;
+    if (halt_.stop_requested()) return 0;
+    const std::size_t most =
+        std::max<std::size_t>(left / (batches_at_the_end * static_cast<std::size_t>(post_.ranks())), 1);
+    std::size_t sum = 0;
+    for (Member& member : members_) {
+        const std::size_t size = batch(member);
+        if (!member.has_said_hello || member.outstanding > size) continue;
+        member.wanted = std::min({size, most, left - sum});
+        sum += member.wanted;
+    }
+    own_wanted_ = std::min({own_->appetite(left), most, left - sum});
+    return sum + own_wanted_;
+}
+
+void RankCrew::give(std::vector<std::size_t> runs) {
+    // neighbours to one rank
+    auto next = runs.begin();
+    const auto slice = [&](std::size_t size) {
+        const auto end = next + static_cast<std::ptrdiff_t>(std::min<std::size_t>(
+                                    size, static_cast<std::size_t>(std::distance(next, runs.end()))));
+        return std::vector<std::size_t>(std::exchange(next, end), end);
+    };
+    for (Member& member : members_) {
+        std::vector<std::size_t> part = slice(member.wanted);
+        member.wanted = 0;
+        if (part.empty()) continue;
+        member.outstanding += part.size();
+        post_.send(member.rank, pack(Batch{std::move(part)}));
+    }
+    own_->give({next, runs.end()});
+    was_fed_ = true;
+}
+
+void RankCrew::fail(std::exception_ptr failure) {
+    if (!failure_) failure_ = std::move(failure);
+    halt_.request_stop();
+}
+
+void RankCrew::read(Member& member, Message message) {
+    if (Hello* hello = std::get_if<Hello>(&message)) {
+        member.hello = std::move(*hello);
+        expect_same(hello_, member.hello, member.rank);
+        member.has_said_hello = true;
+        was_fed_ = true;
+    }
+    if (Cells* cells = std::get_if<Cells>(&message)) {
+        member.outstanding -= std::min(member.outstanding, cells->cells.size() / cells_per_run_);
+        if (cells->seconds_per_run > 0.0) member.seconds_per_run = cells->seconds_per_run;
+        std::move(cells->cells.begin(), cells->cells.end(), std::back_inserter(arrived_));
+    }
+    if (std::holds_alternative<Stopped>(message)) member.has_stopped = true;
+    if (const Failure* failure = std::get_if<Failure>(&message)) {
+        member.has_stopped = true;
+        throw Error(failure->kind, failure->problem);
+    }
+}
+
+void RankCrew::read_letters() {
+    while (const std::optional<Letter> letter = post_.poll()) {
+        STRIDOR_EXPECT(letter->from > 0 && letter->from < post_.ranks());
+        Member& member = members_[static_cast<std::size_t>(letter->from - 1)];
+        member.heard = options_.timing.now();
+        try {
+            read(member, unpack(letter->bytes));
+        } catch (const Error&) {
+            fail(std::current_exception());
+        }
+    }
+}
+
+void RankCrew::halt_all() {
+    if (!halt_.stop_requested() || std::exchange(has_asked_to_stop_, true)) return;
+    stop_asked_ = options_.timing.now();
+    for (const Member& member : members_)
+        post_.send(member.rank, pack(Stop{}));
+}
+
+void RankCrew::expect_signs_of_life() {
+    const Clock::time_point now = options_.timing.now();
+    for (const Member& member : members_) {
+        const bool is_awaited = member.outstanding > 0 || !member.has_said_hello;
+        if (!is_awaited || now - member.heard <= options_.longest_silence || failure_) continue;
+        const std::string where = member.has_said_hello ? " on " + member.hello.host : "";
+        fail(std::make_exception_ptr(SilentRank(
+            ErrorKind::io,
+            {fmt::format("rank {}{} has been silent for {} s", member.rank, where, options_.longest_silence.count()),
+             "its machine or its network has failed", "Run the same command again: it goes on from what is kept."})));
+    }
+}
+
+bool RankCrew::is_satisfied(std::size_t enough, std::size_t left_to_give) {
+    return arrived_.size() >= enough || is_idle() || (was_fed_ && appetite(left_to_give) > 0);
+}
+
+std::vector<sweep::IndexedCell> RankCrew::take(std::size_t enough, Clock::time_point deadline) {
+    // what there is to give is not known here; enough that nobody's appetite is cut short
+    constexpr std::size_t plenty = 1U << 30U;
+    for (bool is_late = false;; is_late = options_.timing.now() >= deadline) {
+        halt_all();
+        read_letters();
+        expect_signs_of_life();
+        if (is_late || is_satisfied(enough, plenty)) break;
+        const Clock::time_point now = options_.timing.now();
+        if (own_->is_idle()) options_.timing.pause(busy_pause);
+        std::vector<sweep::IndexedCell> cells = own_->take(enough, std::min(deadline, now + busy_pause));
+        std::move(cells.begin(), cells.end(), std::back_inserter(arrived_));
+    }
+    was_fed_ = false;
+    return std::exchange(arrived_, {});
+}
+
+bool RankCrew::is_idle() {
+    if (!own_->is_idle() || !arrived_.empty()) return false;
+    if (!halt_.stop_requested())
+        return std::all_of(members_.begin(), members_.end(),
+                           [](const Member& member) { return member.outstanding == 0; });
+    if (!has_asked_to_stop_) return false;
+    if (options_.timing.now() - stop_asked_ > patience) return true;
+    return std::all_of(members_.begin(), members_.end(),
+                       [](const Member& member) { return member.has_stopped || !member.has_said_hello; });
+}
+
+bool RankCrew::has_stopped() {
+    return halt_.stop_requested();
+}
+
+void RankCrew::rethrow() {
+    own_->rethrow();
+    if (failure_) std::rethrow_exception(failure_);
+}
+
+double RankCrew::seconds_per_run() {
+    return own_->seconds_per_run();
+}
+
+sweep::CrewMaker rank_crews(Post& post, int threads) {
+    return [&post, threads](const sweep::Study& study, const std::stop_token& stop) {
+        RankCrewOptions options;
+        options.threads = sweep::thread_count(threads);
+        options.crew = sweep::thread_crews(threads);
+        return std::make_unique<RankCrew>(post, study, stop, std::move(options));
+    };
+}
+
+}  // namespace stridor::cluster

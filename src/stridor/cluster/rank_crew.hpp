@@ -1,0 +1,90 @@
+#pragma once
+
+#include "stridor/base/error.hpp"
+#include "stridor/cluster/messages.hpp"
+#include "stridor/cluster/post.hpp"
+#include "stridor/cluster/timing.hpp"
+#include "stridor/sweep/crew.hpp"
+
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+namespace stridor::cluster {
+
+/// A rank has not been heard of for so long that it must be taken for dead: it will not come to the job's end.
+class SilentRank final : public Error {
+public:
+    using Error::Error;
+};
+
+/// How rank 0 leads the others.
+struct RankCrewOptions {
+    std::size_t threads = 1;  // [1] that compute in rank 0
+    sweep::CrewMaker crew;    // who computes in rank 0
+    std::chrono::seconds longest_silence{60};
+    Timing timing{};
+};
+
+/// The threads of all ranks, as rank 0 sees them; the others are each a `Hand`.
+///
+/// Batch is dealt out in index order, to each rank in batches that take it a tenth of a second, two of them ahead, and
+/// smaller ones towards the end. Nothing here waits for a message. A rank that dies ends the job (MPI sees to that, or
+/// its silence does); what was kept by then stays, and the same command goes on with any number of ranks.
+class RankCrew final : public sweep::Crew {
+public:
+    /// The post must be that of rank 0 and outlive this, as the study must.
+    RankCrew(Post& post, const sweep::Study& study, const std::stop_token& stop, RankCrewOptions options);
+
+    std::size_t appetite(std::size_t left) override;
+    void give(std::vector<std::size_t> runs) override;
+    std::vector<sweep::IndexedCell> take(std::size_t enough, Clock::time_point deadline) override;
+    bool is_idle() override;
+    bool has_stopped() override;
+    void rethrow() override;
+    double seconds_per_run() override;
+
+private:
+    // another rank
+    struct Member {
+        int rank = 0;
+        Hello hello{};
+        bool has_said_hello = false;
+        bool has_stopped = false;
+        std::size_t outstanding = 0;   // [1] runs that it was given and that are not here
+        std::size_t wanted = 0;        // [1] runs that it would be given now
+        double seconds_per_run = 0.0;  // [s] 0: not known yet
+        Clock::time_point heard;
+    };
+
+    void read_letters();
+    void read(Member& member, Message message);
+    void fail(std::exception_ptr failure);
+    void halt_all();
+    void expect_signs_of_life();
+    bool is_satisfied(std::size_t enough, std::size_t left_to_give);
+    static std::size_t batch(const Member& member);
+
+    Post& post_;
+    RankCrewOptions options_;
+    const Hello hello_;
+    const std::size_t cells_per_run_;
+    std::stop_source halt_;
+    std::stop_callback<std::function<void()>> relay_;  // passes the caller's stop request on to halt_
+    std::unique_ptr<sweep::Crew> own_;                 // of this rank
+    std::size_t own_wanted_ = 0;                       // [1] runs that it would be given now
+    std::vector<Member> members_;
+    std::vector<sweep::IndexedCell> arrived_;
+    std::exception_ptr failure_;
+    bool was_fed_ = false;  // since the owner was last told that there is room
+    bool has_asked_to_stop_ = false;
+    Clock::time_point stop_asked_;
+};
+
+/// Makes the crew of rank 0: `threads` of its own, and the other ranks.
+sweep::CrewMaker rank_crews(Post& post, int threads);
+
+}  // namespace stridor::cluster

@@ -1,0 +1,176 @@
+#include "stridor/cluster/rank_crew.hpp"
+
+#include "stridor/sweep/keeper.hpp"
+#include "stridor/sweep/run.hpp"
+#include "support/error_text.hpp"
+#include "unit/cluster/network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace stridor::cluster {
+namespace {
+
+using support::Thrown;
+using support::thrown_by;
+
+// rank 0 of two, whose other rank says what a test makes it say
+class Led : public testing::Test, public Post {
+protected:
+    int rank() const override { return 0; }
+    int ranks() const override { return 2; }
+    void send(int, std::string bytes) override { sent_.push_back(unpack(bytes)); }
+    std::optional<Letter> poll() override {
+        if (said_.empty()) return std::nullopt;
+        Letter letter{1, pack(said_.front())};
+        said_.pop_front();
+        return letter;
+    }
+
+    RankCrew crew() {
+        RankCrewOptions options;
+        options.crew = [this](const Study& study, const std::stop_token& stop) {
+            return std::make_unique<InventedCrew>(study, stop, random_, nullptr);
+        };
+        options.timing = {[this] { return now_; }, [this](Timing::Clock::duration time) { now_ += time; }};
+        return {*this, study_, stop_.get_token(), std::move(options)};
+    }
+
+    template <typename Kind>
+    std::vector<Kind> sent() const {
+        std::vector<Kind> found;
+        for (const Message& message : sent_)
+            if (const Kind* kind = std::get_if<Kind>(&message)) found.push_back(*kind);
+        return found;
+    }
+
+    // all that comes while the clock runs for so long
+    std::vector<IndexedCell> taken(RankCrew& crew, std::chrono::milliseconds time) {
+        return crew.take(1U << 20U, now_ += time);
+    }
+
+    Study study_ = invented_study(9, 0);
+    std::mt19937_64 random_{1};
+    Timing::Clock::time_point now_ = Timing::Clock::now();
+    std::stop_source stop_;
+    std::deque<Message> said_;
+    std::vector<Message> sent_;
+};
+
+TEST_F(Led, ARankThatRunsAnotherProgramIsRefused) {
+    RankCrew led = crew();
+    Hello hello = hello_of(study_, 1);
+    hello.build = "stridor of last year";
+    said_.push_back(hello);
+    taken(led, std::chrono::milliseconds(1));
+    const Thrown thrown = thrown_by([&] { led.rethrow(); });
+    EXPECT_EQ(thrown.kind, ErrorKind::input);
+    EXPECT_TRUE(thrown.says("rank 1 on")) << thrown.message;
+    EXPECT_TRUE(thrown.says("stridor of last year there")) << thrown.message;
+    EXPECT_TRUE(led.has_stopped());
+}
+
+TEST_F(Led, ARankThatReadsAnotherChartIsRefused) {
+    RankCrew led = crew();
+    Study other = study_;
+    other.x.points += 1;
+    said_.push_back(hello_of(other, 1));
+    taken(led, std::chrono::milliseconds(1));
+    EXPECT_TRUE(thrown_by([&] { led.rethrow(); }).says("reads another chart"));
+}
+
+TEST_F(Led, GivesNothingToWhoHasNotSaidHello) {
+    RankCrew led = crew();
+    led.give({0, 1, 2, 3, 4, 5, 6, 7});
+    EXPECT_TRUE(sent<Batch>().empty());
+    said_.push_back(hello_of(study_, 3));
+    taken(led, std::chrono::milliseconds(1));
+    EXPECT_GE(led.appetite(1000), 6U);
+}
+
+TEST_F(Led, GivesNeighboursInBatchesOfATenthOfASecond) {
+    RankCrew led = crew();
+    said_.push_back(hello_of(study_, 2));
+    said_.push_back(Cells{{}, 0.01});
+    taken(led, std::chrono::milliseconds(1));
+    std::vector<std::size_t> runs(led.appetite(10000));
+    std::iota(runs.begin(), runs.end(), std::size_t{0});
+    led.give(runs);
+    ASSERT_EQ(sent<Batch>().size(), 1U);
+    // two threads at 10 ms a run
+    runs.resize(20);
+    EXPECT_EQ(sent<Batch>()[0].runs, runs);
+    // a second batch ahead, and then none
+    led.give(std::vector<std::size_t>(led.appetite(10000), 7));
+    EXPECT_EQ(sent<Batch>().size(), 2U);
+    led.give(std::vector<std::size_t>(led.appetite(10000), 7));
+    EXPECT_EQ(sent<Batch>().size(), 2U);
+}
+
+TEST_F(Led, GivesSmallerBatchesTowardsTheEnd) {
+    RankCrew led = crew();
+    said_.push_back(hello_of(study_, 8));
+    said_.push_back(Cells{{}, 0.001});
+    taken(led, std::chrono::milliseconds(1));
+    // two ranks, four batches for each
+    led.give(std::vector<std::size_t>(led.appetite(80), 3));
+    EXPECT_EQ(sent<Batch>()[0].runs.size(), 10U);
+}
+
+TEST_F(Led, WhatARankFailsWithComesOut) {
+    RankCrew led = crew();
+    said_.push_back(hello_of(study_, 1));
+    said_.push_back(Failure{ErrorKind::numerical, {"no roots", "the matrix is empty", ""}});
+    taken(led, std::chrono::milliseconds(1));
+    EXPECT_EQ(thrown_by([&] { led.rethrow(); }).kind, ErrorKind::numerical);
+    taken(led, std::chrono::milliseconds(1));
+    EXPECT_EQ(sent<Stop>().size(), 1U) << "the others need not finish what will not be used";
+}
+
+TEST_F(Led, KeepsWhatARankHandsOverAfterAStop) {
+    RankCrew led = crew();
+    said_.push_back(hello_of(study_, 1));
+    taken(led, std::chrono::milliseconds(1));
+    led.give(std::vector<std::size_t>(led.appetite(100), 3));
+    stop_.request_stop();
+    taken(led, std::chrono::milliseconds(1));
+    EXPECT_EQ(sent<Stop>().size(), 1U);
+    EXPECT_FALSE(led.is_idle()) << "it may have finished some";
+    said_.push_back(Cells{{{3, invented_cell(study_, 3)}}, 0.01});
+    said_.push_back(Stopped{});
+    EXPECT_EQ(taken(led, std::chrono::milliseconds(1)).size(), 1U);
+    EXPECT_TRUE(led.is_idle());
+}
+
+TEST_F(Led, DoesNotWaitForEverForWhoDoesNotStop) {
+    RankCrew led = crew();
+    said_.push_back(hello_of(study_, 1));
+    taken(led, std::chrono::milliseconds(1));
+    led.give(std::vector<std::size_t>(led.appetite(100), 3));
+    stop_.request_stop();
+    taken(led, std::chrono::milliseconds(1));
+    now_ += std::chrono::milliseconds(500);
+    EXPECT_TRUE(led.is_idle());
+}
+
+TEST_F(Led, SaysWhichRankIsSilent) {
+    RankCrew led = crew();
+    said_.push_back(hello_of(study_, 1));
+    taken(led, std::chrono::milliseconds(1));
+    led.give(std::vector<std::size_t>(led.appetite(100), 3));
+    now_ += std::chrono::seconds(59);
+    said_.push_back(Alive{});
+    taken(led, std::chrono::milliseconds(1));
+    now_ += std::chrono::seconds(59);
+    taken(led, std::chrono::milliseconds(1));
+    EXPECT_FALSE(led.has_stopped());
+    now_ += std::chrono::seconds(2);
+    taken(led, std::chrono::milliseconds(1));
+    EXPECT_TRUE(led.has_stopped());
+    EXPECT_THROW(led.rethrow(), SilentRank);
+    EXPECT_TRUE(thrown_by([&] { led.rethrow(); }).says("silent for 60 s"));
+}
+
+}  // namespace
+}  // namespace stridor::cluster
