@@ -74,6 +74,22 @@ else()
     message(STATUS "No sequential MUMPS: large finite-element parts are factorised by Eigen alone")
 endif()
 
+# optional: MPI, for stridor-mpi alone
+set(STRIDOR_MPI AUTO CACHE STRING "Build stridor-mpi, for charts on a cluster: AUTO (where MPI is found), ON or OFF")
+set_property(CACHE STRIDOR_MPI PROPERTY STRINGS AUTO ON OFF)
+set(MPI_C_FOUND FALSE)
+if(NOT STRIDOR_MPI STREQUAL "OFF")
+    enable_language(C)  # FindMPI looks for the interface of C, which is the one that is used
+    if(STRIDOR_MPI STREQUAL "AUTO")
+        find_package(MPI QUIET COMPONENTS C)
+    else()
+        find_package(MPI REQUIRED COMPONENTS C)
+    endif()
+    if(NOT MPI_C_FOUND)
+        message(STATUS "No MPI: stridor-mpi, for charts on a cluster, is not built. Install libopenmpi-dev?")
+    endif()
+endif()
+
 if(STRIDOR_TESTS)
     find_package(GTest REQUIRED)
     find_package(rapidcheck REQUIRED)

@@ -28,6 +28,8 @@ void handle_signals(void (*handler)(int)) {
     action.sa_flags = SA_RESTART;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    // what a batch system sends some time before it ends a job
+    sigaction(SIGUSR1, &action, nullptr);
 }
 
 }  // namespace

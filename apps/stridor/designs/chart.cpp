@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "crews.hpp"
 #include "designs/chart_run.hpp"
 #include "stridor/console/results/chart_text.hpp"
 #include "stridor/console/terminal.hpp"
@@ -36,6 +37,7 @@ struct ChartOptions {
 void chart(const ChartOptions& options) {
     sweep::Study study = io::read_study(load_source(options.input.file, options.input.overrides), options.axes);
     if (options.preview) study = sweep::preview(std::move(study));
+    if (helps_with(study, options.threads)) return;
     const std::string name =
         std::filesystem::path(options.input.file).stem().string() + (options.preview ? "-preview" : "");
     const std::filesystem::path out = options.out.empty() ? name : options.out;

@@ -1,5 +1,6 @@
 #include "designs/chart_run.hpp"
 
+#include "crews.hpp"
 #include "interrupt.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
@@ -15,7 +16,7 @@ sweep::SweepResult compute(const sweep::Study& study, const std::filesystem::pat
     const Interrupt interrupt;
     console::ProgressDisplay display;
     sweep::RunOptions options;
-    options.threads = threads;
+    options.crew = crews(threads);
     options.stop = interrupt.token();
     options.progress = [&](const sweep::Progress& progress) { display.show(progress); };
     const sweep::RunReport report = sweep::run(study, *store, options);

@@ -150,6 +150,7 @@ void add(Packer& packer, const End& end) {
 void add(Packer&, const Alive&) {}
 void add(Packer&, const Stop&) {}
 void add(Packer&, const Stopped&) {}
+void add(Packer&, const Bye&) {}
 
 Message hello_in(Unpacker& bytes) {
     Hello hello;
@@ -194,8 +195,9 @@ Message nothing_in(Unpacker&) {
 }
 
 // in the order of Message
-constexpr std::array readers{
-    &hello_in, &batch_in, &cells_in, &nothing_in<Alive>, &nothing_in<Stop>, &nothing_in<Stopped>, &failure_in, &end_in};
+constexpr std::array readers{&hello_in,          &batch_in,         &cells_in,
+                             &nothing_in<Alive>, &nothing_in<Stop>, &nothing_in<Stopped>,
+                             &failure_in,        &end_in,           &nothing_in<Bye>};
 static_assert(readers.size() == std::variant_size_v<Message>);
 
 }  // namespace

@@ -53,8 +53,11 @@ struct End {
     int exit_code = 0;  // of the whole job
 };
 
+/// A rank has heard of the end, and says nothing any more.
+struct Bye {};
+
 /// Any of them.
-using Message = std::variant<Hello, Batch, Cells, Alive, Stop, Stopped, Failure, End>;
+using Message = std::variant<Hello, Batch, Cells, Alive, Stop, Stopped, Failure, End, Bye>;
 
 /// As bytes.
 std::string pack(const Message& message);

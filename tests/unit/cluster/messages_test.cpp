@@ -30,7 +30,8 @@ std::vector<Message> one_of_each() {
             Stop{},
             Stopped{},
             Failure{ErrorKind::numerical, {"what", "why", "and now?"}},
-            End{4}};
+            End{4},
+            Bye{}};
 }
 
 TEST(Message, CellsComeBackBitForBit) {
