@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
     using namespace stridor;
     if (argc != 2) return 2;
     try {
-        io::write_chart_netcdf(argv[1], io::small_chart(), 0);
+        io::write_chart_netcdf(argv[1], io::small_chart(), {.largest_in_memory = 0});
         return 0;
     } catch (const Error& error) {
         std::cerr << "error: " << error.what() << '\n';

@@ -68,25 +68,31 @@ int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensi
     return number;
 }
 
-int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensions, VariablePacking packing,
+int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensions, ChunkShape chunk,
                            const Description& description) {
     const int number = define(name, NC_DOUBLE, dimensions, description);
     const double missing = std::numeric_limits<double>::quiet_NaN();
     check(netcdf().nc_def_var_fill(id_, number, NC_FILL, &missing));
-    if (packing == VariablePacking::none) return number;
-    // a row of the last dimension is packed for itself, and the library's cache for the variable holds that row only:
-    // it would hold 16 MB
-    std::vector<std::size_t> chunk(dimensions.size(), 1);
-    check(netcdf().nc_inq_dimlen(id_, dimensions.back(), &chunk.back()));
-    check(netcdf().nc_def_var_chunking(id_, number, NC_CHUNKED, chunk.data()));
-    check(netcdf().nc_def_var_deflate(id_, number, 1, 1, 1));
-    check(netcdf().nc_set_var_chunk_cache(id_, number, chunk.back() * sizeof(double), 1, 1.0F));
+    pack(number, chunk, sizeof(double));
     return number;
+}
+
+void NetcdfDataset::pack(int variable, ChunkShape chunk, std::size_t value_size) {
+    check(netcdf().nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()));
+    check(netcdf().nc_def_var_deflate(id_, variable, 1, 1, 1));
+    // the library's cache for the variable holds one box: it would hold 16 MB, and of thirty variables 500
+    const std::size_t bytes = std::accumulate(chunk.begin(), chunk.end(), value_size, std::multiplies<>());
+    check(netcdf().nc_set_var_chunk_cache(id_, variable, bytes, 1, 1.0F));
 }
 
 void NetcdfDataset::put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
                         std::span<const double> values) {
     check(netcdf().nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()));
+}
+
+void NetcdfDataset::put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
+                        std::span<const signed char> values) {
+    check(netcdf().nc_put_vara_schar(id_, variable, start.data(), count.data(), values.data()));
 }
 
 int NetcdfDataset::words(const std::string& name, std::span<const int> dimensions,
@@ -99,22 +105,34 @@ int NetcdfDataset::words(const std::string& name, std::span<const int> dimension
     return number;
 }
 
-int NetcdfDataset::flags(const std::string& name, std::span<const int> dimensions, std::span<const signed char> values,
-                         std::span<const std::string_view> names, const Description& description,
-                         std::string_view none) {
+int NetcdfDataset::define_flags(const std::string& name, std::span<const int> dimensions, const FlagNames& names,
+                                const Description& description) {
     const int number = define(name, NC_BYTE, dimensions, description);
-    std::vector<signed char> flag_values(names.size());
+    std::vector<signed char> flag_values(names.names.size());
     std::iota(flag_values.begin(), flag_values.end(), static_cast<signed char>(0));
     std::string meanings;
-    for (const std::string_view meaning : names)
+    for (const std::string_view meaning : names.names)
         meanings += (meanings.empty() ? "" : " ") + std::string(meaning);
-    if (!none.empty()) {
+    if (!names.none.empty()) {
         flag_values.push_back(-1);
-        meanings += " " + std::string(none);
+        meanings += " " + std::string(names.none);
     }
     check(netcdf().nc_put_att_schar(id_, number, "flag_values", NC_BYTE, flag_values.size(), flag_values.data()));
     attribute(number, "flag_meanings", meanings);
+    return number;
+}
+
+int NetcdfDataset::flags(const std::string& name, std::span<const int> dimensions, std::span<const signed char> values,
+                         const FlagNames& names, const Description& description) {
+    const int number = define_flags(name, dimensions, names, description);
     check(netcdf().nc_put_var_schar(id_, number, values.data()));
+    return number;
+}
+
+int NetcdfDataset::flags(const std::string& name, std::span<const int> dimensions, ChunkShape chunk,
+                         const FlagNames& names, const Description& description) {
+    const int number = define_flags(name, dimensions, names, description);
+    pack(number, chunk, sizeof(signed char));
     return number;
 }
 

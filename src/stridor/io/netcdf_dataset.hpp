@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
@@ -18,8 +19,15 @@ struct Description {
     MissingNumbers missing = MissingNumbers::as_nan;
 };
 
-/// How numbers lie in the file: as they are, or packed without loss, which is worth the time where most are missing.
-enum class VariablePacking { none, deflate };
+/// How a variable that comes in parts lies in the file: in boxes of this shape [dimension], each packed without loss.
+/// Parts should be made of whole boxes: what fills one but partly has it unpacked and packed again.
+using ChunkShape = std::span<const std::size_t>;
+
+/// Names of numbers from 0 on; -1 stands for `none`, the last of them, where `none` is not empty.
+struct FlagNames {
+    std::span<const std::string_view> names;
+    std::string_view none{};
+};
 
 /// A netCDF-4 file being made, a thin cover over the C library; `name` appears in errors.
 ///
@@ -44,18 +52,24 @@ public:
     int doubles(const std::string& name, std::span<const int> dimensions, std::span<const double> values,
                 const Description& description);
     /// Numbers that come in parts, by `put`; until then they are missing.
-    int doubles(const std::string& name, std::span<const int> dimensions, VariablePacking packing,
+    int doubles(const std::string& name, std::span<const int> dimensions, ChunkShape chunk,
                 const Description& description);
     /// Puts values into the box of a variable that begins at `start` and is `count` wide, each of shape [dimension].
     void put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
              std::span<const double> values);
+    /// Likewise, of flags.
+    void put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
+             std::span<const signed char> values);
     /// Words, one of each place. Returns the variable's number.
     int words(const std::string& name, std::span<const int> dimensions, const std::vector<std::string>& values,
               const Description& description);
-    /// Numbers of names (CF flags); -1 stands for `none`, the last of them, where `none` is not empty. No number is
-    /// called missing: readers would make floating-point numbers of all of them.
+    /// Numbers of names (CF flags). No number is called missing: readers would make floating-point numbers of all of
+    /// them.
     int flags(const std::string& name, std::span<const int> dimensions, std::span<const signed char> values,
-              std::span<const std::string_view> names, const Description& description, std::string_view none = {});
+              const FlagNames& names, const Description& description);
+    /// Likewise, in parts.
+    int flags(const std::string& name, std::span<const int> dimensions, ChunkShape chunk, const FlagNames& names,
+              const Description& description);
     /// Adds an attribute of a variable.
     void attribute(int variable, const std::string& name, const std::string& text);
 
@@ -67,6 +81,9 @@ public:
 private:
     void check(int code) const;
     int define(const std::string& name, int type, std::span<const int> dimensions, const Description& description);
+    int define_flags(const std::string& name, std::span<const int> dimensions, const FlagNames& names,
+                     const Description& description);
+    void pack(int variable, ChunkShape chunk, std::size_t value_size);
 
     std::string name_;
     int id_ = -1;

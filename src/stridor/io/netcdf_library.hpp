@@ -41,6 +41,7 @@ struct Netcdf {
     decltype(&::nc_put_var_schar) nc_put_var_schar = library.function("nc_put_var_schar");
     decltype(&::nc_put_var_string) nc_put_var_string = library.function("nc_put_var_string");
     decltype(&::nc_put_vara_double) nc_put_vara_double = library.function("nc_put_vara_double");
+    decltype(&::nc_put_vara_schar) nc_put_vara_schar = library.function("nc_put_vara_schar");
     decltype(&::nc_set_var_chunk_cache) nc_set_var_chunk_cache = library.function("nc_set_var_chunk_cache");
     decltype(&::nc_strerror) nc_strerror = library.function("nc_strerror");
 };

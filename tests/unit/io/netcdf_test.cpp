@@ -1,3 +1,4 @@
+#include "invented_chart.hpp"
 #include "io_support.hpp"
 #include "stridor/base/hash.hpp"
 #include "stridor/base/version.hpp"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
+#include <array>
 #include <cmath>
 
 namespace stridor::io {
@@ -69,6 +71,22 @@ public:
         std::vector<signed char> values(size);
         check(nc_get_att_schar(id_, variable(variable_name), name.c_str(), values.data()));
         return values;
+    }
+    // the boxes it is packed in, and how: "1 256 256 deflate 1 shuffle"
+    std::string packing(const std::string& name) const {
+        std::array<std::size_t, NC_MAX_VAR_DIMS> chunk{};
+        int storage = 0, shuffle = 0, deflate = 0, level = 0, count = 0;
+        check(nc_inq_varndims(id_, variable(name), &count));
+        check(nc_inq_var_chunking(id_, variable(name), &storage, chunk.data()));
+        check(nc_inq_var_deflate(id_, variable(name), &shuffle, &deflate, &level));
+        std::string text;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+            text += std::to_string(chunk[k]) + " ";
+        return text + (deflate != 0 ? "deflate " + std::to_string(level) : "") + (shuffle != 0 ? " shuffle" : "");
+    }
+    bool has(const std::string& name) const {
+        int number = -1;
+        return nc_inq_varid(id_, name.c_str(), &number) == NC_NOERR;
     }
     bool has_attribute(const std::string& variable_name, const std::string& name) const {
         int number = 0;
@@ -215,6 +233,42 @@ TEST(ChartNetcdf, HasTheSameBytesForTheSameChart) {
     EXPECT_EQ(storage::read_file((scratch / "a.nc").string()), storage::read_file((scratch / "b.nc").string()));
 }
 
+// rows and columns that fill boxes, and some that do not
+TEST(ChartNetcdf, HoldsChartsOfManyBoxes) {
+    const ScratchFolder scratch;
+    const sweep::SweepResult chart = invented_chart(invented_study(300, 260));
+    const std::string path = (scratch / "chart.nc").string();
+    const std::vector<sweep::CellFigure> figures{sweep::cell_figure("slip"), sweep::cell_figure("proof_time")};
+    for (const std::size_t largest_in_memory : {std::size_t{1} << 30U, std::size_t{0}}) {
+        write_chart_netcdf(path, chart, {figures, largest_in_memory});
+        const Opened file(path);
+        for (const sweep::CellFigure& figure : figures) {
+            std::vector<double> expected;
+            for (std::size_t index = 0; index < chart.cells.size(); ++index)
+                expected.push_back(figure_of(invented_cell(chart.study, index), figure));
+            expect_same(file.doubles(std::string(figure.name), chart.cells.size()), expected);
+        }
+        const std::vector<signed char> categories = file.bytes("category", chart.cells.size());
+        for (std::size_t index = 0; index < chart.cells.size(); ++index)
+            ASSERT_EQ(categories[index], chart.cells[index].status == sweep::Status::done
+                                             ? static_cast<int>(chart.cells[index].category)
+                                             : -1);
+        for (const char* name : {"slip", "proof_time", "category", "quiet_because", "status", "source"})
+            EXPECT_EQ(file.packing(name), "1 256 256 deflate 1 shuffle") << name;
+        EXPECT_FALSE(file.has("frequency")) << "not asked for";
+    }
+}
+
+TEST(ChartNetcdf, HasTheSameBytesInEveryRun) {
+    const ScratchFolder scratch;
+    const sweep::SweepResult chart = invented_chart(invented_study(300, 260));
+    const std::string first = (scratch / "first.nc").string();
+    const std::string second = (scratch / "second.nc").string();
+    for (const std::string& path : {first, second})
+        write_chart_netcdf(path, chart, {sweep::cell_figures().first(3), 0});
+    EXPECT_EQ(storage::read_file(first), storage::read_file(second));
+}
+
 // a chart too large for the memory is written by a process of its own: whoever reads it sees no difference
 TEST(ChartNetcdf, IsTheSameWrittenApart) {
     const ScratchFolder scratch;
@@ -222,7 +276,7 @@ TEST(ChartNetcdf, IsTheSameWrittenApart) {
         const std::string in_memory = (scratch / "memory.nc").string();
         const std::string apart = (scratch / "apart.nc").string();
         write_chart_netcdf(in_memory, chart);
-        write_chart_netcdf(apart, chart, 0);
+        write_chart_netcdf(apart, chart, {.largest_in_memory = 0});
         const Opened first(in_memory);
         const Opened second(apart);
         const std::size_t size = chart.cells.size();

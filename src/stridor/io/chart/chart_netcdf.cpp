@@ -3,6 +3,7 @@
 #include "stridor/base/hash.hpp"
 #include "stridor/base/separate_process.hpp"
 #include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/chart_bands.hpp"
 #include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/io/netcdf_library.hpp"
 #include "stridor/parameters/case_key.hpp"
@@ -71,143 +72,162 @@ int put_directions(NetcdfDataset& file, const sweep::Study& study) {
     return dimension;
 }
 
-// the numbers of some verdict of all cells, as bytes
-template <typename NumberOf>
-std::vector<signed char> numbers_of(const sweep::SweepResult& result, NumberOf number_of) {
-    std::vector<signed char> numbers;
-    for (std::size_t index = 0; index < result.cells.size(); ++index)
-        numbers.push_back(static_cast<signed char>(number_of(index)));
-    return numbers;
-}
-
-void put_verdicts(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const int> dimensions) {
-    const auto category = [&](std::size_t index) {
-        const sweep::CellVerdict& cell = result.cells[index];
-        return cell.status == sweep::Status::done ? static_cast<int>(cell.category) : -1;
-    };
-    file.flags("category", dimensions, numbers_of(result, category), classification::category_names,
-               {"", "category of the motion; -1 where the cell is not done"}, "not_done");
-    const auto quiet = [&](std::size_t index) {
-        const sweep::CellVerdict& cell = result.cells[index];
-        return cell.status == sweep::Status::done ? static_cast<int>(cell.quiet) : -1;
-    };
-    file.flags("quiet_because", dimensions, numbers_of(result, quiet), classification::quiet_names,
-               {"", "is it quiet, and because the contact slides or sticks? -1 where the cell is not done"},
-               "not_done");
-    const auto status = [&](std::size_t index) { return result.cells[index].status; };
-    file.flags("status", dimensions, numbers_of(result, status), sweep::status_names, {"", "how the cell ended"});
-    const auto source = [&](std::size_t index) { return sweep::is_inferred(result, index) ? 1 : 0; };
-    file.flags("source", dimensions, numbers_of(result, source), sweep::source_names,
-               {"", "was the cell computed, or inferred from neighbours that agree?"});
-}
-
-/// The figures of a row of the chart; NaN where a cell was not computed.
-struct FigureRow {
-    std::size_t row = 0;           // counted through all directions
-    std::vector<double> values{};  // shape [figure][column]
+/// A verdict of the cells as bytes: its name in the file, and what it is of a cell.
+struct VerdictVariable {
+    std::string name;
+    FlagNames names;
+    std::string_view sentence;
+    int (*number)(const sweep::SweepResult& result, std::size_t index);
 };
 
-using TakeRow = std::function<void(const FigureRow&)>;
-
-// shows the rows one after the other; rows without a computed cell are left out
-void visit_rows(const sweep::SweepResult& result, const TakeRow& take) {
-    const std::span<const sweep::CellFigure> figures = sweep::cell_figures();
-    const auto columns = static_cast<std::size_t>(result.study.x.points);
-    const std::vector<double> unknown(figures.size() * columns, sweep::Cell::unknown);
-    FigureRow row{0, unknown};
-    result.computed->visit(0, result.cells.size(), [&](const sweep::IndexedCell& computed) {
-        if (computed.index / columns != row.row) {
-            take(row);
-            row = {computed.index / columns, unknown};
-        }
-        for (std::size_t k = 0; k < figures.size(); ++k)
-            row.values[k * columns + computed.index % columns] = figure_of(computed.cell, figures[k]);
-    });
-    take(row);
+std::vector<VerdictVariable> verdict_variables(const sweep::Study& study) {
+    using sweep::SweepResult;
+    std::vector<VerdictVariable> variables{
+        {"category",
+         {classification::category_names, "not_done"},
+         "category of the motion; -1 where the cell is not done",
+         [](const SweepResult& result, std::size_t index) {
+             const sweep::CellVerdict& cell = result.cells[index];
+             return cell.status == sweep::Status::done ? static_cast<int>(cell.category) : -1;
+         }},
+        {"quiet_because",
+         {classification::quiet_names, "not_done"},
+         "is it quiet, and because the contact slides or sticks? -1 where the cell is not done",
+         [](const SweepResult& result, std::size_t index) {
+             const sweep::CellVerdict& cell = result.cells[index];
+             return cell.status == sweep::Status::done ? static_cast<int>(cell.quiet) : -1;
+         }},
+        {"status",
+         {sweep::status_names},
+         "how the cell ended",
+         [](const SweepResult& result, std::size_t index) { return static_cast<int>(result.cells[index].status); }},
+        {"source",
+         {sweep::source_names},
+         "was the cell computed, or inferred from neighbours that agree?",
+         [](const SweepResult& result, std::size_t index) { return sweep::is_inferred(result, index) ? 1 : 0; }}};
+    if (!study.starts.empty())
+        variables.push_back({"agreement",
+                             {sweep::agreement_names},
+                             "do all starts lead to the same verdict?",
+                             [](const SweepResult& result, std::size_t index) {
+                                 return static_cast<int>(result.cells[index].agreement);
+                             }});
+    return variables;
 }
 
-/// The figures in the file, a row of the chart at a time.
-class FigureWriter {
+using TakeBand = std::function<void(const BandValues&)>;
+
+/// The cells in the file, a band at a time.
+class CellWriter {
 public:
-    FigureWriter(NetcdfDataset& file, const sweep::Study& study, std::span<const int> dimensions)
+    CellWriter(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const sweep::CellFigure> figures,
+               const std::array<int, 3>& dimensions)
         : file_(file),
-          columns_(static_cast<std::size_t>(study.x.points)),
-          rows_(static_cast<std::size_t>(study.y.points)) {
-        // of a refined chart most are missing
-        const VariablePacking packing = study.refine > 0 ? VariablePacking::deflate : VariablePacking::none;
-        for (const sweep::CellFigure& figure : sweep::cell_figures())
-            variables_.push_back(
-                file.doubles(std::string(figure.name), dimensions, packing, {figure.unit, figure.sentence}));
+          result_(result),
+          variables_(verdict_variables(result.study)) {
+        const sweep::Study& study = result.study;
+        const auto within = [](int points) { return std::min(chunk_points, static_cast<std::size_t>(points)); };
+        const std::array chunk{std::size_t{1}, within(study.y.points), within(study.x.points)};
+        for (const VerdictVariable& variable : variables_)
+            verdicts_.push_back(file.flags(variable.name, dimensions, chunk, variable.names, {"", variable.sentence}));
+        if (!study.starts.empty()) start_verdict_ = define_starts(dimensions, chunk);
+        for (const sweep::CellFigure& figure : figures)
+            figures_.push_back(
+                file.doubles(std::string(figure.name), dimensions, chunk, {figure.unit, figure.sentence}));
     }
 
-    void put(const FigureRow& row) {
-        const std::array start{row.row / rows_, row.row % rows_, std::size_t{0}};
-        const std::array count{std::size_t{1}, std::size_t{1}, columns_};
+    void put_verdicts() {
         for (std::size_t k = 0; k < variables_.size(); ++k)
-            file_.put(variables_[k], start, count, std::span(row.values).subspan(k * columns_, columns_));
+            for (const ChartBand& band : bands_of(result_.study)) {
+                const std::size_t first = first_cell(result_.study, band);
+                numbers_.resize(cell_count(result_.study, band));
+                for (std::size_t place = 0; place < numbers_.size(); ++place)
+                    numbers_[place] = static_cast<signed char>(variables_[k].number(result_, first + place));
+                put(verdicts_[k], band, std::span<const signed char>(numbers_));
+            }
+    }
+
+    void put(const BandValues& values) {
+        const std::size_t cells = cell_count(result_.study, values.band);
+        const std::span<const double> figures(values.figures);
+        for (std::size_t k = 0; k * cells < figures.size(); ++k)
+            put(figures_[values.first_figure + k], values.band, figures.subspan(k * cells, cells));
+        const std::span<const signed char> starts(values.starts);
+        for (std::size_t start = 0; start * cells < starts.size(); ++start) {
+            const std::array corner{start, values.band.direction, values.band.row, std::size_t{0}};
+            const std::array shape{std::size_t{1}, std::size_t{1}, values.band.rows, columns()};
+            file_.put(start_verdict_, corner, shape, starts.subspan(start * cells, cells));
+        }
     }
 
 private:
+    std::size_t columns() const { return static_cast<std::size_t>(result_.study.x.points); }
+
+    template <typename Number>
+    void put(int variable, const ChartBand& band, std::span<const Number> numbers) {
+        const std::array corner{band.direction, band.row, std::size_t{0}};
+        const std::array shape{std::size_t{1}, band.rows, columns()};
+        file_.put(variable, corner, shape, numbers);
+    }
+
+    int define_starts(const std::array<int, 3>& dimensions, const std::array<std::size_t, 3>& chunk) {
+        std::vector<std::string> names;
+        for (const parameters::Initial start : result_.study.starts)
+            names.emplace_back(sweep::start_names()[static_cast<std::size_t>(start)]);
+        const int start = file_.dimension("start", names.size());
+        file_.words("start", std::array{start}, names, {"", "how the motion starts"});
+        const std::array with_start{start, dimensions[0], dimensions[1], dimensions[2]};
+        const std::array chunk_with_start{std::size_t{1}, chunk[0], chunk[1], chunk[2]};
+        return file_.flags("start_verdict", with_start, chunk_with_start, {sweep::verdict_words, "inferred"},
+                           {"", "category, or status without one, from this start; -1 where the cell was inferred"});
+    }
+
     NetcdfDataset& file_;
-    std::size_t columns_;
-    std::size_t rows_;
-    std::vector<int> variables_;
+    const sweep::SweepResult& result_;
+    std::vector<VerdictVariable> variables_;
+    std::vector<int> verdicts_;
+    int start_verdict_ = -1;
+    std::vector<int> figures_;
+    std::vector<signed char> numbers_;
 };
 
-// what each start led to; shape [start][cell], -1 where a cell was inferred
-std::vector<signed char> verdicts_of_starts(const sweep::SweepResult& result) {
-    const std::size_t cells = result.cells.size();
-    std::vector<signed char> verdicts(result.study.starts.size() * cells, -1);
-    if (verdicts.empty()) return verdicts;
-    result.computed->visit(0, cells, [&](const sweep::IndexedCell& computed) {
-        for (std::size_t start = 0; start < computed.cell.starts.size(); ++start)
-            verdicts[start * cells + computed.index] =
-                static_cast<signed char>(sweep::number_of(computed.cell.starts[start]));
-    });
-    return verdicts;
-}
-
-// that, and whether the starts agree
-void put_starts(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const int> dimensions,
-                std::span<const signed char> verdicts) {
-    std::vector<std::string> names;
-    for (const parameters::Initial start : result.study.starts)
-        names.emplace_back(sweep::start_names()[static_cast<std::size_t>(start)]);
-    std::vector<int> with_start{file.dimension("start", names.size())};
-    file.words("start", with_start, names, {"", "how the motion starts"});
-    with_start.insert(with_start.end(), dimensions.begin(), dimensions.end());
-    file.flags("start_verdict", with_start, verdicts, sweep::verdict_words,
-               {"", "category, or status without one, from this start; -1 where the cell was inferred"}, "inferred");
-    const auto agreement = [&](std::size_t index) { return result.cells[index].agreement; };
-    file.flags("agreement", dimensions, numbers_of(result, agreement), sweep::agreement_names,
-               {"", "do all starts lead to the same verdict?"});
-}
-
-/// Makes the chart's file; the figures come from `rows`, which calls its argument with each row.
-void put_chart(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const signed char> starts,
-               const std::function<void(const TakeRow&)>& rows) {
+/// Makes the chart's file; what is kept elsewhere comes from `bands`, which calls its argument with each part.
+void put_chart(NetcdfDataset& file, const sweep::SweepResult& result, std::span<const sweep::CellFigure> figures,
+               const std::function<void(const TakeBand&)>& bands) {
     const sweep::Study& study = result.study;
     const std::string canonical = sweep::canonical_text(study);
     put_origin(file, "chart", study.base.title.empty() ? "noise chart" : study.base.title);
     const int direction = put_directions(file, study);
     const int y = put_axis(file, coordinate_name(study.y, study.x), study.y, "Y");
     const int x = put_axis(file, coordinate_name(study.x, study.y), study.x, "X");
-    const std::array dimensions{direction, y, x};
     file.attribute("study", canonical);
     file.attribute("study_hash", base::hash_text(canonical));
     file.attribute("case", study_toml(study, {.comments = Comments::none, .heading = ""}));
-    put_verdicts(file, result, dimensions);
-    FigureWriter figures(file, study, dimensions);
-    rows([&](const FigureRow& row) { figures.put(row); });
-    if (!study.starts.empty()) put_starts(file, result, dimensions, starts);
+    CellWriter cells(file, result, figures, {direction, y, x});
+    cells.put_verdicts();
+    bands([&](const BandValues& values) { cells.put(values); });
 }
 
-// the rows that another process sends, each its number and its values
-void receive_rows(const base::Receive& receive, std::size_t values, const TakeRow& take) {
-    FigureRow row{0, std::vector<double>(values)};
-    while (receive(std::as_writable_bytes(std::span(&row.row, 1)))) {
-        receive(std::as_writable_bytes(std::span(row.values)));
-        take(row);
+// how many values of a part follow
+struct BandSize {
+    ChartBand band;
+    std::size_t first_figure = 0;
+    std::size_t figures = 0;  // [1] numbers
+    std::size_t starts = 0;   // [1] numbers
+};
+
+// the parts that another process sends
+void receive_bands(const base::Receive& receive, const TakeBand& take) {
+    BandSize size;
+    BandValues values;
+    while (receive(std::as_writable_bytes(std::span(&size, 1)))) {
+        values.band = size.band;
+        values.first_figure = size.first_figure;
+        values.figures.resize(size.figures);
+        values.starts.resize(size.starts);
+        receive(std::as_writable_bytes(std::span(values.figures)));
+        receive(std::as_writable_bytes(std::span(values.starts)));
+        take(values);
     }
 }
 
@@ -216,43 +236,43 @@ void receive_rows(const base::Receive& receive, std::size_t values, const TakeRo
 /// That process has of the chart what is in memory; the figures are sent to it, for the database they lie in may not
 /// be used by two processes.
 void write_apart(const std::string& path, const std::string& temporary, const sweep::SweepResult& result,
-                 std::span<const signed char> starts) {
-    const std::size_t values = sweep::cell_figures().size() * static_cast<std::size_t>(result.study.x.points);
+                 std::span<const sweep::CellFigure> figures) {
     netcdf();  // opened here: in the copy, another thread's use of the loader would never end
     base::SeparateProcess writer("cannot write \"" + path + "\"", [&](const base::Receive& receive) {
         // it is a file of ours, locked by us
         ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
         NetcdfDataset file(path, temporary);
-        put_chart(file, result, starts, [&](const TakeRow& take) { receive_rows(receive, values, take); });
+        put_chart(file, result, figures, [&](const TakeBand& take) { receive_bands(receive, take); });
         file.finish();
     });
-    visit_rows(result, [&](const FigureRow& row) {
-        writer.send(std::as_bytes(std::span(&row.row, 1)));
-        writer.send(std::as_bytes(std::span(row.values)));
+    visit_bands(result, {figures}, [&](const BandValues& values) {
+        const BandSize size{values.band, values.first_figure, values.figures.size(), values.starts.size()};
+        writer.send(std::as_bytes(std::span(&size, 1)));
+        writer.send(std::as_bytes(std::span(values.figures)));
+        writer.send(std::as_bytes(std::span(values.starts)));
     });
     writer.finish();
 }
 
 // what a chart takes on the disk at most [bytes], generously
-std::size_t room_of(const sweep::SweepResult& result) {
+std::size_t room_of(const sweep::SweepResult& result, std::size_t figures) {
     constexpr std::size_t frame = std::size_t{1} << 20U;
-    const std::size_t bytes_of_figures = sweep::cell_figures().size() * sizeof(double);
     const std::size_t filled = result.study.refine > 0 ? sweep::computed_count(result) : result.cells.size();
-    return frame + filled * bytes_of_figures + result.cells.size() * (5 + result.study.starts.size());
+    return frame + filled * figures * sizeof(double) + result.cells.size() * (5 + result.study.starts.size());
 }
 
 }  // namespace
 
-void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result, std::size_t largest_in_memory) {
-    const std::vector<signed char> starts = verdicts_of_starts(result);
-    const std::size_t room = room_of(result);
+void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result, const NetcdfOptions& options) {
+    const std::size_t room = room_of(result, options.figures.size());
     storage::PiecewiseFile whole(path);
-    if (room <= largest_in_memory) {
+    if (room <= options.largest_in_memory) {
         NetcdfDataset file(path);
-        put_chart(file, result, starts, [&](const TakeRow& take) { visit_rows(result, take); });
+        put_chart(file, result, options.figures,
+                  [&](const TakeBand& take) { visit_bands(result, {options.figures}, take); });
         file.finish([&](std::string_view bytes) { whole.write(bytes); });
     } else {
-        write_apart(path, whole.temporary_name(room), result, starts);
+        write_apart(path, whole.temporary_name(room), result, options.figures);
     }
     whole.commit();
 }

@@ -3,6 +3,7 @@
 #include "stridor/sweep/cell.hpp"
 
 #include <cstddef>
+#include <span>
 #include <string>
 
 /// NetCDF-4 files after the CF conventions 1.10, written beside their name and renamed. The HDF5 library below crashes
@@ -11,17 +12,25 @@
 /// time: the library has global state. Throws `Error` (io).
 namespace stridor::io {
 
+/// What of a chart is written, and how.
+struct NetcdfOptions {
+    std::span<const sweep::CellFigure> figures = sweep::cell_figures();
+    // [bytes] a file that takes more, generously counted, is not made in memory: usual 32 MiB, some 170,000 computed
+    // cells with all figures
+    std::size_t largest_in_memory = std::size_t{32} << 20U;
+};
+
 /// A chart: dimensions (direction, y, x), the last two named after their parameters ("kinetic_friction", "preload";
 /// with the section in front where two names would be alike), each with its coordinate variable.
 ///
-/// Variables: category, status and source as bytes with flag_values and flag_meanings, every figure of
-/// `sweep::cell_figures` as double, NaN where a cell is not done or was inferred; of a chart with starts agreement, and
-/// start_verdict(start, direction, y, x). Global attributes: x and y (the parameters' keys), study
-/// (`sweep::canonical_text`), study_hash, case (the chart as TOML, which can be run again).
+/// Variables: category, quiet_because, status and source as bytes with flag_values and flag_meanings, figures as
+/// double, NaN where a cell is not done or was inferred; of a chart with starts agreement, and start_verdict(start,
+/// direction, y, x). All of them are packed in boxes of 256 by 256 points (deflate 1, shuffled). Global attributes: x
+/// and y (the parameters' keys), study (`sweep::canonical_text`), study_hash, case (the chart as TOML, which can be
+/// run again).
 ///
-/// One that takes more than `largest_in_memory` bytes, generously counted, is not made in memory: usual 32 MiB, some
-/// 170,000 computed cells.
-void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result,
-                        std::size_t largest_in_memory = std::size_t{32} << 20U);
+/// The computed cells are read band by band (chart_bands.hpp); none of it is in memory as a whole but
+/// `SweepResult::cells`.
+void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result, const NetcdfOptions& options = {});
 
 }  // namespace stridor::io

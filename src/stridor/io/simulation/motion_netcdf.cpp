@@ -30,7 +30,7 @@ void put_contacts(NetcdfDataset& file, const record::Trace& trace, const std::ve
     for (const record::ContactTrace& contact : trace.contacts)
         for (const model::ContactState state : contact.state)
             states.push_back(static_cast<signed char>(state));
-    file.flags(std::string(record::state_column), along, states, model::contact_state_names, {"", "contact state"});
+    file.flags(std::string(record::state_column), along, states, {model::contact_state_names}, {"", "contact state"});
 }
 
 void put_trace(NetcdfDataset& file, const parameters::Case& c, const record::Trace& trace) {
@@ -69,7 +69,7 @@ void put_histories(NetcdfDataset& file, const std::vector<record::ContactHistory
     std::vector<signed char> states;
     for (const record::ContactInterval& interval : stays)
         states.push_back(static_cast<signed char>(interval.state));
-    file.flags("interval_state", along, states, model::contact_state_names, {"", "contact state"});
+    file.flags("interval_state", along, states, {model::contact_state_names}, {"", "contact state"});
     const auto put = [&](const std::string& name, double record::ContactInterval::*member,
                          const Description& description) {
         std::vector<double> values;

@@ -52,7 +52,7 @@ void put_labels(NetcdfDataset& file, const std::string& prefix, int along, const
         components.push_back(static_cast<signed char>(label.component));
     }
     file.words(prefix + "_node", std::array{along}, nodes, {"", "node, or the mode's name"});
-    file.flags(prefix + "_component", std::array{along}, components, component_names, {"", "direction of motion"});
+    file.flags(prefix + "_component", std::array{along}, components, {component_names}, {"", "direction of motion"});
 }
 
 // places, and the sets that each node is in
