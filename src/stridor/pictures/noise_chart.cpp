@@ -11,6 +11,7 @@
 #include "stridor/pictures/parts/category_colours.hpp"
 #include "stridor/pictures/parts/cell_kinds.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
+#include "stridor/pictures/parts/shown_cells.hpp"
 #include "stridor/sweep/boundaries.hpp"
 #include "stridor/sweep/starts.hpp"
 
@@ -89,10 +90,10 @@ bool reaches_beyond(std::span<const double> values, const drawing::Extent& range
 }
 
 // one figure of every cell; NaN where the cell is not done or has no such value
-std::vector<double> shown_values(const sweep::SweepResult& result, const sweep::CellFigure& figure) {
-    std::vector<double> values = sweep::figure_values(result, figure);
+std::vector<double> shown_values(const ShownCells& shown, const sweep::CellFigure& figure) {
+    std::vector<double> values = shown.values(figure);
     for (std::size_t index = 0; index < values.size(); ++index)
-        if (result.cells[index].status != sweep::Status::done || !std::isfinite(values[index]))
+        if (shown.chart().cells[index].status != sweep::Status::done || !std::isfinite(values[index]))
             values[index] = sweep::Cell::unknown;
     return values;
 }
@@ -136,15 +137,17 @@ std::vector<drawing::StyledText> refinement_caption(const sweep::SweepResult& re
 }  // namespace
 
 drawing::Scene noise_chart(const sweep::SweepResult& result) {
+    const ShownCells shown(result);
+    const sweep::SweepResult& chart = shown.chart();
     const std::string& title = result.study.base.title;
     drawing::Scene scene =
-        empty_chart(result, title.empty() ? drawing::StyledText("Noise chart") : drawing::StyledText(title));
+        empty_chart(chart, title.empty() ? drawing::StyledText("Noise chart") : drawing::StyledText(title));
     const std::vector<drawing::Fill> fills = kind_fills();
     const std::vector<drawing::StyledText> names = kind_names();
     std::vector<drawing::CategoryCells> maps;
     for (std::size_t d = 0; d < scene.panels.size(); ++d) {
-        drawing::CategoryCells map{cell_edges(result.study.x), cell_edges(result.study.y), {}, fills};
-        for (const sweep::CellVerdict& cell : cells_of(result, d))
+        drawing::CategoryCells map{cell_edges(chart.study.x), cell_edges(chart.study.y), {}, fills};
+        for (const sweep::CellVerdict& cell : cells_of(chart, d))
             map.kinds.push_back(static_cast<std::uint16_t>(kind_of(cell)));
         maps.push_back(std::move(map));
     }
@@ -153,17 +156,19 @@ drawing::Scene noise_chart(const sweep::SweepResult& result) {
         scene.legend.push_back({"quiet unless disturbed", drawing::Points{{}, {}, drawing::ink, 2.0, drawing::white}});
     for (drawing::StyledText& text : refinement_caption(result, "the others lie among such that agree."))
         scene.caption.push_back(std::move(text));
-    const std::vector<sweep::Boundary> boundaries = sweep::boundaries(result);
+    for (drawing::StyledText& text : shown.caption())
+        scene.caption.push_back(std::move(text));
+    const std::vector<sweep::Boundary> boundaries = sweep::boundaries(chart);
     // names and marks need to know how large their regions and cells become on paper
     const drawing::Layout layout = drawing::arrange(scene);
     for (std::size_t d = 0; d < maps.size(); ++d) {
         drawing::Panel& panel = scene.panels[d];
         std::vector<drawing::Note> notes =
             drawing::region_names(maps[d], names, panel, layout.panels[d].area, scene.font_size);
-        drawing::Line line = boundary_line(result.study, boundaries, d);
+        drawing::Line line = boundary_line(chart.study, boundaries, d);
         panel.layers.emplace_back(std::move(maps[d]));
         if (!line.x.empty()) panel.layers.emplace_back(std::move(line));
-        if (drawing::Points torn = torn_points(result, d, layout.panels[d].area); !torn.x.empty())
+        if (drawing::Points torn = torn_points(chart, d, layout.panels[d].area); !torn.x.empty())
             panel.layers.emplace_back(std::move(torn));
         for (drawing::Note& note : notes)
             panel.layers.emplace_back(std::move(note));
@@ -182,8 +187,10 @@ drawing::Scene figure_chart(const sweep::SweepResult& result, std::string_view n
                      "it is neither \"category\" nor a column of the results", base::did_you_mean(name, known)});
     }
     const std::string& title = result.study.base.title;
-    drawing::Scene scene = empty_chart(result, (title.empty() ? "" : title + ": ") + spelled(figure->name));
-    const std::vector<double> values = shown_values(result, *figure);
+    const ShownCells shown(result);
+    const sweep::SweepResult& chart = shown.chart();
+    drawing::Scene scene = empty_chart(chart, (title.empty() ? "" : title + ": ") + spelled(figure->name));
+    const std::vector<double> values = shown_values(shown, *figure);
     const drawing::ColourScale colours{value_range(values, *figure), drawing::AxisScale::linear};
     const drawing::Fill no_value{{0xD9, 0xD9, 0xD9}, drawing::Texture::none, {}};
     if (figure->unit.starts_with("dB"))
@@ -195,11 +202,13 @@ drawing::Scene figure_chart(const sweep::SweepResult& result, std::string_view n
     for (drawing::StyledText& text :
          refinement_caption(result, "the others have the value of the nearest corner of their block."))
         scene.caption.push_back(std::move(text));
+    for (drawing::StyledText& text : shown.caption())
+        scene.caption.push_back(std::move(text));
     bool has_gap = false;
     for (std::size_t d = 0; d < scene.panels.size(); ++d) {
-        drawing::ValueCells map{cell_edges(result.study.x), cell_edges(result.study.y), {}, colours, no_value};
+        drawing::ValueCells map{cell_edges(chart.study.x), cell_edges(chart.study.y), {}, colours, no_value};
         drawing::Boxes failed{{}, failed_fill()};
-        const std::span<const sweep::CellVerdict> cells = cells_of(result, d);
+        const std::span<const sweep::CellVerdict> cells = cells_of(chart, d);
         const std::size_t columns = map.x_edges.size() - 1;
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const bool is_done = cells[i].status == sweep::Status::done;

@@ -11,7 +11,8 @@ namespace stridor::pictures {
 ///
 /// Cells are rectangles between the midpoints of their values in the axis' own scale. Cells without a result are white
 /// and crossed, undecided ones white and dotted; neither ever takes a category's colour. Lines part what differs
-/// (`sweep::boundaries`); a disc marks a cell that is quiet from one start and noisy from another.
+/// (`sweep::boundaries`); a disc marks a cell that is quiet from one start and noisy from another. Of more cells than a
+/// picture can show some are left out (`ShownCells`), and the caption says so.
 drawing::Scene noise_chart(const sweep::SweepResult& result);
 
 /// One figure of the cells as colours of a sequential map, in the same layout. Cells without a number for it (no period
