@@ -47,6 +47,31 @@ TEST_F(ChartOfACase, NeedsNoSectionInTheFile) {
     EXPECT_EQ(text("again/chart.csv"), text("out/chart.csv"));
 }
 
+TEST_F(ChartOfACase, WritesTheFilesAndFiguresThatAreAskedFor) {
+    const std::vector<std::string> axes{"--x", "preload=10:40:3", "--y", "mu_d=0.2:0.8:4", "--out", "out"};
+    std::vector<std::string> arguments = axes;
+    arguments.insert(arguments.end(), {"--files", "pdf,csv,zarr", "--figures", "frequency"});
+    const Finished done = chart(arguments);
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(done.out.find("out/chart.pdf out/chart.csv out/chart.zarr out/chart.sqlite out/chart.toml\n"),
+              std::string::npos)
+        << done.out;
+    for (const char* file : {"chart.pdf", "chart.csv", "chart.zarr/.zgroup", "chart.zarr/frequency/0.0.0"})
+        EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / file)) << file;
+    for (const char* file : {"chart.nc", "chart.png", "chart.svg", "boundaries.csv", "chart.zarr/slip"})
+        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out" / file)) << file;
+    EXPECT_NE(text("out/chart.csv")
+                  .find("\nx [N],y,direction,status,category,frequency [Hz],quiet_because,source,message,reproduce\n"),
+              std::string::npos);
+    for (const auto& [option, name] : {std::pair{"--files", "cvs"}, std::pair{"--figures", "frequenzy"}}) {
+        arguments = axes;
+        arguments.insert(arguments.end(), {option, name});
+        const Finished wrong = chart(arguments);
+        EXPECT_EQ(wrong.exit_code, 2);
+        EXPECT_NE(wrong.err.find("Did you mean"), std::string::npos) << wrong.err;
+    }
+}
+
 TEST_F(ChartOfACase, UnitsScaleAndCountAreUnderstood) {
     for (const char* x : {"preload=10:40 N:3:linear", "contact.preload = 10N : 0.04 kN : 3 : linear"}) {
         std::filesystem::remove_all(folder_.path() / "out");

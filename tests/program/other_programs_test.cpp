@@ -34,6 +34,7 @@ struct Reader {
 
 const Reader pandas{"pandas", {"/usr/bin/python3"}, "import pandas\n", "python3-pandas"};
 const Reader xarray{"xarray", {"/usr/bin/python3"}, "import netCDF4, xarray\n", "python3-xarray python3-netcdf4"};
+const Reader xarray_zarr{"xarray", {"/usr/bin/python3"}, "import xarray, zarr\n", "python3-xarray python3-zarr"};
 const Reader octave{"Octave", {"/usr/bin/octave-cli", "--no-init-file", "--quiet"}, "x = 1;\n", "octave"};
 const Reader octave_netcdf{
     "Octave", {"/usr/bin/octave-cli", "--no-init-file", "--quiet"}, "pkg load netcdf\n", "octave-netcdf"};
@@ -51,7 +52,8 @@ protected:
         write_text(*folder_ / "squeal.toml", stridor({"init", "squeal"}));
         write_text(*folder_ / "pair.toml", stridor({"init", "noise-chart"}));
         chart_ = json_of(stridor({"chart", "pair.toml", "--out", ".", "--json", "--set", "chart.x.points=4", "--set",
-                                  "chart.y.points=3", "--set", "run.duration=0.1", "--set", "run.window=0.05"}));
+                                  "chart.y.points=3", "--set", "run.duration=0.1", "--set", "run.window=0.05",
+                                  "--files", "csv,boundaries,nc,zarr"}));
         for (const char* file : {"trace.csv", "trace.nc"})
             stridor({"simulate", "squeal.toml", "--trace", file, "--trace-from", "0.2 s", "--trace-to", "0.21 s"});
         trace_ = json_of(stridor({"convert", "trace.csv", "--json"}));
@@ -113,8 +115,19 @@ protected:
             EXPECT_NEAR(std::stod(found["peaks"][k]) / trace_["channels"][k]["peak"].get<double>(), 1.0, tolerance);
     }
 
+    // 24 numbers
+    template <typename Wanted>
+    static void expect_same(const std::vector<std::string>& found, Wanted wanted) {
+        ASSERT_EQ(found.size(), 24U);
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            const double number = wanted(k);
+            EXPECT_NEAR(std::stod(found[k]), number, tolerance * std::abs(number)) << k;
+        }
+    }
+
     static json chart_;
     static json trace_;
+    static ScratchFolder* folder_;
 
 private:
     static Finished executed(const Reader& reader, const std::string& script) {
@@ -126,18 +139,6 @@ private:
         launch.program = reader.command[0];
         return run(launch);
     }
-
-    // 24 numbers
-    template <typename Wanted>
-    static void expect_same(const std::vector<std::string>& found, Wanted wanted) {
-        ASSERT_EQ(found.size(), 24U);
-        for (std::size_t k = 0; k < found.size(); ++k) {
-            const double number = wanted(k);
-            EXPECT_NEAR(std::stod(found[k]), number, tolerance * std::abs(number)) << k;
-        }
-    }
-
-    static ScratchFolder* folder_;
 };
 
 json OtherPrograms::chart_;
@@ -184,6 +185,33 @@ TEST_F(OtherPrograms, PandasReadsCharts) {
     expect_chart(found);
     expect_categories(found.at("category"));
     EXPECT_EQ(found.at("level"), std::vector<std::string>{"float64"}) << "-inf is a number";
+}
+
+// of every table that Stridor writes, each column that is not of words
+TEST_F(OtherPrograms, PandasReadsEveryTableAsNumbers) {
+    NEEDS(pandas);
+    stridor({"chart", "pair.toml", "--out", "starts", "--set", "chart.x.points=3", "--set", "chart.y.points=3", "--set",
+             "run.duration=0.1", "--set", "run.window=0.05", "--set", "chart.starts=[\"rest\",\"sliding\"]"});
+    stridor({"chart", "squeal.toml", "--x", "mu_d=0:0.9:4", "--out", "line", "--files", "csv,boundaries"});
+    stridor({"simulate", "squeal.toml", "--history", "history.csv"});
+    stridor({"evaluate", "pair.toml", "--set", "chart.x.points=2", "--set", "chart.y.points=2", "--perturb-every", "0",
+             "--csv", "evaluate.csv"});
+    stridor({"library", "add", "recording.csv", "--library", "noises.db", "--preload", "10 N"});
+    write_text(*folder_ / "library.csv", stridor({"library", "list", "--csv", "--library", "noises.db"}));
+    const auto found = read(pandas, "chart.md", R"(chart = pandas.read_csv("chart.csv", comment="#"))", R"(
+words = """direction status category quiet_because source agreement start_rest start_sliding message reproduce
+first second form state contact_states by_ear reason plane system parts materials operation recorded
+denomination velocity_profile sensor calibration date author licence notes file format audio""".split()
+for name in """chart.csv boundaries.csv starts/chart.csv line/chart.csv line/boundaries.csv line/diagram.csv history.csv
+trace.csv recording.csv evaluate.csv library.csv""".split():
+    table = pandas.read_csv(name, comment="#")
+    assert len(table) > 0, name
+    for column in table.columns:
+        if column not in words and table[column].dtype.kind not in "fi":
+            print("words", name, column)
+    print("numbers", sum(table[column].dtype.kind in "fi" for column in table.columns if column not in words))
+)");
+    EXPECT_FALSE(found.contains("words")) << found.at("words")[0] << " " << found.at("words")[1];
 }
 
 TEST_F(OtherPrograms, OctaveReadsCharts) {
@@ -236,6 +264,20 @@ assert trace.state.dtype.kind == "i" and trace.time.dtype == float
 print("samples", trace.sizes["time"])
 print("peaks", *[repr(float(abs(trace.displacement.sel(dof=dof)).max())) for dof in ["x1", "y1", "y2"]])
 )"));
+}
+
+TEST_F(OtherPrograms, XarrayReadsZarr) {
+    NEEDS(xarray_zarr);
+    const auto chart = read(xarray_zarr, "chart.md",
+                            R"(chart = xarray.open_dataset("chart.zarr", engine="zarr", consolidated=False))", R"(
+for name in ["category", "quiet_because", "status", "source", "direction"]:
+    assert chart[name].dtype.kind == "i", name
+assert chart.joint_rms.dims == ("direction", "kinetic_friction", "preload") and chart.joint_rms.attrs["units"] == "m/s"
+print("category", *chart.category.values.ravel())
+print("slip", *map(repr, chart.slip.values.ravel().tolist()))
+)");
+    expect_flags(chart.at("category"));
+    expect_same(chart.at("slip"), [&](std::size_t k) { return chart_["cells"]["slip"][k]; });
 }
 
 TEST_F(OtherPrograms, OctaveReadsNetcdf) {

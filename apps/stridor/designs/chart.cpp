@@ -14,7 +14,6 @@
 #include "stridor/storage/atomic_file.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -28,16 +27,28 @@ namespace {
 struct ChartOptions {
     CaseOptions input;
     io::AxisTexts axes;
+    io::ExportTexts exports;
     std::string out;
     int threads = 0;
     bool json = false;
     bool preview = false;
 };
 
+void write_diagram(const sweep::SweepResult& result, const std::filesystem::path& out, const io::ChartExports& exports,
+                   int threads) {
+    const std::vector<sweep::DiagramCell> cells = compute_diagram(result, out / "diagram.sqlite", threads);
+    if (io::holds(exports, io::ChartFile::csv))
+        storage::write_file((out / "diagram.csv").string(), io::diagram_csv(result.study, cells));
+    if (const std::vector<std::string> endings = io::picture_endings(exports); !endings.empty())
+        pictures::draw_diagram(result, cells, out, endings);
+}
+
 void chart(const ChartOptions& options) {
     sweep::Study study = io::read_study(load_source(options.input.file, options.input.overrides), options.axes);
     if (options.preview) study = sweep::preview(std::move(study));
     if (helps_with(study, options.threads)) return;
+    const io::ChartExports exports = io::chart_exports(study, options.exports);
+    if (!exports.left_out.empty()) console::say_note(exports.left_out);
     const std::string name =
         std::filesystem::path(options.input.file).stem().string() + (options.preview ? "-preview" : "");
     const std::filesystem::path out = options.out.empty() ? name : options.out;
@@ -48,25 +59,22 @@ void chart(const ChartOptions& options) {
     if (const std::string failures = console::failures_text(result, (out / "chart.toml").string()); !failures.empty())
         console::say(failures);
     sweep::require_result(result);
-    io::write_chart_tables(result, out);
-    const bool is_diagram = sweep::has_one_axis(study);
-    if (is_diagram) {
-        const std::vector<sweep::DiagramCell> cells = compute_diagram(result, out / "diagram.sqlite", options.threads);
-        storage::write_file((out / "diagram.csv").string(), io::diagram_csv(study, cells));
-        pictures::draw_diagram(result, cells, out);
-    } else {
-        pictures::draw_charts(result, out);
-    }
+    io::write_chart_tables(result, out, exports);
+    const std::vector<std::string> endings = io::picture_endings(exports);
+    if (!sweep::has_one_axis(study))
+        pictures::draw_charts(result, out, endings);
+    else if (!endings.empty() || io::holds(exports, io::ChartFile::csv))
+        write_diagram(result, out, exports, options.threads);
     if (!sweep::holds_design(study)) console::say(console::outside_text(study));
     if (options.json) {
         console::print(io::chart_json(result) + "\n");
         return;
     }
     console::print(console::cells_text(result) + console::starts_text(result));
-    console::print(
-        fmt::format("{0}/chart.png {0}/chart.svg {0}/chart.csv {0}/boundaries.csv {0}/chart.nc {0}/chart.sqlite "
-                    "{0}/chart.toml{1}\n",
-                    out.string(), is_diagram ? " " + out.string() + "/diagram.csv" : ""));
+    std::string line;
+    for (const std::string& file : io::file_names(exports, study))
+        line += (line.empty() ? "" : " ") + (out / file).string();
+    console::print(line + "\n");
 }
 
 }  // namespace
@@ -90,6 +98,20 @@ void add_chart(CLI::App& program) {
         ->type_name("KEY=FROM:TO[:POINTS[:SCALE]]");
     add_output_folder(*command, options->out,
                       "folder for store, figures and tables (default: the file's name, with -preview for one)");
+    command
+        ->add_option("--files", options->exports.files,
+                     "what is written: png, svg, pdf, csv, boundaries, nc, zarr (default: png,svg,csv,boundaries,nc; "
+                     "no csv above a million cells)")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("NAME,...");
+    command
+        ->add_option("--figures", options->exports.figures,
+                     "the figures in tables, beside category and status: names, or all (default: all; above a million "
+                     "cells those that are drawn)")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("NAME,...");
     add_threads_option(*command, options->threads);
     command->add_flag("--preview", options->preview,
                       "a quick look: at most 64 by 64 points, refined, a part of the time simulated");
@@ -100,7 +122,8 @@ void add_chart(CLI::App& program) {
         "Examples:\n  stridor chart squeal.toml --x preload=1:40 --y mu_d=0.2:0.8 --out pair\n"
         "  stridor chart squeal.toml --x mu_d=0:0.8 --out friction\n"
         "  stridor init noise-chart -o pair.toml\n  stridor chart pair.toml --out pair\n"
-        "  stridor chart pair.toml --out quick --set chart.x.points=12 --set chart.y.points=12");
+        "  stridor chart pair.toml --out quick --set chart.x.points=12 --set chart.y.points=12\n"
+        "  stridor chart pair.toml --out pair --files nc,png --figures frequency,joint_level");
     command->callback([options] { chart(*options); });
 }
 

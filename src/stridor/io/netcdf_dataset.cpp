@@ -3,8 +3,13 @@
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
 #include "stridor/io/netcdf_library.hpp"
+#include "stridor/storage/system_io.hpp"
 
+#include <fcntl.h>
+
+#include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -15,6 +20,8 @@ namespace stridor::io {
 namespace {
 
 constexpr std::size_t first_size = 65536;  // [1] bytes; the library enlarges it as needed
+// [1] bytes of a Zarr folder in memory; less opens it oftener
+constexpr std::size_t most_held = std::size_t{16} << 20U;
 
 }  // namespace
 
@@ -22,8 +29,21 @@ NetcdfDataset::NetcdfDataset(std::string name) : name_(std::move(name)) {
     check(netcdf().nc_create_mem("stridor.nc", NC_NETCDF4, first_size, &id_));
 }
 
-NetcdfDataset::NetcdfDataset(std::string name, const std::string& path) : name_(std::move(name)) {
-    check(netcdf().nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
+NetcdfDataset::NetcdfDataset(std::string name, const std::string& path, DatasetFormat format)
+    : name_(std::move(name)),
+      format_(format) {
+    if (format == DatasetFormat::netcdf4) {
+        check(netcdf().nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
+        return;
+    }
+    // the library takes an address apart at "#" and "%": the folder above it is named by its number
+    const std::filesystem::path folder(path);
+    parent_ =
+        std::make_unique<storage::Descriptor>(::open(folder.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!parent_->is_open()) throw storage::system_failure("write", "\"" + name_ + "\"", errno);
+    address_ = "file:///proc/self/fd/" + std::to_string(parent_->number()) + "/" + folder.filename().string() +
+               "#mode=zarr,file";
+    check(netcdf().nc_create(address_.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
 }
 
 NetcdfDataset::~NetcdfDataset() {
@@ -54,6 +74,7 @@ int NetcdfDataset::define(const std::string& name, int type, std::span<const int
     int number = -1;
     check(
         netcdf().nc_def_var(id_, name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(), &number));
+    variables_.push_back(name);
     if (!description.units.empty()) attribute(number, "units", std::string(description.units));
     if (!description.long_name.empty()) attribute(number, "long_name", std::string(description.long_name));
     return number;
@@ -79,24 +100,48 @@ int NetcdfDataset::doubles(const std::string& name, std::span<const int> dimensi
 
 void NetcdfDataset::pack(int variable, ChunkShape chunk, std::size_t value_size) {
     check(netcdf().nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()));
-    check(netcdf().nc_def_var_deflate(id_, variable, 1, 1, 1));
+    // Zarr is packed by plug-ins that Debian's library does not have
+    if (format_ == DatasetFormat::netcdf4) check(netcdf().nc_def_var_deflate(id_, variable, 1, 1, 1));
     // the library's cache for the variable holds one box: it would hold 16 MB, and of thirty variables 500
     const std::size_t bytes = std::accumulate(chunk.begin(), chunk.end(), value_size, std::multiplies<>());
     check(netcdf().nc_set_var_chunk_cache(id_, variable, bytes, 1, 1.0F));
 }
 
+// the library (4.9.0) holds all that was put into a Zarr folder until it is closed, whatever its cache is told; and it
+// numbers the variables of one that it opens anew
+int NetcdfDataset::opened_variable(int variable, std::size_t bytes) {
+    if (format_ == DatasetFormat::netcdf4) return variable;
+    if (held_ > 0 && held_ + bytes > most_held) {
+        check(netcdf().nc_close(std::exchange(id_, -1)));
+        check(netcdf().nc_open(address_.c_str(), NC_WRITE, &id_));
+        held_ = 0;
+    }
+    held_ += bytes;
+    int number = -1;
+    check(netcdf().nc_inq_varid(id_, variables_[static_cast<std::size_t>(variable)].c_str(), &number));
+    return number;
+}
+
 void NetcdfDataset::put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
                         std::span<const double> values) {
-    check(netcdf().nc_put_vara_double(id_, variable, start.data(), count.data(), values.data()));
+    const int number = opened_variable(variable, values.size_bytes());
+    check(netcdf().nc_put_vara_double(id_, number, start.data(), count.data(), values.data()));
 }
 
 void NetcdfDataset::put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
                         std::span<const signed char> values) {
-    check(netcdf().nc_put_vara_schar(id_, variable, start.data(), count.data(), values.data()));
+    const int number = opened_variable(variable, values.size_bytes());
+    check(netcdf().nc_put_vara_schar(id_, number, start.data(), count.data(), values.data()));
 }
 
 int NetcdfDataset::words(const std::string& name, std::span<const int> dimensions,
                          const std::vector<std::string>& values, const Description& description) {
+    if (format_ == DatasetFormat::zarr) {
+        std::vector<signed char> numbers(values.size());
+        std::iota(numbers.begin(), numbers.end(), static_cast<signed char>(0));
+        const std::vector<std::string_view> names(values.begin(), values.end());
+        return flags(name, dimensions, numbers, {names}, description);
+    }
     const int number = define(name, NC_STRING, dimensions, description);
     std::vector<const char*> pointers;
     for (const std::string& value : values)
@@ -108,6 +153,8 @@ int NetcdfDataset::words(const std::string& name, std::span<const int> dimension
 int NetcdfDataset::define_flags(const std::string& name, std::span<const int> dimensions, const FlagNames& names,
                                 const Description& description) {
     const int number = define(name, NC_BYTE, dimensions, description);
+    // Zarr names a number for what is missing unless it is told that there is none
+    if (format_ == DatasetFormat::zarr) check(netcdf().nc_def_var_fill(id_, number, NC_NOFILL, nullptr));
     std::vector<signed char> flag_values(names.names.size());
     std::iota(flag_values.begin(), flag_values.end(), static_cast<signed char>(0));
     std::string meanings;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "stridor/storage/system_io.hpp"
+
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,6 +32,12 @@ struct FlagNames {
     std::string_view none{};
 };
 
+/// What a dataset becomes.
+enum class DatasetFormat {
+    netcdf4,
+    zarr,  // a folder of the layout Zarr 2, with dimensions named as xarray does it
+};
+
 /// A netCDF-4 file being made, a thin cover over the C library; `name` appears in errors.
 ///
 /// Dimensions are known by the numbers the library gives them. Variables are written whole, in one call, or in parts.
@@ -36,9 +45,10 @@ class NetcdfDataset {
 public:
     /// In memory.
     explicit NetcdfDataset(std::string name);
-    /// In the file `path`, which may be there. HDF5 takes a write that fails for the end of the process (a segmentation
-    /// fault, there or at the process' end): only in a process that may be lost.
-    NetcdfDataset(std::string name, const std::string& path);
+    /// In `path`, which may be there; for Zarr an absolute one, of a folder with a plain name. HDF5 takes a write that
+    /// fails for the end of the process (a segmentation fault, there or at the process' end): only in a process that
+    /// may be lost.
+    NetcdfDataset(std::string name, const std::string& path, DatasetFormat format = DatasetFormat::netcdf4);
     NetcdfDataset(const NetcdfDataset&) = delete;
     NetcdfDataset& operator=(const NetcdfDataset&) = delete;
     ~NetcdfDataset();
@@ -60,7 +70,8 @@ public:
     /// Likewise, of flags.
     void put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
              std::span<const signed char> values);
-    /// Words, one of each place. Returns the variable's number.
+    /// Words, one of each place: in Zarr numbered flags of these names, for the library (4.9.0) cannot write words
+    /// there.
     int words(const std::string& name, std::span<const int> dimensions, const std::vector<std::string>& values,
               const Description& description);
     /// Numbers of names (CF flags). No number is called missing: readers would make floating-point numbers of all of
@@ -83,9 +94,15 @@ private:
     int define(const std::string& name, int type, std::span<const int> dimensions, const Description& description);
     int define_flags(const std::string& name, std::span<const int> dimensions, const FlagNames& names,
                      const Description& description);
+    int opened_variable(int variable, std::size_t bytes);
     void pack(int variable, ChunkShape chunk, std::size_t value_size);
 
     std::string name_;
+    DatasetFormat format_ = DatasetFormat::netcdf4;
+    std::unique_ptr<storage::Descriptor> parent_;  // of a folder, while it is made
+    std::string address_;                          // of a folder
+    std::vector<std::string> variables_;           // names, by their numbers
+    std::size_t held_ = 0;                         // [bytes] put since the folder was opened
     int id_ = -1;
 };
 

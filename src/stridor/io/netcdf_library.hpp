@@ -34,6 +34,7 @@ struct Netcdf {
     decltype(&::nc_inq_varid) nc_inq_varid = library.function("nc_inq_varid");
     decltype(&::nc_inq_varndims) nc_inq_varndims = library.function("nc_inq_varndims");
     decltype(&::nc_inq_vartype) nc_inq_vartype = library.function("nc_inq_vartype");
+    decltype(&::nc_open) nc_open = library.function("nc_open");
     decltype(&::nc_open_mem) nc_open_mem = library.function("nc_open_mem");
     decltype(&::nc_put_att_schar) nc_put_att_schar = library.function("nc_put_att_schar");
     decltype(&::nc_put_att_text) nc_put_att_text = library.function("nc_put_att_text");

@@ -11,6 +11,7 @@
 #include "stridor/pictures/time_history.hpp"
 #include "stridor/storage/atomic_file.hpp"
 
+#include <array>
 #include <optional>
 
 namespace stridor::pictures {
@@ -45,8 +46,12 @@ void draw(const drawing::Scene& scene, const std::filesystem::path& path) {
 }
 
 void draw_both(const drawing::Scene& scene, const std::filesystem::path& stem) {
-    for (const char* extension : {".png", ".svg"})
-        draw(scene, std::filesystem::path(stem) += extension);
+    draw_each(scene, stem, std::array<std::string, 2>{".png", ".svg"});
+}
+
+void draw_each(const drawing::Scene& scene, const std::filesystem::path& stem, std::span<const std::string> endings) {
+    for (const std::string& ending : endings)
+        draw(scene, std::filesystem::path(stem) += ending);
 }
 
 drawing::Scene motion_scene(const parameters::Case& c, const record::Record& record, const std::string& zoom) {
@@ -65,19 +70,21 @@ void draw_stability(const analysis::StabilityScan& scan, const std::string& path
 }
 
 void draw_diagram(const sweep::SweepResult& result, const std::vector<sweep::DiagramCell>& cells,
-                  const std::filesystem::path& folder) {
+                  const std::filesystem::path& folder, std::span<const std::string> endings) {
     drawing::Scene scene = diagram(result, cells);
     mark_design(scene, result.study);
-    draw_both(scene, folder / "chart");
+    draw_each(scene, folder / "chart", endings);
 }
 
-void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& folder) {
+void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& folder,
+                 std::span<const std::string> endings) {
+    if (endings.empty()) return;
     // the first quantity is the chart; further ones stand beside it under their own names
     bool is_first = true;
     for (const std::string& quantity : result.study.quantities) {
         drawing::Scene scene = quantity_chart(result, quantity);
         mark_design(scene, result.study);
-        draw_both(scene, folder / (is_first ? "chart" : "chart-" + quantity));
+        draw_each(scene, folder / (is_first ? "chart" : "chart-" + quantity), endings);
         is_first = false;
     }
 }

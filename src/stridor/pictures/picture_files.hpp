@@ -8,6 +8,7 @@
 #include "stridor/sweep/diagram.hpp"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,15 @@ drawing::Scene motion_scene(const parameters::Case& c, const record::Record& rec
 /// Frequencies and growth rates of the sliding modes along a parameter.
 void draw_stability(const analysis::StabilityScan& scan, const std::string& path);
 
-/// chart.png and chart.svg of the first quantity the study asks for, chart-QUANTITY.png and .svg of each further one.
-void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& folder);
+/// Draws a scene as STEM with each of the endings: ".png".
+void draw_each(const drawing::Scene& scene, const std::filesystem::path& stem, std::span<const std::string> endings);
 
-/// chart.png and chart.svg of a study over one axis.
+/// Pictures of each ending: chart of the first quantity the study asks for, chart-QUANTITY of each further one.
+void draw_charts(const sweep::SweepResult& result, const std::filesystem::path& folder,
+                 std::span<const std::string> endings);
+
+/// Pictures of each ending of a study over one axis: chart.
 void draw_diagram(const sweep::SweepResult& result, const std::vector<sweep::DiagramCell>& cells,
-                  const std::filesystem::path& folder);
+                  const std::filesystem::path& folder, std::span<const std::string> endings);
 
 }  // namespace stridor::pictures

@@ -87,7 +87,7 @@ Table parse(const std::string& text) {
 
 std::string csv_of(const sweep::SweepResult& result, const std::string& file) {
     std::string text;
-    chart_csv(result, file, [&](std::string_view piece) { text += piece; });
+    chart_csv(result, {file}, [&](std::string_view piece) { text += piece; });
     return text;
 }
 

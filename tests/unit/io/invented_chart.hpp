@@ -15,16 +15,17 @@ inline double invented_value(std::size_t index, const sweep::CellFigure& figure)
     return 1.0 / static_cast<double>(1 + index * 32 + figure.place);
 }
 
-/// A cell that is done, in patches of 16 by 16 of the categories; every 97th is not.
+/// A cell that is done, in 16 by 16 patches of the categories; every 9973rd is not.
 inline sweep::Cell invented_cell(const sweep::Study& study, std::size_t index) {
     sweep::Cell cell;
-    if (index % 97 == 96) {
+    if (index % 9973 == 96) {
         cell.message = "invented";
         return cell;
     }
     const sweep::CellPlace place = sweep::place_of(study, index);
     cell.status = sweep::Status::done;
-    cell.category = static_cast<classification::Category>((place.ix / 16 + place.iy / 16) % 4);
+    cell.category =
+        static_cast<classification::Category>((place.ix * 16 / study.x.points + place.iy * 16 / study.y.points) % 4);
     if (cell.category == classification::Category::none) cell.quiet = classification::Quiet::slides;
     for (const sweep::CellFigure& figure : sweep::cell_figures())
         set_figure(cell, figure, invented_value(index, figure));

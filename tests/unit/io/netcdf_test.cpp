@@ -12,6 +12,8 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <map>
 
 namespace stridor::io {
 namespace {
@@ -291,6 +293,77 @@ TEST(ChartNetcdf, IsTheSameWrittenApart) {
             EXPECT_EQ(second.global(name), first.global(name));
         EXPECT_EQ(scratch.files(), 2);
     }
+}
+
+TEST(ChartZarr, HoldsWhatTheNetcdfFileHolds) {
+    const ScratchFolder scratch;
+    // characters with a meaning in addresses
+    const std::filesystem::path odd = scratch / "a #b%20c";
+    std::filesystem::create_directory(odd);
+    sweep::SweepResult large = invented_chart(invented_study(300, 260));
+    large.study.base.title = "Gummi \"quietscht\" bei 5 °C [μ]";
+    for (const sweep::SweepResult& chart : {large, refined_chart(), chart_of_starts()}) {
+        write_chart_netcdf((scratch / "chart.nc").string(), chart);
+        write_chart_zarr((odd / "chart.zarr").string(), chart);
+        std::filesystem::rename(odd / "chart.zarr", scratch / "chart.zarr");
+        const Opened first((scratch / "chart.nc").string());
+        const Opened second("file://" + (scratch / "chart.zarr").string() + "#mode=zarr,file");
+        const std::size_t size = chart.cells.size();
+        for (const sweep::CellFigure& figure : sweep::cell_figures())
+            expect_same(second.doubles(std::string(figure.name), size), first.doubles(std::string(figure.name), size));
+        for (const char* name : {"category", "quiet_because", "status", "source"}) {
+            EXPECT_EQ(second.bytes(name, size), first.bytes(name, size));
+            EXPECT_EQ(second.text(name, "flag_meanings"), first.text(name, "flag_meanings"));
+        }
+        if (!chart.study.starts.empty()) {
+            EXPECT_EQ(second.bytes("start_verdict", 2 * size), first.bytes("start_verdict", 2 * size));
+            EXPECT_EQ(second.text("start", "flag_meanings"), "rest sliding");
+        }
+        EXPECT_EQ(second.bytes("direction", 2), (std::vector<signed char>{0, 1}));
+        EXPECT_EQ(second.text("direction", "flag_meanings"), "going coming");
+        EXPECT_EQ(second.dimensions("slip"), first.dimensions("slip"));
+        for (const char* name : {"title", "study", "study_hash", "case", "schema"})
+            EXPECT_EQ(second.global(name), first.global(name));
+        std::filesystem::remove_all(scratch / "chart.zarr");
+    }
+}
+
+// larger than what the library is let to hold at a time: it is closed and opened in between
+TEST(ChartZarr, HoldsALargeChartToo) {
+    const ScratchFolder scratch;
+    const sweep::SweepResult chart = invented_chart(invented_study(400, 300));
+    const std::vector<sweep::CellFigure> figures(sweep::cell_figures().begin(), sweep::cell_figures().begin() + 12);
+    write_chart_zarr((scratch / "chart.zarr").string(), chart, figures);
+    const Opened file("file://" + (scratch / "chart.zarr").string() + "#mode=zarr,file");
+    for (const std::size_t k : {std::size_t{0}, figures.size() - 1}) {
+        const std::vector<double> values = file.doubles(std::string(figures[k].name), chart.cells.size());
+        for (std::size_t index = 0; index < values.size(); ++index) {
+            const double wanted = figure_of(invented_cell(chart.study, index), figures[k]);
+            ASSERT_TRUE(values[index] == wanted || (std::isnan(values[index]) && std::isnan(wanted))) << index;
+        }
+        EXPECT_EQ(file.text(std::string(figures[k].name), "units"), figures[k].unit);
+    }
+    const std::vector<signed char> categories = file.bytes("category", chart.cells.size());
+    for (std::size_t index = 0; index < categories.size(); ++index)
+        ASSERT_EQ(categories[index] == -1, chart.cells[index].status != sweep::Status::done) << index;
+    EXPECT_EQ(file.global("study"), sweep::canonical_text(chart.study));
+}
+
+TEST(ChartZarr, HasTheSameBytesInEveryRunAndReplacesTheFormer) {
+    const ScratchFolder scratch;
+    const auto write_and_read = [&] {
+        write_chart_zarr((scratch / "chart.zarr").string(), invented_chart(invented_study(300, 260)),
+                         sweep::cell_figures().first(2));
+        std::map<std::string, std::string> files;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(scratch / "chart.zarr"))
+            if (entry.is_regular_file()) files[entry.path().string()] = storage::read_file(entry.path().string());
+        return files;
+    };
+    const std::map<std::string, std::string> first = write_and_read();
+    EXPECT_TRUE(first.contains((scratch / "chart.zarr/slip/1.1.1").string()));
+    write_chart_zarr((scratch / "chart.zarr").string(), small_chart());
+    EXPECT_EQ(write_and_read(), first);
+    EXPECT_EQ(scratch.files(), 1);
 }
 
 TEST(ChartNetcdf, SaysWhyItCannotBeWritten) {

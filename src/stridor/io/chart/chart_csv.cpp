@@ -20,9 +20,9 @@ using base::csv_text::TableColumn;
 namespace {
 
 // slip, stick and separation stand first, whatever the order of the table
-std::vector<sweep::CellFigure> figures_in_order() {
+std::vector<sweep::CellFigure> figures_in_order(std::span<const sweep::CellFigure> wanted) {
     constexpr std::array<std::string_view, 3> first{"slip", "stick", "separation"};
-    std::vector<sweep::CellFigure> figures(sweep::cell_figures().begin(), sweep::cell_figures().end());
+    std::vector<sweep::CellFigure> figures(wanted.begin(), wanted.end());
     const auto rank = [&](const sweep::CellFigure& figure) {
         return std::find(first.begin(), first.end(), figure.name) - first.begin();
     };
@@ -59,10 +59,11 @@ Facts chart_opening(std::string_view what, const sweep::Study& study) {
 /// The rows of a chart.
 class ChartTable {
 public:
-    ChartTable(const sweep::SweepResult& result, const std::string& file, const Sink& sink)
+    ChartTable(const sweep::SweepResult& result, const ChartTableOptions& options, const Sink& sink)
         : result_(result),
-          file_(file),
-          sink_(sink) {
+          file_(options.file),
+          sink_(sink),
+          figures_(figures_in_order(options.figures)) {
         sink_(table_.take());
     }
 
@@ -96,14 +97,14 @@ private:
     const sweep::SweepResult& result_;
     const std::string& file_;
     const Sink& sink_;
-    std::vector<sweep::CellFigure> figures_ = figures_in_order();
+    std::vector<sweep::CellFigure> figures_;
     Table table_{chart_opening("chart", result_.study), chart_columns(result_.study, figures_)};
 };
 
 }  // namespace
 
-void chart_csv(const sweep::SweepResult& result, const std::string& file, const Sink& sink) {
-    ChartTable table(result, file, sink);
+void chart_csv(const sweep::SweepResult& result, const ChartTableOptions& options, const Sink& sink) {
+    ChartTable table(result, options, sink);
     std::size_t next = 0;
     const auto put_inferred_until = [&](std::size_t end) {
         for (; next < end; ++next)

@@ -5,6 +5,7 @@
 #include "stridor/sweep/diagram.hpp"
 
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,14 +19,19 @@ namespace stridor::io {
 /// Takes the next piece of a text.
 using Sink = std::function<void(std::string_view piece)>;
 
+/// What stands in a chart's table.
+struct ChartTableOptions {
+    std::string file;  // the chart file's name in commands
+    std::span<const sweep::CellFigure> figures = sweep::cell_figures();
+};
+
 /// "stridor.chart/1": a row per cell in index order (direction slowest, x fastest).
 ///
-/// Columns: x, y, direction, status, category, slip, stick, separation, the other figures of `sweep::cell_figures`,
-/// source, of a chart with starts agreement and one column per start, message, reproduce. Only done cells have a
-/// category, only those of them that were computed figures; cells that are not done have in `reproduce` the command
-/// that runs them alone, with `file` as the chart file's name. The text goes to the sink row by row: that of a large
-/// chart is too long to be held.
-void chart_csv(const sweep::SweepResult& result, const std::string& file, const Sink& sink);
+/// Columns: x, y, direction, status, category, slip, stick, separation, the other figures, source, of a chart with
+/// starts agreement and one column per start, message, reproduce. Only done cells have a category, only those of them
+/// that were computed figures; cells that are not done have in `reproduce` the command that runs them alone. The text
+/// goes to the sink row by row: that of a large chart is too long to be held.
+void chart_csv(const sweep::SweepResult& result, const ChartTableOptions& options, const Sink& sink);
 
 /// "stridor.boundaries/1": a row per vertex of each line, in order.
 std::string boundaries_csv(const sweep::Study& study, const std::vector<sweep::Boundary>& boundaries);

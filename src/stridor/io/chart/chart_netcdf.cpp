@@ -8,6 +8,7 @@
 #include "stridor/io/netcdf_library.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/storage/atomic_file.hpp"
+#include "stridor/storage/whole_folder.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <algorithm>
@@ -275,6 +276,17 @@ void write_chart_netcdf(const std::string& path, const sweep::SweepResult& resul
         write_apart(path, whole.temporary_name(room), result, options.figures);
     }
     whole.commit();
+}
+
+void write_chart_zarr(const std::string& path, const sweep::SweepResult& result,
+                      std::span<const sweep::CellFigure> figures) {
+    storage::WholeFolder folder(path);
+    {
+        NetcdfDataset file(path, folder.temporary().string(), DatasetFormat::zarr);
+        put_chart(file, result, figures, [&](const TakeBand& take) { visit_bands(result, {figures}, take); });
+        file.finish();
+    }
+    folder.commit();
 }
 
 }  // namespace stridor::io

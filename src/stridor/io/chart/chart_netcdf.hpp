@@ -33,4 +33,9 @@ struct NetcdfOptions {
 /// `SweepResult::cells`.
 void write_chart_netcdf(const std::string& path, const sweep::SweepResult& result, const NetcdfOptions& options = {});
 
+/// The same as a Zarr folder, in boxes of the same shape, each a file, which are not packed; direction and start are
+/// numbers with flag_meanings there. A folder that was there goes when the new one is whole.
+void write_chart_zarr(const std::string& path, const sweep::SweepResult& result,
+                      std::span<const sweep::CellFigure> figures = sweep::cell_figures());
+
 }  // namespace stridor::io
