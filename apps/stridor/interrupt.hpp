@@ -5,7 +5,8 @@
 
 namespace stridor::app {
 
-/// Turns SIGINT (Ctrl-C), SIGTERM and SIGUSR1 into a stop request; a second one leaves the program at once with exit code 4.
+/// Turns SIGINT (Ctrl-C), SIGTERM and SIGUSR1 into a stop request; a second one leaves the program at once with
+/// exit code 4.
 ///
 /// One may live at a time. Its signal handlers only set a flag; a thread looks at it 20 times a second.
 class Interrupt {
