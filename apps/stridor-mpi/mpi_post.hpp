@@ -7,8 +7,8 @@
 
 namespace stridor::app {
 
-/// Letters by MPI, between all ranks of the job. Of the program only this knows MPI, and it never blocks in it: Open MPI
-/// waits by keeping a processor busy.
+/// Letters by MPI, between all ranks of the job. Of the program only this knows MPI, and it never blocks in it: Open
+/// MPI waits by keeping a processor busy.
 class MpiPost final : public cluster::Post {
 public:
     /// Begins MPI. Only the thread that made this may use it. One may be made in a process.

@@ -31,7 +31,8 @@ sweep::SweepResult wide_refined_chart() {
     sweep::SweepResult result = wide_chart();
     std::vector<sweep::IndexedCell> computed;
     for (std::size_t index = 0; index < result.cells.size(); ++index) {
-        result.sources.push_back(index % many % 3 == 0 && index % many > 0 ? index - 1 : index);
+        const bool is_taken_over = index % many % 3 == 0 && index % many > 0;
+        result.sources.push_back(static_cast<sweep::CellIndex>(is_taken_over ? index - 1 : index));
         if (!sweep::is_inferred(result, index)) {
             computed.push_back({index, quiet_cells().front()});
             set_figure(computed.back().cell, sweep::cell_figure("slip"), static_cast<double>(index));
