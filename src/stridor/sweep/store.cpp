@@ -2,14 +2,10 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/version.hpp"
-#include "stridor/sweep/starts.hpp"
+#include "stridor/sweep/store_layout.hpp"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace stridor::sweep {
@@ -19,235 +15,66 @@ using storage::Transaction;
 
 namespace {
 
-constexpr int fixed_columns = 6;  // id, status, category, quiet_because, message, starts
-
-const char* const other_out = "Choose another --out, or remove the file to start anew.";
-const char* const compute_anew = "Remove the file: the same command computes the same cells anew.";
-
-// for one who begins at the same moment to get the lock or to let go of it, which takes milliseconds
-constexpr std::chrono::milliseconds longest_wait{250};
-
-storage::DatabaseOptions store_options() {
-    storage::DatabaseOptions options;
-    options.words = {"store", "Choose another --out, or remove the file.",
-                     "Wait until that ends, or choose another --out.", compute_anew,
-                     "run the same command again: it goes on from what is saved."};
-    options.identity = store_identity;
-    options.wait = longest_wait;
+storage::DatabaseOptions options_for(StoreUse use) {
+    storage::DatabaseOptions options = store_options();
+    if (use == StoreUse::fill) return options;
+    options.ownership = storage::Ownership::shared;
+    options.missing = storage::MissingFile::refuse;
     return options;
 }
 
-constexpr const char* create_meta_table = "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID";
-
-std::string cell_columns() {
-    std::string columns = "id, status, category, quiet_because, message, starts";
-    for (const CellFigure& figure : cell_figures())
-        columns += ", " + std::string(figure.name);
-    return columns;
-}
-
-std::string create_cell_table() {
-    std::string sql =
-        "CREATE TABLE cell(id INTEGER PRIMARY KEY, status TEXT NOT NULL, category TEXT, quiet_because TEXT, message "
-        "TEXT NOT "
-        "NULL, "
-        "starts TEXT NOT NULL";
-    // no REAL here: such a column turns whole numbers into integers on disk and loses the sign of -0
-    for (const CellFigure& figure : cell_figures())
-        sql += ", " + std::string(figure.name);
-    return sql + ")";
-}
-
-std::string insert_cell() {
-    std::string sql = "INSERT OR REPLACE INTO cell(" + cell_columns() + ") VALUES(?, ?, ?, ?, ?, ?";
-    for (std::size_t k = 0; k < cell_figures().size(); ++k)
-        sql += ", ?";
-    return sql + ")";
-}
-
-struct KeyLine {
-    std::string_view key;
-    std::string_view text;
-};
-
-std::vector<KeyLine> lines_of(std::string_view text) {
-    std::vector<KeyLine> lines;
-    while (!text.empty()) {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        lines.push_back({line.substr(0, line.find(" = ")), line});
-        text.remove_prefix(std::min(text.size(), line.size() + 1));
-    }
-    return lines;
-}
-
-const KeyLine* find_key(const std::vector<KeyLine>& lines, std::string_view key) {
-    const auto found = std::find_if(lines.begin(), lines.end(), [&](const KeyLine& line) { return line.key == key; });
-    return found == lines.end() ? nullptr : &*found;
-}
-
-// where two studies part, in words: "the store holds contact.static_friction = 0.8, the file says 0.7"
-std::string difference(const std::string& stored, const std::string& wanted) {
-    const std::vector<KeyLine> there = lines_of(stored);
-    const std::vector<KeyLine> here = lines_of(wanted);
-    for (const KeyLine& line : here) {
-        const KeyLine* other = find_key(there, line.key);
-        if (other == nullptr) return "the file says " + std::string(line.text) + ", which the store does not hold";
-        if (other->text != line.text)
-            return "the store holds " + std::string(other->text) + ", the file says " +
-                   std::string(line.text.substr(std::min(line.text.size(), line.key.size() + 3)));
-    }
-    for (const KeyLine& line : there)
-        if (find_key(here, line.key) == nullptr)
-            return "the store holds " + std::string(line.text) + ", which the file does not say";
-    return "its lines stand in another order";
-}
-
-template <typename Names>
-std::optional<std::size_t> place_in(const Names& names, const std::string& name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - names.begin());
-}
-
-// the verdicts of all starts: "none squeal failed"
-std::string words(std::span<const StartVerdict> starts) {
-    std::string text;
-    for (const StartVerdict& verdict : starts)
-        text += (text.empty() ? "" : " ") + std::string(word(verdict));
-    return text;
-}
-
-// nothing if a word is no verdict
-std::optional<std::vector<StartVerdict>> starts_in(const std::string& text) {
-    std::vector<StartVerdict> starts;
-    std::istringstream stream(text);
-    for (std::string each; stream >> each;) {
-        const std::optional<std::size_t> number = place_in(verdict_words, each);
-        if (!number) return std::nullopt;
-        starts.push_back(verdict_of(*number));
-    }
-    return starts;
-}
-
-void bind_cell(Statement& statement, const IndexedCell& indexed, const std::string& starts) {
-    const Cell& cell = indexed.cell;
-    statement.bind(1, static_cast<std::int64_t>(indexed.index));
-    statement.bind(2, status_names[static_cast<std::size_t>(cell.status)]);
-    if (cell.status == Status::done)
-        statement.bind(3, classification::name(cell.category));
-    else
-        statement.bind_null(3);
-    if (cell.quiet == classification::Quiet::no)
-        statement.bind_null(4);
-    else
-        statement.bind(4, classification::name(cell.quiet));
-    statement.bind(5, std::string_view(cell.message));
-    statement.bind(6, std::string_view(starts));
-    int parameter = fixed_columns;
-    for (const CellFigure& figure : cell_figures())
-        statement.bind(++parameter, figure_of(cell, figure));
-}
-
-// nothing for a row that no sweep wrote
-std::optional<IndexedCell> cell_in(const Statement& row, std::size_t cells) {
-    const std::optional<std::size_t> status = place_in(status_names, row.text(1));
-    const std::optional<std::size_t> category = place_in(classification::category_names, row.text(2));
-    const bool is_inside = row.integer(0) >= 0 && static_cast<std::size_t>(row.integer(0)) < cells;
-    if (!is_inside || !status) return std::nullopt;
-    IndexedCell indexed;
-    indexed.index = static_cast<std::size_t>(row.integer(0));
-    Cell& cell = indexed.cell;
-    cell.status = static_cast<Status>(*status);
-    if (cell.status == Status::done && !category) return std::nullopt;
-    if (category) cell.category = static_cast<classification::Category>(*category);
-    if (const std::optional<std::size_t> quiet = place_in(classification::quiet_names, row.text(3)))
-        cell.quiet = static_cast<classification::Quiet>(*quiet);
-    const bool is_none = cell.status == Status::done && cell.category == classification::Category::none;
-    if (is_none != (cell.quiet != classification::Quiet::no)) return std::nullopt;
-    cell.message = row.text(4);
-    std::optional<std::vector<StartVerdict>> starts = starts_in(row.text(5));
-    if (!starts) return std::nullopt;
-    cell.agreement = agreement(*starts);
-    cell.starts = std::move(*starts);
-    int column = fixed_columns;
-    for (const CellFigure& figure : cell_figures())
-        set_figure(cell, figure, row.number(column++));
-    return indexed;
+std::unique_ptr<storage::OwnerFile> claimed(const std::filesystem::path& file, StoreUse use) {
+    if (use == StoreUse::fill) return std::make_unique<storage::OwnerFile>(file, owner_options(file));
+    storage::expect_not_filled(file, owner_options(file));
+    return nullptr;
 }
 
 }  // namespace
 
-Store::Store(const std::filesystem::path& file, const Study& study)
-    : database_(file, store_options()),
-      study_text_(canonical_text(study)),
+Store::Store(const std::filesystem::path& file, const Study& study, StoreUse use)
+    : owner_(claimed(file, use)),
+      database_(file, options_for(use)),
+      use_(use),
       cells_(cell_count(study)) {
-    Transaction transaction(database_);
-    if (database_.is_new())
-        create();
-    else
-        verify();
+    const std::string text = canonical_text(study);
+    // it is read from one end to the other, perhaps beside a thousand others
+    if (use == StoreUse::read) database_.execute("PRAGMA cache_size = -256");
+    Transaction transaction(database_,
+                            use == StoreUse::fill ? Transaction::Purpose::write : Transaction::Purpose::read);
+    if (owner_) {
+        owner_->confirm();
+        replaced_ = owner_->replaced();
+    }
+    is_blank_ = database_.is_new();
+    if (!is_blank_)
+        verify_tables(database_, text);
+    else if (use == StoreUse::fill)
+        create_tables(database_, text);
+    is_blank_ = is_blank_ && use == StoreUse::read;
     transaction.commit();
 }
 
-void Store::create() {
-    database_.execute("PRAGMA application_id = " + std::to_string(store_identity.application_id));
-    database_.execute("PRAGMA user_version = " + std::to_string(store_schema));
-    database_.execute(create_meta_table);
-    database_.execute(create_cell_table());
-    const std::pair<std::string, std::string> entries[] = {{"study", study_text_},
-                                                           {"results", std::to_string(results_version)},
-                                                           {"program", std::string(base::version())},
-                                                           {"commit", std::string(base::commit())}};
-    Statement insert = database_.prepare("INSERT INTO meta(key, value) VALUES(?, ?)");
-    for (const auto& [key, value] : entries) {
-        insert.bind(1, std::string_view(key));
-        insert.bind(2, std::string_view(value));
-        insert.run();
-    }
-}
-
-std::string Store::meta(std::string_view key) {
-    Statement query = database_.prepare("SELECT value FROM meta WHERE key = ?");
-    query.bind(1, key);
-    return query.step() ? query.text(0) : std::string();
-}
-
-void Store::verify() {
-    const std::string name = file().string();
-    if (database_.integer("PRAGMA application_id") != store_identity.application_id)
-        throw Error(ErrorKind::input, {name + " is no store of a sweep", "it is another program's SQLite database",
-                                       "Choose another --out, or remove the file."});
-    const std::int64_t schema = database_.integer("PRAGMA user_version");
-    if (schema != store_schema)
-        throw Error(ErrorKind::input,
-                    {"the store " + name + " has schema " + std::to_string(schema),
-                     "this program reads and writes schema " + std::to_string(store_schema), other_out});
-    database_.expect_whole();
-    database_.expect_schema(std::array{std::string(create_meta_table), create_cell_table()});
-    const std::string stored = meta("study");
-    if (stored != study_text_)
-        throw Error(ErrorKind::input,
-                    {"the store " + name + " belongs to another study", difference(stored, study_text_), other_out});
-    const std::string results = meta("results");
-    if (results != std::to_string(results_version))
-        throw Error(ErrorKind::input, {"the store " + name + " was begun by stridor " + meta("program"),
-                                       "its numbers are of generation " + results + ", this program's of " +
-                                           std::to_string(results_version) + ", and the two do not mix",
-                                       other_out});
+// who comes next on this machine finds no owner before the lock is free
+Store::~Store() {
+    owner_.reset();
 }
 
 std::vector<bool> Store::stored() {
     std::vector<bool> found(cells_);
+    if (is_blank_) return found;
     Statement rows = database_.prepare("SELECT id FROM cell");
     while (rows.step()) {
         const std::int64_t id = rows.integer(0);
         if (id >= 0 && static_cast<std::size_t>(id) < cells_) found[static_cast<std::size_t>(id)] = true;
     }
+    known_ = static_cast<std::size_t>(std::count(found.begin(), found.end(), true));
+    if (owner_) owner_->tell(known_);
     return found;
 }
 
 Counts Store::counts() {
     Counts counts;
+    if (is_blank_) return counts;
     Statement rows = database_.prepare("SELECT status, category, count(*) FROM cell GROUP BY status, category");
     while (rows.step()) {
         const auto number = static_cast<std::size_t>(rows.integer(2));
@@ -259,18 +86,21 @@ Counts Store::counts() {
 }
 
 void Store::write(std::span<const IndexedCell> cells) {
+    STRIDOR_EXPECT(use_ == StoreUse::fill);
+    owner_->expect_own();
     Transaction transaction(database_);
-    Statement insert = database_.prepare(insert_cell());
+    Statement row = database_.prepare(insert_cell());
     for (const IndexedCell& cell : cells) {
         STRIDOR_EXPECT(cell.index < cells_);
-        const std::string starts = words(cell.cell.starts);
-        bind_cell(insert, cell, starts);
-        insert.run();
+        insert(row, cell);
     }
     transaction.commit();
+    known_ += cells.size();
+    owner_->tell(known_);
 }
 
 void Store::visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) {
+    if (is_blank_) return;
     Statement rows = database_.prepare("SELECT " + cell_columns() + " FROM cell WHERE id >= ? AND id < ? ORDER BY id");
     rows.bind(1, static_cast<std::int64_t>(first));
     rows.bind(2, static_cast<std::int64_t>(last));
@@ -278,13 +108,15 @@ void Store::visit(std::size_t first, std::size_t last, const std::function<void(
     while (rows.step()) {
         std::optional<IndexedCell> cell = cell_in(rows, cells_);
         // who is shown the cells counts on their order
-        if (!cell || cell->index < next || cell->index >= last)
-            throw Error(ErrorKind::io,
-                        {"the store " + file().string() + " is damaged",
-                         "cell " + std::to_string(rows.integer(0)) + " is none of this study", compute_anew});
+        if (!cell || cell->index < next || cell->index >= last) throw no_cell_of_the_study(file(), rows.integer(0));
         next = cell->index + 1;
         use(*cell);
     }
+}
+
+Statement Store::rows() {
+    if (is_blank_) return database_.prepare("SELECT 0 WHERE 0");
+    return database_.prepare("SELECT " + cell_columns() + " FROM cell ORDER BY id");
 }
 
 std::vector<IndexedCell> Store::read() {

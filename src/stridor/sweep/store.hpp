@@ -1,28 +1,27 @@
 #pragma once
 
 #include "stridor/storage/database.hpp"
+#include "stridor/storage/owner_file.hpp"
 #include "stridor/sweep/keeper.hpp"
+#include "stridor/sweep/store_layout.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace stridor::sweep {
 
-/// Layout of a store. Raise it when a table, a column or the meaning of one changes: older stores are then refused.
-inline constexpr int store_schema = 3;
-
-/// What a store's header says: "STRD", where other programs look for the kind of a database; pages have checksums from
-/// layout 3 on.
-inline constexpr storage::Identity store_identity{0x53545244, 3};
-
-/// Generation of the numbers. Raise it with every change that moves a result (the changelog's "Results changed"): a
-/// store begun before is then refused, for its cells and new ones would not fit together.
-inline constexpr int results_version = 7;
+/// What a store is opened for.
+///
+/// `fill`: it is made if it is not there, and belongs to this process alone while it is open. `read`: it must be there;
+/// nobody may fill it meanwhile, and others may read it, too.
+enum class StoreUse { fill, read };
 
 /// The finished cells of one study in one SQLite file, from the first cell on: the sweep's only memory.
 ///
@@ -35,14 +34,22 @@ inline constexpr int results_version = 7;
 ///
 /// What is read is what was written, or an `Error` (io) says that the store is damaged: each page has a checksum.
 ///
-/// The file belongs to one process while a store is open, and survives the death of that process at any moment.
+/// The file belongs to one process while it is filled, and survives the death of that process at any moment. Beside
+/// it stands meanwhile who fills it (`OwnerFile`), for other machines that see it.
 class Store final : public CellKeeper {
 public:
     /// Opens the store of this study, or makes it.
     ///
     /// Throws `Error`: input if the file is something else or another study's (the first difference is named), io if
-    /// another process has it open or the file cannot be read or written.
-    Store(const std::filesystem::path& file, const Study& study);
+    /// another process fills it or the file cannot be read or written.
+    Store(const std::filesystem::path& file, const Study& study, StoreUse use = StoreUse::fill);
+
+    ~Store() override;
+    Store(const Store&) = delete;
+    Store& operator=(const Store&) = delete;
+
+    /// Whose work was taken over, who died or has been silent for too long; nothing as a rule.
+    const std::optional<storage::SeenOwner>& replaced() const { return replaced_; }
 
     /// Where it stands.
     const std::filesystem::path& file() const { return database_.file(); }
@@ -59,17 +66,20 @@ public:
     /// Throws `Error` (io) at a row that no sweep wrote, or out of order.
     void visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) override;
 
+    /// The cells as they stand, in index order: rows of `cell_columns`, to be copied. Must end before the store.
+    storage::Statement rows();
+
     /// All cells that are there, in index order.
     std::vector<IndexedCell> read();
 
 private:
-    void create();
-    void verify();
-    std::string meta(std::string_view key);
-
+    std::unique_ptr<storage::OwnerFile> owner_;  // nothing where it is only read
+    std::optional<storage::SeenOwner> replaced_;
     storage::Database database_;
-    std::string study_text_;
+    StoreUse use_;
+    bool is_blank_ = false;  // only read, and whoever began it died before it had tables
     std::size_t cells_ = 0;  // [1] of the study
+    std::size_t known_ = 0;  // [1] of them that are there, once somebody asked
 };
 
 }  // namespace stridor::sweep

@@ -1,6 +1,7 @@
 #include "stridor/sweep/store.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/storage/owner_text.hpp"
 #include "support/error_text.hpp"
 #include "support/property.hpp"
 #include "support/small_study.hpp"
@@ -235,6 +236,36 @@ TEST_F(StoreFile, RefusesASecondOwnerAtOnce) {
     store.write(std::vector<IndexedCell>{{0, cell_with(1.0)}});
     EXPECT_TRUE(thrown_by_opening(study_).says("is in use"));
     EXPECT_EQ(store.read().size(), 1U);
+}
+
+TEST_F(StoreFile, NamesWhoFillsItWhileItIsFilled) {
+    {
+        const Store store(file_, study_);
+        EXPECT_FALSE(store.replaced());
+        EXPECT_TRUE(storage::owner_of(file_));
+    }
+    EXPECT_FALSE(storage::owner_of(file_));
+    const Store read(file_, study_, StoreUse::read);
+    EXPECT_FALSE(storage::owner_of(file_)) << "who reads it owns nothing";
+}
+
+TEST_F(StoreFile, IsRefusedWhileAnotherHostFillsItAndTakenOverFromADeadProcess) {
+    const std::string owner = storage::owner_file_of(file_).string();
+    write_bytes(owner, storage::owner_text({"another-host", 17, "", "mark", 0}));
+    for (const StoreUse use : {StoreUse::fill, StoreUse::read})
+        EXPECT_TRUE(thrown_by([&] { Store(file_, study_, use); }).says("process 17 of host another-host fills it"));
+    EXPECT_FALSE(std::filesystem::exists(file_));
+    std::filesystem::remove(owner);
+    storage::Owner former;
+    {
+        const Store store(file_, study_);
+        former = storage::owner_of(file_)->owner;
+    }
+    former.process = 0x7fff'fff0;  // beyond any process of a machine
+    write_bytes(owner, storage::owner_text(former));
+    const Store store(file_, study_);
+    ASSERT_TRUE(store.replaced());
+    EXPECT_EQ(store.replaced()->owner.process, former.process);
 }
 
 TEST_F(StoreFile, SaysWhyItCannotBeOpened) {

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "stridor/base/error.hpp"
+#include "stridor/storage/database.hpp"
+#include "stridor/storage/owner_file.hpp"
+#include "stridor/sweep/cell.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+/// What a store of cells looks like inside, for the classes that open one.
+namespace stridor::sweep {
+
+/// Layout of a store. Raise it when a table, a column or the meaning of one changes: older stores are then refused.
+inline constexpr int store_schema = 3;
+
+/// What a store's header says: "STRD", where other programs look for the kind of a database; pages have checksums from
+/// layout 3 on.
+inline constexpr storage::Identity store_identity{0x53545244, 3};
+
+/// Generation of the numbers. Raise it with every change that moves a result (the changelog's "Results changed"): a
+/// store begun before is then refused, for its cells and new ones would not fit together.
+inline constexpr int results_version = 7;
+
+/// How a store is opened: by one process alone, with the words of a sweep.
+storage::DatabaseOptions store_options();
+
+/// How messages about who fills a store call it.
+storage::OwnerOptions owner_options(const std::filesystem::path& store);
+
+/// Makes the tables of an empty store, for the study of this canonical text.
+void create_tables(storage::Database& database, const std::string& study_text);
+
+/// Throws `Error`: input if the file is something else, another study's (the first difference is named) or of another
+/// generation, io if it is damaged.
+void verify_tables(storage::Database& database, const std::string& study_text);
+
+/// The columns of a cell, separated by commas, the index first.
+std::string cell_columns();
+
+/// How many they are.
+std::size_t cell_columns_count();
+
+/// The statement that `insert` takes, with a parameter for each of `cell_columns`.
+std::string insert_cell();
+
+/// Runs it for a cell.
+void insert(storage::Statement& statement, const IndexedCell& cell);
+
+/// The cell in a row of `cell_columns`, of a study of so many; nothing for a row that no sweep wrote.
+std::optional<IndexedCell> cell_in(const storage::Statement& row, std::size_t cells);
+
+/// What to throw (io) for such a row: the store is damaged.
+Error no_cell_of_the_study(const std::filesystem::path& store, std::int64_t index);
+
+/// The place of a word in a list.
+template <typename Names>
+std::optional<std::size_t> place_in(const Names& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+}  // namespace stridor::sweep
