@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <system_error>
@@ -260,6 +261,25 @@ void Statement::bind(int parameter, std::string_view text) {
 
 void Statement::bind_null(int parameter) {
     expect_ok(sqlite3_bind_null(handle_.get(), parameter));
+}
+
+void Statement::bind_column(int parameter, const Statement& row, int column) {
+    expect_ok(sqlite3_bind_value(handle_.get(), parameter, sqlite3_column_value(row.handle_.get(), column)));
+}
+
+bool Statement::has_same(const Statement& other, int column) const {
+    sqlite3_stmt* const a = handle_.get();
+    sqlite3_stmt* const b = other.handle_.get();
+    if (sqlite3_column_type(a, column) != sqlite3_column_type(b, column)) return false;
+    switch (sqlite3_column_type(a, column)) {
+        case SQLITE_INTEGER:
+            return sqlite3_column_int64(a, column) == sqlite3_column_int64(b, column);
+        case SQLITE_FLOAT:
+            return std::bit_cast<std::uint64_t>(sqlite3_column_double(a, column)) ==
+                   std::bit_cast<std::uint64_t>(sqlite3_column_double(b, column));
+        default:
+            return text(column) == other.text(column);
+    }
 }
 
 bool Statement::step() {

@@ -137,6 +137,9 @@ public:
     /// Likewise, nothing.
     void bind_null(int parameter);
 
+    /// Likewise, what stands in a column of another statement's row, bit for bit.
+    void bind_column(int parameter, const Statement& row, int column);
+
     /// Goes to the next row; false when there is none.
     bool step();
 
@@ -152,6 +155,9 @@ public:
     std::int64_t integer(int column) const;
     /// Likewise, text.
     std::string text(int column) const;  // empty for NULL
+
+    /// Does the same stand in a column of another statement's row, bit for bit?
+    bool has_same(const Statement& other, int column) const;
 
 private:
     friend class Database;

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <optional>
 #include <utility>
 
 namespace stridor::sweep {
@@ -47,6 +46,16 @@ std::string text_of(const Share& share) {
 
 std::string file_name_of(const Share& share) {
     return fmt::format("{:04}-of-{:04}", share.index, share.count);
+}
+
+std::optional<Share> share_of_file_name(std::string_view name) {
+    constexpr std::string_view between = "-of-";
+    const std::size_t place = name.find(between);
+    if (place == std::string_view::npos) return std::nullopt;
+    const std::optional<std::size_t> index = whole_number(name.substr(0, place));
+    const std::optional<std::size_t> count = whole_number(name.substr(place + between.size()));
+    if (!index || !count || *index >= *count || file_name_of({*index, *count}) != name) return std::nullopt;
+    return Share{*index, *count};
 }
 
 Share read_share(std::string_view text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,9 @@ std::string text_of(const Share& share);
 
 /// "0003-of-0016": sorts as the numbers do.
 std::string file_name_of(const Share& share);
+
+/// The share with this file name; nothing where it is no share's.
+std::optional<Share> share_of_file_name(std::string_view name);
 
 /// Reads "3/16". Throws `Error` (input) for what is no share, with what was meant.
 Share read_share(std::string_view text);

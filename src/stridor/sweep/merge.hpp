@@ -1,0 +1,50 @@
+#pragma once
+
+#include "stridor/sweep/share.hpp"
+#include "stridor/sweep/study.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+/// Merging: the stores of a chart's shares become its one store.
+namespace stridor::sweep {
+
+/// A store of a share, as it lies in the folder.
+struct ShareStore {
+    std::filesystem::path file;
+    std::optional<Share> share;  // as its name says; nothing for another name
+    bool is_filled = false;      // by somebody at this moment: it is left alone
+};
+
+/// All stores of shares of the chart in a folder, by name.
+std::vector<ShareStore> share_stores(const std::filesystem::path& folder);
+
+/// How to merge.
+struct MergeOptions {
+    std::stop_token stop;                  // asks for an early end
+    std::function<void(double)> progress;  // [1] the part that is done; at most ten times a second
+};
+
+/// What a merge found.
+struct MergeReport {
+    std::size_t cells = 0;             // [1] in the merged store
+    std::vector<std::size_t> missing;  // runs that are known to be needed, by the index of their first cell
+    std::size_t missing_cells = 0;     // [1] of them
+    std::vector<ShareStore> shares;
+};
+
+/// Merges all stores of shares, and the store of the chart if there is one, into a new one that takes its place:
+/// FOLDER/chart.sqlite.
+///
+/// The cells stand in it in index order, and its bytes are the same however many shares there were and however often
+/// they were merged. Memory depends on the number of stores, and four bytes on each cell of the study. A store that is
+/// being filled is left out. Throws `Error`: input for a store of another study or generation, io for a damaged one,
+/// for a cell that two of them hold otherwise, and where the chart's own store is being filled; interrupted on request.
+/// After any of these everything is as it was.
+MergeReport merge(const Study& study, const std::filesystem::path& folder, const MergeOptions& options = {});
+
+}  // namespace stridor::sweep
