@@ -1,0 +1,143 @@
+#include "stridor/io/chart/status_texts.hpp"
+
+#include "stridor/io/json_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace stridor::io {
+
+namespace {
+
+using namespace json_parts;
+using sweep::Share;
+using sweep::StoreStanding;
+using sweep::StoreState;
+
+constexpr std::size_t most_lines = 20;  // [1] of stores in a text
+
+std::string cells(std::size_t number) {
+    return fmt::format("{} cell{}", number, number == 1 ? "" : "s");
+}
+
+std::string owner_text(const storage::SeenOwner& seen) {
+    return storage::text_of(seen.owner) + ", last heard of " + storage::ago_text(seen.silence);
+}
+
+std::string standing_text(const StoreState& state) {
+    switch (state.standing) {
+        case StoreStanding::missing:
+            return fmt::format("not begun, {} missing", cells(state.missing));
+        case StoreStanding::filled:
+            return fmt::format("{} so far, filled by {}", cells(state.cells), owner_text(*state.owner));
+        case StoreStanding::unreadable:
+            return state.problem;
+        case StoreStanding::complete:
+            return cells(state.cells);
+        case StoreStanding::partial:
+            break;
+    }
+    const std::string left = state.owner ? "; left by " + owner_text(*state.owner) : "";
+    return fmt::format("{}, {} missing{}", cells(state.cells), state.missing, left);
+}
+
+// "15 of 16 shares, 5 of 5 shares": of each number into which the chart was cut
+std::string shares_text(const std::map<std::size_t, std::size_t>& there) {
+    std::string text;
+    for (const auto& [count, found] : there)
+        text += fmt::format("{}{} of {} share{}", text.empty() ? "" : ", ", found, count, count == 1 ? "" : "s");
+    return text.empty() ? "no shares" : text;
+}
+
+Json owner_object(const std::optional<storage::SeenOwner>& seen) {
+    if (!seen) return nullptr;
+    return {{"host", seen->owner.host},
+            {"process", seen->owner.process},
+            {"job", seen->owner.job.empty() ? Json(nullptr) : Json(seen->owner.job)},
+            {"silence", seen->silence}};
+}
+
+Json store_object(const StoreState& state) {
+    Json object{{"file", state.file.string()},
+                {"standing", name_of(sweep::standing_names, state.standing)},
+                {"cells", state.cells},
+                {"owner", owner_object(state.owner)}};
+    if (state.share) {
+        object["share"] = text_of(*state.share);
+        object["missing"] = state.missing;
+    }
+    if (!state.problem.empty()) object["problem"] = state.problem;
+    return object;
+}
+
+}  // namespace
+
+std::string status_text(const sweep::Study& study, const sweep::ChartState& state) {
+    const bool is_refined = study.refine != 0;
+    std::string text = fmt::format("{} of {}{} done", state.done, is_refined && !state.is_merged ? "at least " : "",
+                                   cells(state.total));
+    std::map<std::size_t, std::size_t> there;
+    for (const StoreState& share : state.shares)
+        if (share.share) there[share.share->count] += share.standing == StoreStanding::missing ? 0 : 1;
+    if (!there.empty()) text += "; " + shares_text(there);
+    text += state.is_merged ? ", all in " + state.chart.file.string() + "\n" : "\n";
+    const bool is_told = state.chart.standing != StoreStanding::missing && !state.is_merged;
+    if (is_told) text += "  " + state.chart.file.filename().string() + ": " + standing_text(state.chart) + "\n";
+    std::size_t lines = 0;
+    for (const StoreState& share : state.shares) {
+        // more shares than blocks of runs leave some with nothing to do
+        const bool is_idle = share.standing == StoreStanding::missing && share.missing == 0;
+        if (share.standing == StoreStanding::complete || is_idle || state.is_merged) continue;
+        if (++lines > most_lines) continue;
+        text += "  " + (share.share ? text_of(*share.share) : share.file.filename().string()) + ": " +
+                standing_text(share) + "\n";
+    }
+    if (lines > most_lines) text += fmt::format("  and {} more\n", lines - most_lines);
+    return text;
+}
+
+std::string status_json(const sweep::Study& study, const sweep::ChartState& state) {
+    Json shares = Json::array();
+    for (const StoreState& share : state.shares)
+        shares.push_back(store_object(share));
+    const Json document{{"schema", "stridor.chart-status/1"}, {"refined", study.refine != 0},
+                        {"complete", state.is_merged},        {"cells", {{"done", state.done}, {"known", state.total}}},
+                        {"chart", store_object(state.chart)}, {"shares", shares}};
+    return document.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string missing_text(const sweep::Study& study, const sweep::MergeReport& report) {
+    if (report.missing.empty()) return {};
+    std::map<std::size_t, std::size_t> there;
+    std::map<std::pair<std::size_t, std::size_t>, const sweep::ShareStore*> stores;
+    for (const sweep::ShareStore& store : report.shares)
+        if (store.share) {
+            ++there[store.share->count];
+            stores[{store.share->count, store.share->index}] = &store;
+        }
+    std::string text = fmt::format("{}, {}{} missing\n", shares_text(there), study.refine == 0 ? "" : "at least ",
+                                   cells(report.missing_cells));
+    std::size_t lines = 0;
+    for (const auto& [count, found] : there) {
+        std::vector<std::size_t> runs(count);
+        for (const std::size_t run : report.missing)
+            ++runs[run / sweep::runs_per_block % count];
+        for (std::size_t index = 0; index < count; ++index) {
+            const auto store = stores.find({count, index});
+            if (runs[index] == 0 || ++lines > most_lines) continue;
+            const std::string_view why = store == stores.end()      ? " (not begun)"
+                                         : store->second->is_filled ? " (being filled)"
+                                                                    : "";
+            text += fmt::format("  {}: {} run{} missing{}\n", text_of(Share{index, count}), runs[index],
+                                runs[index] == 1 ? "" : "s", why);
+        }
+    }
+    if (lines > most_lines) text += fmt::format("  and {} more\n", lines - most_lines);
+    return text;
+}
+
+}  // namespace stridor::io

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "stridor/sweep/chart_state.hpp"
+#include "stridor/sweep/merge.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace stridor::io {
+
+/// How far a chart is: its cells, who fills which store, and the shares that lack cells.
+std::string status_text(const sweep::Study& study, const sweep::ChartState& state);
+
+/// The same, schema "stridor.chart-status/1".
+std::string status_json(const sweep::Study& study, const sweep::ChartState& state);
+
+/// What a merge left open: "15 of 16 shares, 3124 cells missing", and of which shares; empty if nothing is missing.
+std::string missing_text(const sweep::Study& study, const sweep::MergeReport& report);
+
+}  // namespace stridor::io
