@@ -2,7 +2,7 @@
 _stridor() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} options=""
     if ((COMP_CWORD == 1)); then
-        COMPREPLY=($(compgen -W "init check simulate stability advise chart report figure listen rig convert library analyse classify evaluate compare match structure explore verify completion help --help --version" -- "$word"))
+        COMPREPLY=($(compgen -W "init check simulate stability advise chart merge chart-status report figure listen rig convert library analyse classify evaluate compare match structure explore verify completion help --help --version" -- "$word"))
         return
     fi
     if [[ $previous == --set ]]; then
@@ -25,7 +25,9 @@ _stridor() {
         simulate) options="--help --set --no-early --json --trace --trace-from --trace-to --trace-interval --history --figure --zoom" ;;
         stability) options="--help --set --over --figure --modes --json" ;;
         advise) options="--help --set --over --tolerance --samples --seed --threads --json" ;;
-        chart) options="--help --set --no-early --x --y --out --files --figures --threads --preview --json" ;;
+        chart) options="--help --set --no-early --x --y --out --threads --preview --json --shard --slurm --time" ;;
+        merge) options="--help" ;;
+        chart-status) options="--help --json" ;;
         report) options="--help --set --no-early --output --x --y --points --no-chart --no-advice --threads" ;;
         figure) options="--help" ;;
         listen) options="--help --set --cell --direction --judged --output --of --quantity --component --rate --seconds --level --full-scale --high-pass --fade --json" ;;

@@ -21,6 +21,8 @@ void add_simulate(CLI::App& program);
 void add_stability(CLI::App& program);
 void add_advise(CLI::App& program);
 void add_chart(CLI::App& program);
+void add_merge(CLI::App& program);
+void add_chart_status(CLI::App& program);
 void add_report(CLI::App& program);
 void add_figure(CLI::App& program);
 void add_listen(CLI::App& program);
@@ -39,8 +41,8 @@ void add_completion(CLI::App& program);
 
 /// All of them, in the order in which the help lists them.
 inline constexpr std::array add_commands{
-    add_init,     add_check,   add_simulate, add_stability, add_advise,  add_chart,   add_report,
-    add_figure,   add_listen,  add_rig,      add_convert,   add_library, add_analyse, add_classify,
+    add_init,     add_check,   add_simulate, add_stability, add_advise,  add_chart,   add_merge,     add_chart_status,
+    add_report,   add_figure,  add_listen,   add_rig,       add_convert, add_library, add_analyse,   add_classify,
     add_evaluate, add_compare, add_match,    add_structure, add_explore, add_verify,  add_completion};
 
 /// What every command that reads a case takes.

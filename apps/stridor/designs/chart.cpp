@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "crews.hpp"
 #include "designs/chart_run.hpp"
+#include "designs/chart_shares.hpp"
 #include "stridor/console/results/chart_text.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/io/case/toml_document.hpp"
@@ -32,6 +33,8 @@ struct ChartOptions {
     int threads = 0;
     bool json = false;
     bool preview = false;
+    std::string share;
+    SlurmOptions slurm;
 };
 
 void write_diagram(const sweep::SweepResult& result, const std::filesystem::path& out, const io::ChartExports& exports,
@@ -53,10 +56,15 @@ void chart(const ChartOptions& options) {
         std::filesystem::path(options.input.file).stem().string() + (options.preview ? "-preview" : "");
     const std::filesystem::path out = options.out.empty() ? name : options.out;
     storage::make_folder(out, "Choose another --out.");
+    if (options.slurm.shares > 0) return print_slurm_script(study, out, options.slurm, options.threads);
+    if (!options.share.empty()) return compute_share(study, out, options.share, options.threads);
+    // in a new folder it stands there from the start, for who asks how far the chart is
+    const std::filesystem::path chart_file = out / "chart.toml";
+    if (!std::filesystem::exists(chart_file)) storage::write_file(chart_file.string(), io::study_toml(study));
     const sweep::SweepResult result = compute(study, out / "chart.sqlite", options.threads);
     // the resolved chart, overrides included, stands beside its results: what a reproduce command runs
-    storage::write_file((out / "chart.toml").string(), io::study_toml(study));
-    if (const std::string failures = console::failures_text(result, (out / "chart.toml").string()); !failures.empty())
+    storage::write_file(chart_file.string(), io::study_toml(study));
+    if (const std::string failures = console::failures_text(result, chart_file.string()); !failures.empty())
         console::say(failures);
     sweep::require_result(result);
     io::write_chart_tables(result, out, exports);
@@ -115,7 +123,26 @@ void add_chart(CLI::App& program) {
     add_threads_option(*command, options->threads);
     command->add_flag("--preview", options->preview,
                       "a quick look: at most 64 by 64 points, refined, a part of the time simulated");
-    add_json_option(*command, options->json, "stridor.chart/1", "print the chart as one JSON document");
+    CLI::Option* json =
+        add_json_option(*command, options->json, "stridor.chart/1", "print the chart as one JSON document");
+    CLI::Option* share =
+        command
+            ->add_option("--shard", options->share,
+                         "compute one share of the chart into a store of its own, counted from 0; auto: that of a task "
+                         "of a Slurm array; `stridor merge` joins them")
+            ->type_name("INDEX/COUNT|auto")
+            ->excludes(json);
+    CLI::Option* slurm = command
+                             ->add_option("--slurm", options->slurm.shares,
+                                          "print a job script that computes the chart in so many shares on a cluster "
+                                          "with Slurm; nothing is submitted")
+                             ->type_name("SHARES")
+                             ->check(CLI::Range(std::size_t{1}, sweep::most_shares))
+                             ->excludes(json)
+                             ->excludes(share);
+    command->add_option("--time", options->slurm.time, "limit of time of each of its tasks, as Slurm writes it")
+        ->type_name("TIME")
+        ->needs(slurm);
     command->footer(
         "Ctrl-C stops and keeps all finished cells; the same command goes on. A killed run loses at most half a second "
         "of work.\n"
@@ -123,7 +150,9 @@ void add_chart(CLI::App& program) {
         "  stridor chart squeal.toml --x mu_d=0:0.8 --out friction\n"
         "  stridor init noise-chart -o pair.toml\n  stridor chart pair.toml --out pair\n"
         "  stridor chart pair.toml --out quick --set chart.x.points=12 --set chart.y.points=12\n"
-        "  stridor chart pair.toml --out pair --files nc,png --figures frequency,joint_level");
+        "  stridor chart pair.toml --out pair --files nc,png --figures frequency,joint_level\n"
+        "  stridor chart pair.toml --out pair --shard 3/16\n"
+        "  stridor chart pair.toml --out pair --slurm 16 --time 2:00:00 | sbatch");
     command->callback([options] { chart(*options); });
 }
 

@@ -1,0 +1,173 @@
+#include "support/json_of.hpp"
+#include "support/process.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/wait.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+
+using stridor::support::Finished;
+using stridor::support::json_of;
+using stridor::support::Launch;
+using stridor::support::Process;
+using stridor::support::read_text;
+using stridor::support::run;
+using stridor::support::ScratchFolder;
+using stridor::support::wait_until;
+using stridor::support::write_text;
+
+namespace {
+
+// 64 by 40 points in two directions, five blocks of runs of some tenths of a second each
+class SharesOfAChart : public testing::Test {
+protected:
+    void SetUp() override { write_text(folder_ / "pair.toml", run({"init", "noise-chart"}).out); }
+
+    std::vector<std::string> chart(const std::string& out, const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> arguments{"chart", "pair.toml", "--out", out, "--threads", "2"};
+        for (const char* setting : {"chart.x.points=64", "chart.y.points=40", "run.duration=0.004", "run.window=0.002"})
+            arguments.insert(arguments.end(), {"--set", setting});
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    }
+
+    Finished done(const std::vector<std::string>& arguments) const { return run(arguments, folder_.path()); }
+
+    std::string text(const std::string& file) const { return read_text(folder_.path() / file); }
+
+    ScratchFolder folder_;
+};
+
+TEST_F(SharesOfAChart, AreMergedIntoTheBytesOfASingleRun) {
+    ASSERT_EQ(done(chart("single")).exit_code, 0);
+    const Finished first = done(chart("pair", {"--shard", "0/2"}));
+    ASSERT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_NE(first.out.find("share 0/2 is done: 3072 cells computed into pair/shards/0000-of-0002.sqlite"),
+              std::string::npos)
+        << first.out;
+    EXPECT_NE(first.out.find("stridor merge pair"), std::string::npos) << first.out;
+    const Finished early = done({"merge", "pair"});
+    EXPECT_EQ(early.exit_code, 4);
+    EXPECT_NE(early.out.find("1 of 2 shares, 2048 cells missing\n  1/2: 2048 runs missing (not begun)\n"),
+              std::string::npos)
+        << early.out;
+    const Finished second =
+        run(Launch{chart("pair", {"--shard", "auto"}),
+                   folder_.path(),
+                   "",
+                   std::nullopt,
+                   {{"SLURM_ARRAY_TASK_ID", "8"}, {"SLURM_ARRAY_TASK_MIN", "7"}, {"SLURM_ARRAY_TASK_COUNT", "2"}}});
+    ASSERT_EQ(second.exit_code, 0) << second.err;
+    EXPECT_NE(second.out.find("share 1/2 is done: 2048 cells"), std::string::npos) << second.out;
+    EXPECT_NE(done(chart("pair", {"--shard", "1/2"})).out.find("share 1/2 is done: 0 cells"), std::string::npos);
+    const Finished merged = done({"merge", "pair"});
+    EXPECT_EQ(merged.exit_code, 0) << merged.err;
+    EXPECT_NE(merged.out.find("complete; to draw it: stridor chart pair/chart.toml --out pair"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "pair/chart.sqlite.owner"));
+    const Finished drawn = done({"chart", "pair/chart.toml", "--out", "pair"});
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    for (const char* file : {"chart.csv", "boundaries.csv", "chart.svg"})
+        EXPECT_EQ(text(std::string("pair/") + file), text(std::string("single/") + file)) << file;
+}
+
+TEST_F(SharesOfAChart, OfARefinedOneAreRepeatedUntilTheMergeIsComplete) {
+    const std::vector<std::string> refined{"--set", "chart.refine=3", "--set", "chart.starts=rest,stuck"};
+    const auto share = [&](const std::string& name) {
+        std::vector<std::string> more = refined;
+        more.insert(more.end(), {"--shard", name});
+        return chart("pair", more);
+    };
+    ASSERT_EQ(done(chart("single", refined)).exit_code, 0);
+    int code = 4;
+    int rounds = 0;
+    for (; code == 4 && rounds < 10; ++rounds) {
+        for (const char* name : {"0/3", "1/3", "2/3"})
+            ASSERT_EQ(done(share(name)).exit_code, 0);
+        const Finished merged = done({"merge", "pair"});
+        code = merged.exit_code;
+        if (code == 4) {
+            EXPECT_NE(merged.err.find("a refined chart takes its shares and the merge several times"),
+                      std::string::npos)
+                << merged.err;
+        }
+    }
+    ASSERT_EQ(code, 0);
+    EXPECT_GT(rounds, 1);
+    ASSERT_EQ(done({"chart", "pair/chart.toml", "--out", "pair"}).exit_code, 0);
+    EXPECT_EQ(text("pair/chart.csv"), text("single/chart.csv"));
+    EXPECT_EQ(text("pair/boundaries.csv"), text("single/boundaries.csv"));
+}
+
+TEST_F(SharesOfAChart, AreShownWhileTheyAreFilledAndGoOnAfterASignal) {
+    const std::vector<std::string> slow = chart("pair", {"--shard", "1/2", "--set", "run.duration=0.4"});
+    Process process(Launch{slow, folder_.path(), {}, std::nullopt, {}});
+    ASSERT_TRUE(wait_until([&] { return process.handles(SIGTERM); }));
+    const Finished status = done({"chart-status", "pair"});
+    EXPECT_EQ(status.exit_code, 0) << status.err;
+    EXPECT_NE(status.out.find("cells so far, filled by process "), std::string::npos) << status.out;
+    EXPECT_NE(status.out.find("1 of 2 shares"), std::string::npos) << status.out;
+    EXPECT_NE(status.out.find("  0/2: not begun, 3072 cells missing"), std::string::npos) << status.out;
+    const auto document = json_of(done({"chart-status", "pair", "--json"}).out);
+    EXPECT_EQ(document["schema"], "stridor.chart-status/1");
+    EXPECT_EQ(document["cells"]["known"], 5120);
+    EXPECT_EQ(document["shares"][0]["standing"], "missing");
+    EXPECT_EQ(document["shares"][1]["standing"], "filled");
+    EXPECT_EQ(document["shares"][1]["share"], "1/2");
+    EXPECT_TRUE(document["shares"][1]["owner"]["process"].is_number());
+    const Finished second = done(slow);
+    EXPECT_EQ(second.exit_code, 5) << "two at one share";
+    EXPECT_NE(second.err.find("is in use"), std::string::npos) << second.err;
+    process.send(SIGTERM);
+    const Finished stopped = process.wait();
+    EXPECT_EQ(stopped.exit_code, 4);
+    EXPECT_NE(stopped.err.find("Run the same command again to go on"), std::string::npos) << stopped.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "pair/shards/0001-of-0002.sqlite.owner"));
+}
+
+TEST_F(SharesOfAChart, OfADeadProcessAreTakenOverAndItIsSaid) {
+    const std::vector<std::string> slow = chart("pair", {"--shard", "0/2", "--set", "run.duration=0.4"});
+    {
+        Process process(Launch{slow, folder_.path(), {}, std::nullopt, {}});
+        ASSERT_TRUE(wait_until([&] { return process.handles(SIGTERM); }));
+        process.send(SIGKILL);
+        process.wait();
+    }
+    Process process(Launch{slow, folder_.path(), {}, std::nullopt, {}});
+    ASSERT_TRUE(wait_until([&] { return process.handles(SIGTERM); }));
+    process.send(SIGTERM);
+    const Finished again = process.wait();
+    EXPECT_NE(again.err.find("note: took over the store pair/shards/0000-of-0002.sqlite from process "),
+              std::string::npos)
+        << again.err;
+}
+
+TEST_F(SharesOfAChart, OfAnotherChartAreRefused) {
+    ASSERT_EQ(done(chart("pair", {"--shard", "0/2"})).exit_code, 0);
+    const Finished other = done(chart("pair", {"--shard", "1/2", "--set", "mu_s=0.9"}));
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_NE(other.err.find("the folder pair holds another chart"), std::string::npos) << other.err;
+}
+
+TEST_F(SharesOfAChart, AreNamedOrTakenFromAnArray) {
+    const Finished none = done(chart("pair", {"--shard", "auto"}));
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_NE(none.err.find("SLURM_ARRAY_TASK_ID is not set"), std::string::npos) << none.err;
+    EXPECT_EQ(done(chart("pair", {"--shard", "2/2"})).exit_code, 2);
+    EXPECT_EQ(done({"merge", "pair"}).exit_code, 5) << "there is no chart";
+    EXPECT_EQ(done({"chart-status", "pair"}).exit_code, 5);
+}
+
+TEST_F(SharesOfAChart, ForSlurmIsAScriptAndNothingIsComputed) {
+    const Finished printed = done(chart("pair", {"--slurm", "16", "--time", "2:00:00"}));
+    ASSERT_EQ(printed.exit_code, 0) << printed.err;
+    EXPECT_TRUE(printed.out.starts_with("#!/bin/bash\n#SBATCH "));
+    EXPECT_NE(printed.out.find("shares=16\nthreads=2\n"), std::string::npos);
+    EXPECT_NE(text("pair/chart.toml").find("points = 40"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "pair/chart.sqlite"));
+    EXPECT_EQ(done(chart("pair", {"--slurm", "16", "--time", "soon"})).exit_code, 2);
+    EXPECT_EQ(done(chart("pair", {"--time", "2:00:00"})).exit_code, 2) << "of what?";
+}
+
+}  // namespace
