@@ -1,5 +1,6 @@
 #include "designs/chart_shares.hpp"
 
+#include "crews.hpp"
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "designs/chart_run.hpp"
@@ -89,7 +90,7 @@ void compute_share(const sweep::Study& study, const fs::path& folder, const std:
     sweep::ShareKeeper keeper(file, folder / "chart.sqlite", study);
     say_takeover(keeper.own());
     sweep::RunOptions options;
-    options.threads = threads;
+    options.crew = crews(threads);
     options.share = share;
     const sweep::RunReport report = fill(study, keeper, options);
     if (report.ending == sweep::SweepEnding::stopped) throw stopped(report, file);
