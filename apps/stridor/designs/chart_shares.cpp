@@ -1,8 +1,8 @@
 #include "designs/chart_shares.hpp"
 
-#include "crews.hpp"
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "crews.hpp"
 #include "designs/chart_run.hpp"
 #include "interrupt.hpp"
 #include "stridor/console/progress.hpp"
