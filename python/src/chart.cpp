@@ -1,0 +1,350 @@
+#include "bindings.hpp"
+#include "handles.hpp"
+#include "stridor/base/field_table.hpp"
+#include "stridor/drawing/picture.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/axis_text.hpp"
+#include "stridor/io/chart/chart_netcdf.hpp"
+#include "stridor/io/chart/chart_tables.hpp"
+#include "stridor/io/chart/toml_study.hpp"
+#include "stridor/parameters/case_key.hpp"
+#include "stridor/pictures/noise_chart.hpp"
+#include "stridor/storage/atomic_file.hpp"
+#include "stridor/sweep/boundaries.hpp"
+#include "stridor/sweep/cell_choice.hpp"
+#include "stridor/sweep/points.hpp"
+#include "stridor/sweep/run.hpp"
+#include "stridor/sweep/starts.hpp"
+#include "stridor/sweep/store.hpp"
+#include "texts.hpp"
+#include "work.hpp"
+
+#include <pybind11/stl.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace stridor::binding {
+
+namespace {
+
+using Bytes = std::vector<signed char>;
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// one of a list of names, or an error with the nearest of them
+template <typename Enumeration>
+std::vector<Enumeration> chosen(const std::string& what, const std::vector<std::string>& words,
+                                std::span<const std::string_view> names) {
+    std::vector<Enumeration> list;
+    for (const std::string& word : words)
+        list.push_back(static_cast<Enumeration>(base::place_of_choice(what, word, names)));
+    return list;
+}
+
+std::vector<std::string_view> words(std::span<const std::string_view> names) {
+    return {names.begin(), names.end()};
+}
+
+// a callback of Python's, at most ten times a second; its exceptions, and those of signal handlers, end the work
+template <typename Call>
+void call_python(const py::object& progress, Call call) {
+    const py::gil_scoped_acquire held;
+    call_other_signal_handlers();
+    if (!progress.is_none()) call();
+}
+
+py::dict python_counts(const sweep::Counts& counts) {
+    py::dict numbers;
+    for (std::size_t k = 0; k < counts.categories.size(); ++k)
+        numbers[py::str(std::string(classification::category_names[k]))] = counts.categories[k];
+    for (std::size_t k = 1; k < counts.statuses.size(); ++k)
+        numbers[py::str(std::string(sweep::status_names[k]))] = counts.statuses[k];
+    return numbers;
+}
+
+// status, category and why it is quiet of all cells; -1 where a cell is not done
+py::dict python_verdicts(const std::vector<sweep::CellVerdict>& cells, const std::vector<py::ssize_t>& shape) {
+    Bytes status, category, quiet, agreement;
+    for (const sweep::CellVerdict& cell : cells) {
+        const bool is_done = cell.status == sweep::Status::done;
+        status.push_back(static_cast<signed char>(cell.status));
+        category.push_back(is_done ? static_cast<signed char>(cell.category) : Bytes::value_type{-1});
+        quiet.push_back(is_done ? static_cast<signed char>(cell.quiet) : Bytes::value_type{-1});
+        agreement.push_back(static_cast<signed char>(cell.agreement));
+    }
+    py::dict verdicts;
+    verdicts["status"] = array_of(std::move(status), shape);
+    verdicts["category"] = array_of(std::move(category), shape);
+    verdicts["quiet_because"] = array_of(std::move(quiet), shape);
+    verdicts["agreement"] = array_of(std::move(agreement), shape);
+    return verdicts;
+}
+
+/// What is computed of arbitrary points.
+py::dict python_points(const std::vector<sweep::Cell>& cells, const std::vector<py::ssize_t>& shape) {
+    std::vector<sweep::CellVerdict> verdicts;
+    for (const sweep::Cell& cell : cells)
+        verdicts.push_back(sweep::verdict_of(cell));
+    py::dict result = python_verdicts(verdicts, shape);
+    py::dict figures;
+    for (const sweep::CellFigure& figure : sweep::cell_figures()) {
+        std::vector<double> values;
+        values.reserve(cells.size());
+        for (const sweep::Cell& cell : cells)
+            values.push_back(sweep::figure_of(cell, figure));
+        figures[py::str(std::string(figure.name))] = array_of(std::move(values), shape);
+    }
+    py::list messages;
+    for (const sweep::Cell& cell : cells)
+        messages.append(python_text(cell.message));
+    result["figures"] = figures;
+    result["messages"] = messages;
+    return result;
+}
+
+py::dict evaluate(const CaseHandle& c, const std::vector<std::string>& keys, const Doubles& values,
+                  const std::vector<std::string>& directions, int threads, const py::object& progress) {
+    sweep::DesignPoints points{*c.of, keys, {values.data(), values.data() + values.size()}, {}};
+    points.directions = chosen<parameters::Direction>("directions", directions, parameters::direction_names);
+    sweep::PointOptions options;
+    options.threads = threads;
+    options.progress = [&](std::size_t done) {
+        call_python(progress, [&] { progress(done, sweep::run_count(points), py::dict()); });
+    };
+    const std::vector<sweep::Cell> cells = unlocked([&](const std::stop_token& stop) {
+        options.stop = stop;
+        return sweep::evaluate(points, options);
+    });
+    return python_points(
+        cells, {static_cast<py::ssize_t>(directions.size()), static_cast<py::ssize_t>(sweep::point_count(points))});
+}
+
+/// A study to be computed.
+struct StudyHandle {
+    sweep::Study study;
+};
+
+struct StudyOptions {
+    std::vector<std::string> directions;
+    std::vector<std::string> starts;
+    std::vector<std::string> quantities;
+    int refine = 0;
+};
+
+StudyHandle make_study(const CaseHandle& c, const std::string& x, const std::string& y, const StudyOptions& options) {
+    sweep::Study study;
+    study.base = *c.of;
+    study.x = io::read_axis_text(study.base, x, io::usual_points, "x");
+    study.y = io::read_axis_text(study.base, y, io::usual_points, "y");
+    study.directions = chosen<parameters::Direction>("directions", options.directions, parameters::direction_names);
+    study.starts = chosen<parameters::Initial>("starts", options.starts, sweep::start_names());
+    study.quantities = options.quantities;
+    study.refine = options.refine;
+    sweep::check(study);
+    return {study};
+}
+
+StudyHandle read_study(const std::string& path) {
+    return {io::read_study(path)};
+}
+
+/// A finished chart. Its cells lie in the store, which is opened for as long as they are read: others may have it then.
+class ChartHandle {
+public:
+    const sweep::Study& study() const { return result_.study; }
+    const sweep::SweepResult& verdicts() const { return result_; }
+
+    std::vector<py::ssize_t> shape() const {
+        const sweep::Study& of = result_.study;
+        return {static_cast<py::ssize_t>(of.directions.size()), of.y.points, of.x.points};
+    }
+
+    // use(result) with the figures of the cells at hand
+    template <typename Use>
+    auto with_cells(Use use) {
+        sweep::SweepResult whole = sweep::load(result_.study, std::make_shared<sweep::Store>(store_, result_.study));
+        auto made = use(whole);
+        whole.computed.reset();
+        result_ = std::move(whole);
+        return made;
+    }
+
+    ChartHandle(sweep::Study study, std::filesystem::path store) : store_(std::move(store)) {
+        result_.study = std::move(study);
+        with_cells([](const sweep::SweepResult&) { return 0; });
+    }
+
+private:
+    std::filesystem::path store_;
+    sweep::SweepResult result_;  // without its figures
+};
+
+ChartHandle compute(const StudyHandle& handle, const std::string& store_file, int threads, const py::object& progress) {
+    const sweep::Study& study = handle.study;
+    unlocked([&](const std::stop_token& stop) {
+        sweep::Store store(store_file, study);
+        sweep::RunOptions options;
+        options.threads = threads;
+        options.stop = stop;
+        options.progress = [&](const sweep::Progress& now) {
+            call_python(progress, [&] { progress(now.done, now.total, python_counts(now.counts)); });
+        };
+        const sweep::RunReport report = sweep::run(study, store, options);
+        if (report.ending == sweep::SweepEnding::stopped)
+            throw Error(ErrorKind::interrupted, {"stopped with " + std::to_string(report.progress.done) + " of " +
+                                                     std::to_string(report.progress.total) + " cells done",
+                                                 "all of them are kept in " + store_file, "Run it again to go on."});
+        return 0;
+    });
+    const py::gil_scoped_release released;
+    return {study, store_file};
+}
+
+py::array_t<double> figure(ChartHandle& chart, const std::string& name) {
+    const sweep::CellFigure* found = sweep::find_cell_figure(name);
+    if (found == nullptr) {
+        std::vector<std::string_view> names;
+        for (const sweep::CellFigure& each : sweep::cell_figures())
+            names.push_back(each.name);
+        base::refuse("a chart has no figure \"" + name + "\"", "", base::did_you_mean(name, names));
+    }
+    std::vector<double> values = [&] {
+        const py::gil_scoped_release released;
+        return chart.with_cells([&](const sweep::SweepResult& result) { return sweep::figure_values(result, *found); });
+    }();
+    return array_of(std::move(values), chart.shape());
+}
+
+py::dict verdicts(const ChartHandle& chart) {
+    Bytes source;
+    for (std::size_t index = 0; index < chart.verdicts().cells.size(); ++index)
+        source.push_back(sweep::is_inferred(chart.verdicts(), index) ? 1 : 0);
+    py::dict result = python_verdicts(chart.verdicts().cells, chart.shape());
+    result["source"] = array_of(std::move(source), chart.shape());
+    return result;
+}
+
+// of both axes: key, unit, sentence, scale and values
+py::list axes(const ChartHandle& chart) {
+    py::list list;
+    for (const sweep::Axis* axis : {&chart.study().x, &chart.study().y}) {
+        std::vector<double> values;
+        for (int index = 0; index < axis->points; ++index)
+            values.push_back(sweep::value_at(*axis, index));
+        list.append(py::make_tuple(
+            axis->parameter, parameters::unit_of(axis->parameter), parameters::field_of(axis->parameter)->sentence,
+            sweep::scale_names[static_cast<std::size_t>(axis->scale)], array_of(std::move(values), {axis->points})));
+    }
+    return list;
+}
+
+// each line: direction, the verdicts that it parts, is it closed, and its points (x, y)
+py::list boundaries(const ChartHandle& chart) {
+    py::list list;
+    for (const sweep::Boundary& line : sweep::boundaries(chart.verdicts())) {
+        std::vector<double> points;
+        for (const sweep::BoundaryVertex& vertex : line.vertices)
+            points.insert(points.end(), {vertex.x, vertex.y});
+        const auto count = static_cast<py::ssize_t>(line.vertices.size());
+        list.append(py::make_tuple(line.direction, line.first, line.second, line.form == sweep::LineForm::closed,
+                                   array_of(std::move(points), {count, 2})));
+    }
+    return list;
+}
+
+CaseHandle case_at(const ChartHandle& chart, const std::string& x, const std::string& y, const std::string& direction) {
+    sweep::CellChoice choice{"x=" + x + ",y=" + y, x, y, {}};
+    if (!direction.empty())
+        choice.direction = chosen<parameters::Direction>("direction", {direction}, parameters::direction_names).front();
+    const std::size_t index = sweep::index_of(chart.study(), sweep::nearest_cell(chart.study(), choice));
+    const sweep::CellPlace place = sweep::shown_place(chart.verdicts(), index);
+    return {std::make_shared<const parameters::Case>(sweep::case_at(chart.study(), place))};
+}
+
+py::str svg(ChartHandle& chart, const std::string& quantity) {
+    const std::string text = [&] {
+        const py::gil_scoped_release released;
+        return chart.with_cells([&](const sweep::SweepResult& result) {
+            return drawing::render(pictures::quantity_chart(result, quantity), drawing::Format::svg);
+        });
+    }();
+    return python_text(text);
+}
+
+void write_netcdf(ChartHandle& chart, const std::string& path) {
+    const py::gil_scoped_release released;
+    chart.with_cells([&](const sweep::SweepResult& result) {
+        io::write_chart_netcdf(path, result);
+        return 0;
+    });
+}
+
+// the tables and the chart's own file, as `stridor chart` writes them
+void write_tables(ChartHandle& chart, const std::string& folder) {
+    const py::gil_scoped_release released;
+    storage::write_file((std::filesystem::path(folder) / "chart.toml").string(), io::study_toml(chart.study()));
+    chart.with_cells([&](const sweep::SweepResult& result) {
+        io::write_chart_tables(result, folder);
+        return 0;
+    });
+}
+
+std::vector<std::string_view> directions(const ChartHandle& chart) {
+    std::vector<std::string_view> names;
+    for (const parameters::Direction direction : chart.study().directions)
+        names.push_back(parameters::direction_names[static_cast<std::size_t>(direction)]);
+    return names;
+}
+
+void bind_words(py::module_& module) {
+    py::dict all;
+    all["category"] = words(classification::category_names);
+    all["quiet_because"] = words(classification::quiet_names);
+    all["status"] = words(sweep::status_names);
+    all["source"] = words(sweep::source_names);
+    all["agreement"] = words(sweep::agreement_names);
+    module.attr("words") = all;
+}
+
+}  // namespace
+
+void bind_charts(py::module_& module) {
+    bind_words(module);
+    module.def("evaluate", &evaluate, py::arg("case"), py::arg("keys"), py::arg("values"), py::arg("directions"),
+               py::arg("threads"), py::arg("progress"));
+    py::class_<StudyHandle>(module, "StudyHandle", "A chart that is to be computed.")
+        .def("toml", [](const StudyHandle& c) { return python_text(io::study_toml(c.study)); });
+    module.def(
+        "study",
+        [](const CaseHandle& c, const std::string& x, const std::string& y, std::vector<std::string> directions,
+           std::vector<std::string> starts, std::vector<std::string> quantities, int refine) {
+            return make_study(c, x, y, {std::move(directions), std::move(starts), std::move(quantities), refine});
+        },
+        py::arg("case"), py::arg("x"), py::arg("y"), py::arg("directions"), py::arg("starts"), py::arg("quantities"),
+        py::arg("refine"));
+    module.def("read_study", &read_study, py::arg("path"));
+    module.def("compute", &compute, py::arg("study"), py::arg("store"), py::arg("threads"), py::arg("progress"));
+    module.def(
+        "open_chart",
+        [](const StudyHandle& study, const std::string& store) { return ChartHandle(study.study, store); },
+        py::arg("study"), py::arg("store"));
+    py::class_<ChartHandle>(module, "ChartHandle", "A finished chart.")
+        .def("directions", &directions)
+        .def("axes", &axes)
+        .def("verdicts", &verdicts)
+        .def("figure", &figure, py::arg("name"))
+        .def("boundaries", &boundaries)
+        .def("case_at", &case_at, py::arg("x"), py::arg("y"), py::arg("direction"))
+        .def("base",
+             [](const ChartHandle& chart) {
+                 return CaseHandle{std::make_shared<const parameters::Case>(chart.study().base)};
+             })
+        .def("toml", [](const ChartHandle& chart) { return python_text(io::study_toml(chart.study())); })
+        .def("svg", &svg, py::arg("quantity"))
+        .def("write_netcdf", &write_netcdf, py::arg("path"))
+        .def("write_tables", &write_tables, py::arg("folder"));
+}
+
+}  // namespace stridor::binding

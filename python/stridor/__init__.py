@@ -1,0 +1,32 @@
+"""Stridor predicts whether a rubbing contact squeals, squeaks, creaks or stays quiet.
+
+Numbers are SI units, angles degrees; text carries its unit. Results are the same bits every time, and those of the
+program `stridor`.
+
+Examples
+--------
+>>> import stridor
+>>> case = stridor.case("squeal")
+>>> case.contact.preload = "20 N"
+>>> stridor.simulate(case).going.category
+'squeal'
+"""
+
+from . import errors
+from . import _stridor
+from ._axis import Axis, axis
+from ._case import Case, case, case_names, from_toml, read
+from ._chart_parts import Boundary, ChartAxis
+from ._chart_run import chart
+from ._charts import Chart, open_chart
+from ._evaluate import evaluate, words
+from ._motion import Margin, Motion, Phase, PhaseVerdict, simulate
+from .errors import Error, FileError, InputError, Interrupted, NumericalError, Place
+
+__version__: str = _stridor.version
+
+__all__ = [
+    "Axis", "Boundary", "Case", "Chart", "ChartAxis", "Error", "FileError", "InputError", "Interrupted", "Margin",
+    "Motion", "NumericalError", "Phase", "PhaseVerdict", "Place", "axis", "case", "case_names", "chart", "errors",
+    "evaluate", "from_toml", "open_chart", "read", "simulate", "words",
+]

@@ -1,0 +1,91 @@
+"""Computing charts."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+from typing import Sequence, Union
+
+from . import _stridor
+from ._axis import Axis
+from ._case import Case
+from ._charts import Chart, temporary_folder
+from ._evaluate import Progress, _directions, _shown
+from .errors import InputError
+
+__all__ = ["chart"]
+
+
+def chart(
+    case: Case,
+    *,
+    x: Axis,
+    y: Axis,
+    directions: Union[str, Sequence[str]] = ("going", "coming"),
+    refine: int = 0,
+    starts: Sequence[str] = (),
+    out: Union[str, os.PathLike[str], None] = None,
+    threads: int = 0,
+    progress: Progress = False,
+) -> Chart:
+    """Computes a chart over two quantities, on all processors, as `stridor chart` does.
+
+    With a folder it goes on where it was stopped, be it by Ctrl-C, by a kill or by the program; another chart's folder
+    is refused. In the end chart.toml, chart.csv, boundaries.csv and chart.nc stand there, too.
+
+    Parameters
+    ----------
+    case : Case
+    x, y : Axis
+        What `axis` makes.
+    directions : "going", "coming", or both
+        A constant drive is run once for each, with V = +-abs(velocity).
+    refine : int
+        [1] 0 computes every cell; 1 to 6 begin with every 2nd to 64th point and halve that only where cells differ.
+    starts : sequence of {"rest", "stuck", "sliding"}
+        Each cell is run from all of them and shows the loudest; without them from the case's own.
+    out : path, optional
+        The folder. Without it the chart is kept as long as the object.
+    threads : int
+        [1] 0: one per processor this process may use.
+    progress : bool or callable
+        True: a bar of tqdm, where it is installed. A function is called ten times a second with the cells done, those
+        to do as far as known, and a dictionary of how many there are of each kind; what it raises ends the work.
+
+    Returns
+    -------
+    Chart
+
+    Raises
+    ------
+    InputError
+        For axes that make no chart, and for the folder of another one.
+    Interrupted
+        When it was stopped: the same call goes on.
+
+    Examples
+    --------
+    >>> import stridor
+    >>> chart = stridor.chart(stridor.case("noise-chart"), x=stridor.axis("contact.preload", 2, 4000, 8, scale="log"),
+    ...                       y=stridor.axis("contact.kinetic_friction", 0, 0.8, 8), refine=2, out="pair")
+    >>> chart.counts("going")["creak"] > 0
+    True
+    """
+    study = _stridor.study(case._handle, _axis_text(x), _axis_text(y), _directions(directions), list(starts),
+                           ["category"], int(refine))
+    kept, folder = (None, pathlib.Path(out)) if out is not None else temporary_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    show, close = _shown(progress, "cell")
+    try:
+        handle = _stridor.compute(study, str(folder / "chart.sqlite"), int(threads), show)
+    finally:
+        close()
+    if out is not None:
+        handle.write_tables(str(folder))
+    return Chart(handle, folder, kept)
+
+
+def _axis_text(axis: object) -> str:
+    if not isinstance(axis, Axis):
+        raise InputError(f"{axis!r} is no axis. Make one by stridor.axis.")
+    return axis.text

@@ -1,0 +1,95 @@
+"""One run: verdict, figures, trace."""
+
+import json
+import math
+import pickle
+
+import pytest
+from conftest import needed
+
+import stridor
+
+
+def test_a_verdict_is_what_the_program_says(squeal, program):
+    squeal.save("squeal.toml")
+    document = json.loads(program("simulate", "squeal.toml", "--json"))
+    motion = stridor.simulate(squeal)
+    for phase, said in zip(motion.phases, document["phases"]):
+        assert phase.name == said["phase"]
+        assert phase.category == said["verdict"]["category"]
+        assert phase.verdict.reasons == said["verdict"]["reasons"]
+        assert phase.slip == said["verdict"]["rates"]["slip"]
+        mine = [None if math.isnan(margin.distance) else margin.distance for margin in phase.verdict.margins]
+        assert mine == [margin["distance"] for margin in said["verdict"]["margins"]]
+    assert motion.to_dict() == document
+
+
+def test_every_figure_of_the_table_is_an_attribute(squeal):
+    going = stridor.simulate(squeal).going
+    for name, _, sentence in stridor._stridor.phase_figures():
+        value = getattr(going, name)
+        assert value == going.figures[name] or value != value
+        assert sentence in getattr(type(going), name).__doc__
+    with pytest.raises(AttributeError):
+        going.loudness
+
+
+def test_a_drive_one_way_has_one_phase(squeal):
+    squeal.set({"drive.kind": "constant", "drive.velocity": 0.1})
+    motion = stridor.simulate(squeal)
+    assert motion.whole.name == "all"
+    with pytest.raises(AttributeError, match="no phase going"):
+        motion.going
+
+
+def test_a_motion_pickles_without_running(squeal):
+    motion = stridor.simulate(squeal)
+    again = pickle.loads(pickle.dumps(motion))
+    assert again == motion
+    assert again.going.frequency == motion.going.frequency
+    assert again._run is None
+
+
+def test_a_motion_keeps_the_case_it_was_made_of(squeal):
+    motion = stridor.simulate(squeal)
+    squeal.contact.preload = 4000
+    assert motion.case.contact.preload == 20.0
+
+
+@pytest.mark.parametrize("name", ["squeal", "two-lips", "chain"])
+def test_a_trace_is_the_programs_netcdf(name, program):
+    xarray = needed("xarray")
+    needed("netCDF4")
+    case = stridor.case(name)
+    case.save("case.toml")
+    program("simulate", "case.toml", "--trace", "trace.nc", "--trace-from", "0.2 s", "--trace-to", "0.21 s")
+    mine = stridor.simulate(case).trace(0.2, "210 ms")
+    with xarray.open_dataset("trace.nc", decode_times=False) as file:
+        theirs = file.load().drop_vars([name for name in file.variables if name.startswith("interval")])
+    theirs.attrs = {}
+    xarray.testing.assert_identical(mine, theirs)
+
+
+def test_arrays_are_views_that_nobody_writes(squeal):
+    numpy = needed("numpy")
+    parts = stridor._stridor.trace(squeal._handle, "0 s", "1 ms", "20 us")
+    for _, _, array, _, _ in parts["columns"]:
+        assert not array.flags.writeable and not array.flags.owndata and array.base is not None
+    trace = stridor.simulate(squeal).trace(0, "1 ms")
+    assert not trace.gap.values.flags.owndata  # xarray keeps them as they are
+    assert numpy.shares_memory(trace.velocity.values, trace.velocity.sel(dof="x1").values)
+
+
+def test_a_history_has_no_gaps(squeal):
+    needed("xarray")
+    history = stridor.words(stridor.simulate(squeal).history())
+    assert (history["from"].values[1:] == history["to"].values[:-1]).all()
+    assert set(history.state.values) == {"slip", "stick", "separation"}
+
+
+def test_cards_show_what_is_said(squeal):
+    squeal.title = "<b>"
+    card = stridor.simulate(squeal)._repr_html_()
+    assert "squeal" in card and "&lt;b&gt;" in card
+    assert "squeal" in stridor.simulate(squeal).going.verdict._repr_html_()
+    assert repr(stridor.simulate(squeal)).startswith("<motion")
