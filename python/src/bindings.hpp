@@ -14,6 +14,8 @@ void bind_errors();
 void bind_case(py::module_& module);
 /// One run and what it leaves behind.
 void bind_simulation(py::module_& module);
+/// Stability, advice, sounds and the noise library: answers that are documents.
+void bind_answers(py::module_& module);
 /// Many runs: points anywhere, and charts.
 void bind_charts(py::module_& module);
 

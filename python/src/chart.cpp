@@ -47,14 +47,6 @@ std::vector<std::string_view> words(std::span<const std::string_view> names) {
     return {names.begin(), names.end()};
 }
 
-// a callback of Python's, at most ten times a second; its exceptions, and those of signal handlers, end the work
-template <typename Call>
-void call_python(const py::object& progress, Call call) {
-    const py::gil_scoped_acquire held;
-    call_other_signal_handlers();
-    if (!progress.is_none()) call();
-}
-
 py::dict python_counts(const sweep::Counts& counts) {
     py::dict numbers;
     for (std::size_t k = 0; k < counts.categories.size(); ++k)

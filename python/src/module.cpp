@@ -10,4 +10,5 @@ PYBIND11_MODULE(_stridor, module) {
     binding::bind_case(module);
     binding::bind_simulation(module);
     binding::bind_charts(module);
+    binding::bind_answers(module);
 }

@@ -39,6 +39,14 @@ void call_signal_handlers(const Error& stopped);
 /// Calls them while work goes on, from a callback of it; SIGINT is left to where the work ends. Needs the GIL.
 void call_other_signal_handlers();
 
+/// Calls back into Python from work that goes on, unless `progress` is None; what that throws ends the work.
+template <typename Call>
+void call_python(const pybind11::object& progress, Call call) {
+    const pybind11::gil_scoped_acquire held;
+    call_other_signal_handlers();
+    if (!progress.is_none()) call();
+}
+
 /// What is said where a work ended by itself just as it was interrupted.
 Error interrupted_at_end();
 

@@ -19,14 +19,17 @@ from ._case import Case, case, case_names, from_toml, read
 from ._chart_parts import Boundary, ChartAxis
 from ._chart_run import chart
 from ._charts import Chart, open_chart
+from ._design import Advice, Stability, StabilityDirection, advise, stability
 from ._evaluate import evaluate, words
 from ._motion import Margin, Motion, Phase, PhaseVerdict, simulate
+from ._sounds import Hearing, Library, Recording, Sound, library, listen, read_sound
 from .errors import Error, FileError, InputError, Interrupted, NumericalError, Place
 
 __version__: str = _stridor.version
 
 __all__ = [
-    "Axis", "Boundary", "Case", "Chart", "ChartAxis", "Error", "FileError", "InputError", "Interrupted", "Margin",
-    "Motion", "NumericalError", "Phase", "PhaseVerdict", "Place", "axis", "case", "case_names", "chart", "errors",
-    "evaluate", "from_toml", "open_chart", "read", "simulate", "words",
+    "Advice", "Axis", "Boundary", "Case", "Chart", "ChartAxis", "Error", "FileError", "Hearing", "InputError",
+    "Interrupted", "Library", "Margin", "Motion", "NumericalError", "Phase", "PhaseVerdict", "Place", "Recording",
+    "Sound", "Stability", "StabilityDirection", "advise", "axis", "case", "case_names", "chart", "errors", "evaluate",
+    "from_toml", "library", "listen", "open_chart", "read", "read_sound", "simulate", "stability", "words",
 ]

@@ -1,0 +1,138 @@
+#include "bindings.hpp"
+#include "handles.hpp"
+#include "stridor/advice/advice.hpp"
+#include "stridor/analysis/stability_scan.hpp"
+#include "stridor/classification/recording_verdict.hpp"
+#include "stridor/hearing/rendered_sound.hpp"
+#include "stridor/io/advice/asked_texts.hpp"
+#include "stridor/io/advice/json_advice.hpp"
+#include "stridor/io/case/toml_writer.hpp"
+#include "stridor/io/chart/scan_range.hpp"
+#include "stridor/io/library/json_library.hpp"
+#include "stridor/io/simulation/json_simulation.hpp"
+#include "stridor/io/sound/json_listen.hpp"
+#include "stridor/io/sound/json_sound.hpp"
+#include "stridor/io/sound/listening_texts.hpp"
+#include "stridor/noise_library/library.hpp"
+#include "stridor/recordings/audio/wav.hpp"
+#include "stridor/recordings/open_signal.hpp"
+#include "texts.hpp"
+#include "work.hpp"
+
+#include <pybind11/stl.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+/// Answers that are documents: what the program prints with --json.
+namespace stridor::binding {
+
+namespace {
+
+using Texts = std::vector<std::string>;
+
+py::str stability(const CaseHandle& c, const std::string& over) {
+    return python_text(unlocked([&](const std::stop_token&) {
+        const std::optional<analysis::ScanRange> range =
+            over.empty() ? std::nullopt : std::optional(io::read_scan_range(over));
+        return io::stability_json(analysis::scan_stability(*c.of, range));
+    }));
+}
+
+py::str advise(const CaseHandle& c, const Texts& over, const Texts& tolerances, std::size_t samples, int threads,
+               const py::object& progress) {
+    advice::AdviceOptions options;
+    for (const std::string& text : over)
+        options.over.push_back(io::read_asked_range(*c.of, text));
+    for (const std::string& text : tolerances)
+        options.tolerances.push_back(io::read_asked_tolerance(*c.of, text));
+    if (samples < 1 || samples > advice::most_samples)
+        base::refuse("samples = " + std::to_string(samples) + " is out of range", "",
+                     "Take 1 to " + std::to_string(advice::most_samples) + ".");
+    options.chance.samples = samples;
+    options.threads = threads;
+    options.progress = [&](const advice::AdviceProgress& now) {
+        call_python(progress, [&] { progress(static_cast<int>(100.0 * now.share), 100, py::dict()); });
+    };
+    return python_text(unlocked([&](const std::stop_token& stop) {
+        options.stop = stop;
+        return io::advice_json(advice::advise(*c.of, options));
+    }));
+}
+
+io::ListeningTexts listening_texts(const std::map<std::string, std::string>& options) {
+    io::ListeningTexts texts;
+    const std::map<std::string, std::string io::ListeningTexts::*> members{
+        {"direction", &io::ListeningTexts::direction}, {"of", &io::ListeningTexts::of},
+        {"quantity", &io::ListeningTexts::quantity},   {"component", &io::ListeningTexts::component},
+        {"rate", &io::ListeningTexts::rate},           {"seconds", &io::ListeningTexts::seconds}};
+    for (const auto& [name, text] : options)
+        texts.*(members.at(name)) = text;
+    return texts;
+}
+
+// writes the sound of a case into a WAV file; what was made of it, as JSON
+py::str listen(const CaseHandle& c, const std::map<std::string, std::string>& asked, const std::string& file) {
+    return python_text(unlocked([&](const std::stop_token& stop) {
+        io::ListeningTexts texts = listening_texts(asked);
+        const std::string text = io::case_toml(*c.of, {.comments = io::Comments::none, .heading = ""});
+        const io::ListeningChoice choice = io::chosen_case(texts, {text, "the case", {}});
+        const hearing::HeardMotion motion = hearing::heard_motion(choice.c, io::asked_motion(texts), stop);
+        const sound::AuralisationSettings settings = io::listening_settings(texts, choice.c, motion);
+        const std::unique_ptr<hearing::RenderedSound> sound = hearing::render(choice.c, settings, stop, [](double) {});
+        io::SoundInfo info = io::sound_info(texts, choice, motion, settings, *sound);
+        info.file = file;
+        const std::string history = recordings::case_mark + text;
+        recordings::write_wav(file, *sound,
+                              {recordings::WavSamples::pcm_24,
+                               {{info.full_scale, info.unit}},
+                               io::sound_description(info, choice.c),
+                               history.size() > recordings::longest_history ? std::string() : history});
+        return io::listen_json(choice.c, info);
+    }));
+}
+
+py::str classify(const std::string& path, const Texts& full_scales, const std::string& channel) {
+    return python_text(unlocked([&](const std::stop_token& stop) {
+        recordings::OpenOptions options;
+        options.full_scales = recordings::parse_full_scales(full_scales);
+        options.channel_name = channel;
+        const std::unique_ptr<recordings::SignalFile> file = recordings::open_signal(path, options);
+        io::SoundReport report;
+        report.file = file->facts().name;
+        report.format = file->facts().format;
+        report.notes = file->facts().notes;
+        report.channels = sound::analyse(*file, [&](std::uint64_t) {
+            if (stop.stop_requested()) throw Error(ErrorKind::interrupted, {"stopped", "", "Run it again."});
+        });
+        for (const sound::SoundAnalysis& analysis : report.channels)
+            report.verdicts.push_back(classification::verdict_on(analysis, report.thresholds));
+        report.loudest = sound::loudest(report.channels);
+        return io::classify_json(report);
+    }));
+}
+
+py::str find(const std::string& library, const Texts& conditions, const std::string& words, const std::string& sort) {
+    return python_text(unlocked([&](const std::stop_token&) {
+        noise_library::Library opened = noise_library::open_library(library, noise_library::Access::read);
+        noise_library::Query query = noise_library::parse_query(conditions, words, sort);
+        query.extent = noise_library::EntryExtent::whole;
+        std::string document;
+        io::library_json(opened, query, [&](std::string_view piece) { document += piece; });
+        return document;
+    }));
+}
+
+}  // namespace
+
+void bind_answers(py::module_& module) {
+    module.def("stability", &stability, py::arg("case"), py::arg("over"));
+    module.def("advise", &advise, py::arg("case"), py::arg("over"), py::arg("tolerances"), py::arg("samples"),
+               py::arg("threads"), py::arg("progress"));
+    module.def("listen", &listen, py::arg("case"), py::arg("options"), py::arg("file"));
+    module.def("classify", &classify, py::arg("path"), py::arg("full_scales"), py::arg("channel"));
+    module.def("find", &find, py::arg("library"), py::arg("conditions"), py::arg("words"), py::arg("sort"));
+}
+
+}  // namespace stridor::binding
