@@ -11,7 +11,7 @@ from ._axis import Axis
 from ._case import Case
 from ._charts import Chart, temporary_folder
 from ._evaluate import Progress, _directions, _shown
-from .errors import InputError
+from .errors import InputError, Interrupted
 
 __all__ = ["chart"]
 
@@ -78,6 +78,8 @@ def chart(
     show, close = _shown(progress, "cell")
     try:
         handle = _stridor.compute(study, str(folder / "chart.sqlite"), int(threads), show)
+    except Interrupted as error:
+        raise error if kept is None else _nothing_kept(error) from None
     finally:
         close()
     if out is not None:
@@ -89,3 +91,9 @@ def _axis_text(axis: object) -> str:
     if not isinstance(axis, Axis):
         raise InputError(f"{axis!r} is no axis. Make one by stridor.axis.")
     return axis.text
+
+
+def _nothing_kept(error: Interrupted) -> Interrupted:
+    """The same of a chart whose folder goes with it."""
+    why, suggestion = "a chart without a folder keeps nothing", "Give `out` a folder, and it goes on from there."
+    return Interrupted(f"{error.what} ({why}). {suggestion}", [(error.what, why, suggestion, None)])

@@ -70,6 +70,18 @@ def test_ctrl_c_ends_an_evaluation_and_a_chart_which_goes_on():
     assert done.stdout.splitlines() == ["evaluation True", "Run it again to go on.", "True"], done.stderr + done.stdout
 
 
+def test_a_chart_without_a_folder_says_that_nothing_is_kept():
+    done = script("""
+        later(0.4)
+        try:
+            stridor.chart(stridor.case("noise-chart"), x=stridor.axis("preload", 2, 4000, 400),
+                          y=stridor.axis("mu_d", 0, 0.8, 400))
+        except stridor.Interrupted as error:
+            print(error.why)
+    """)
+    assert done.stdout == "a chart without a folder keeps nothing\n", done.stderr
+
+
 def test_a_handler_that_throws_nothing_does_not_end_the_work():
     done = script("""
         heard = []
