@@ -4,6 +4,7 @@
 #include "stridor/drawing/picture.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/axis_text.hpp"
+#include "stridor/io/chart/chart_exports.hpp"
 #include "stridor/io/chart/chart_netcdf.hpp"
 #include "stridor/io/chart/chart_tables.hpp"
 #include "stridor/io/chart/toml_study.hpp"
@@ -278,7 +279,7 @@ void write_tables(ChartHandle& chart, const std::string& folder) {
     const py::gil_scoped_release released;
     storage::write_file((std::filesystem::path(folder) / "chart.toml").string(), io::study_toml(chart.study()));
     chart.with_cells([&](const sweep::SweepResult& result) {
-        io::write_chart_tables(result, folder);
+        io::write_chart_tables(result, folder, io::chart_exports(chart.study(), {}));
         return 0;
     });
 }
