@@ -72,6 +72,8 @@ void make_share(const sweep::Study& study, const std::filesystem::path& folder, 
 }  // namespace
 
 int main(int argc, char** argv) {
+    // an option of the other benchmarks, which choose among themselves
+    if (argc > 1 && argv[1][0] == '-') return 0;
     const std::size_t wanted = argc > 1 ? static_cast<std::size_t>(std::atof(argv[1])) : 1'000'000;
     const std::size_t shares = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 16;
     const std::filesystem::path folder =

@@ -33,6 +33,12 @@ protected:
         return arguments;
     }
 
+    // seconds for each cell: it never ends by itself while a test looks at it
+    std::vector<std::string> endless(const std::string& share) const {
+        return chart("pair", {"--shard", share, "--set", "run.engine=beta_2", "--set", "run.step=2e-6", "--set",
+                              "run.duration=4", "--no-early"});
+    }
+
     Finished done(const std::vector<std::string>& arguments) const { return run(arguments, folder_.path()); }
 
     std::string text(const std::string& file) const { return read_text(folder_.path() / file); }
@@ -101,7 +107,7 @@ TEST_F(SharesOfAChart, OfARefinedOneAreRepeatedUntilTheMergeIsComplete) {
 }
 
 TEST_F(SharesOfAChart, AreShownWhileTheyAreFilledAndGoOnAfterASignal) {
-    const std::vector<std::string> slow = chart("pair", {"--shard", "1/2", "--set", "run.duration=0.4"});
+    const std::vector<std::string> slow = endless("1/2");
     Process process(Launch{slow, folder_.path(), {}, std::nullopt, {}});
     ASSERT_TRUE(wait_until([&] { return process.handles(SIGTERM); }));
     const Finished status = done({"chart-status", "pair"});
@@ -127,7 +133,7 @@ TEST_F(SharesOfAChart, AreShownWhileTheyAreFilledAndGoOnAfterASignal) {
 }
 
 TEST_F(SharesOfAChart, OfADeadProcessAreTakenOverAndItIsSaid) {
-    const std::vector<std::string> slow = chart("pair", {"--shard", "0/2", "--set", "run.duration=0.4"});
+    const std::vector<std::string> slow = endless("0/2");
     {
         Process process(Launch{slow, folder_.path(), {}, std::nullopt, {}});
         ASSERT_TRUE(wait_until([&] { return process.handles(SIGTERM); }));

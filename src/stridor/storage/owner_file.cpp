@@ -45,23 +45,37 @@ std::string new_mark() {
     return fmt::format("{:08x}{:08x}", device(), device());
 }
 
+// a signal may come between; what cannot be removed stays, and grows old
+void remove_name(const fs::path& name) {
+    while (::unlink(name.c_str()) != 0 && errno == EINTR) {
+    }
+}
+
+int open_new(const fs::path& name) {
+    int number = -1;
+    do
+        number = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    while (number < 0 && errno == EINTR);
+    return number;
+}
+
 // a file of its own beside the owner's, gone with it: its time is that of the file system, whose clock may be another
 class Draft {
 public:
     Draft(const fs::path& owner, std::string_view text, const std::string& shown)
         : name_(owner.string() + "." + new_mark()),
-          file_(::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
+          file_(open_new(name_)) {
         code_ = file_.is_open() ? 0 : errno;
         if (!file_.is_open()) return;
         try {
             write_all(file_.number(), text, shown);
         } catch (const Error&) {
-            ::unlink(name_.c_str());
+            remove_name(name_);
             throw;
         }
     }
     ~Draft() {
-        if (file_.is_open()) ::unlink(name_.c_str());
+        if (file_.is_open()) remove_name(name_);
     }
     Draft(const Draft&) = delete;
     Draft& operator=(const Draft&) = delete;
@@ -107,18 +121,24 @@ std::optional<SeenOwner> seen_at(const fs::path& name, double now) {
     return SeenOwner{owner, now - seconds(status.st_mtim)};
 }
 
-// may the owner be replaced or removed? One at a time may; who died while he might is waited for no longer than any
+bool is_silent(const SeenOwner& seen, const OwnerOptions& options) {
+    return seen.silence > std::chrono::duration<double>(options.patience).count();
+}
+
+// may the owner be replaced or removed? One at a time may; who died meanwhile is not waited for
 class Turn {
 public:
-    Turn(const fs::path& owner, const Draft& draft, const OwnerOptions& options)
+    Turn(const fs::path& owner, const Draft& draft, const Owner& self, const OwnerOptions& options)
         : name_(owner.string() + ".lock"),
           is_mine_(link_to(draft.name(), name_, options.shown)) {
         if (is_mine_) return;
         const std::optional<SeenOwner> other = seen_at(name_, draft.time());
-        if (other && other->silence > std::chrono::duration<double>(options.patience).count()) ::unlink(name_.c_str());
+        // an own one could not be removed
+        is_mine_ = other && other->owner.mark == self.mark;
+        if (other && !is_mine_ && !may_be_alive(*other, options)) remove_name(name_);
     }
     ~Turn() {
-        if (is_mine_) ::unlink(name_.c_str());
+        if (is_mine_) remove_name(name_);
     }
     Turn(const Turn&) = delete;
     Turn& operator=(const Turn&) = delete;
@@ -129,10 +149,6 @@ private:
     fs::path name_;
     bool is_mine_;
 };
-
-bool is_silent(const SeenOwner& seen, const OwnerOptions& options) {
-    return seen.silence > std::chrono::duration<double>(options.patience).count();
-}
 
 Error refusal(const SeenOwner& seen, const std::string& shown) {
     return Error(ErrorKind::io, {shown + " is in use",
@@ -187,13 +203,13 @@ OwnerFile::~OwnerFile() {
     try {
         const Draft draft(name_, owner_text(self_), options_.shown);
         for (int tries = 0; draft.failure() == 0 && tries < 100; ++tries) {
-            const Turn turn(name_, draft, options_);
+            const Turn turn(name_, draft, self_, options_);
             if (!turn.is_mine()) {
                 pause();
                 continue;
             }
             const std::optional<SeenOwner> seen = seen_at(name_, 0.0);
-            if (seen && seen->owner.mark == self_.mark) ::unlink(name_.c_str());
+            if (seen && seen->owner.mark == self_.mark) remove_name(name_);
             return;
         }
     } catch (const std::exception&) {
@@ -226,7 +242,7 @@ void OwnerFile::claim(Neighbour neighbour) {
             if (is_refused) throw refusal(*seen, options_.shown);
             if (options_.has_lock && neighbour == Neighbour::left_to_the_lock) return;
         }
-        const Turn turn(name_, draft, options_);
+        const Turn turn(name_, draft, self_, options_);
         const std::optional<SeenOwner> still = seen_at(name_, draft.time());
         if (turn.is_mine() && still && still->owner.mark == seen->owner.mark &&
             (is_neighbour || is_silent(*still, options_))) {

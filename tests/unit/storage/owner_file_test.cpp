@@ -211,6 +211,14 @@ TEST_F(OwnerOf, AFileWhoseTakerDiedAmidIsTakenOverAllTheSame) {
     EXPECT_EQ(folder_.files(), 1);
 }
 
+TEST_F(OwnerOf, AFileWhoseTakerOfThisHostDiedAmidIsNotWaitedFor) {
+    leave({"n2", 17, "", "someone", 0}, 100);
+    write_file((folder_ / "chart.sqlite.owner.lock").string(), owner_text({"n1", dead_process(), "", "taker", 0}));
+    const OwnerFile owner(file_, options("n1"));
+    EXPECT_TRUE(owner.replaced());
+    EXPECT_EQ(folder_.files(), 1);
+}
+
 TEST_F(OwnerOf, AProcessOfThisHostThatIsNoMoreIsNotAlive) {
     EXPECT_FALSE(may_be_alive({{"n1", dead_process(), "", "", 0}, 1.0}, options("n1")));
     EXPECT_TRUE(may_be_alive({{"n1", ::getpid(), "", "", 0}, 1.0}, options("n1")));
