@@ -1,10 +1,12 @@
 #include "stridor/signal/fourier.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/signal/radix_four.hpp"
 
 #include <unsupported/Eigen/FFT>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace stridor::signal {
@@ -12,7 +14,9 @@ namespace stridor::signal {
 struct Fourier::Buffers {
     explicit Buffers(std::size_t count) : size(count), time(count), half(count / 2 + 1) {
         transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+        if (RadixFour::takes(count)) radix_four.emplace(count);
     }
+    std::optional<RadixFour> radix_four{};  // takes half the time
     Eigen::FFT<double> transform;
     std::size_t size;
     std::vector<double> time;
@@ -35,12 +39,19 @@ std::span<const std::complex<double>> Fourier::spectrum(std::span<const double> 
     std::vector<double>& time = buffers_->time;
     const auto end = std::copy(frame.begin(), frame.end(), time.begin());
     std::fill(end, time.end(), 0.0);
-    buffers_->transform.fwd(buffers_->half.data(), time.data(), static_cast<Eigen::Index>(time.size()));
+    if (buffers_->radix_four)
+        buffers_->radix_four->forward(time, buffers_->half);
+    else
+        buffers_->transform.fwd(buffers_->half.data(), time.data(), static_cast<Eigen::Index>(time.size()));
     return buffers_->half;
 }
 
 std::span<const double> Fourier::frame(std::span<const std::complex<double>> spectrum) {
     STRIDOR_EXPECT(spectrum.size() == size() / 2 + 1);
+    if (buffers_->radix_four) {
+        buffers_->radix_four->backward(spectrum, buffers_->time);
+        return buffers_->time;
+    }
     std::copy(spectrum.begin(), spectrum.end(), buffers_->half.begin());
     buffers_->transform.inv(buffers_->time.data(), buffers_->half.data(), static_cast<Eigen::Index>(size()));
     return buffers_->time;
