@@ -13,6 +13,7 @@
 #include "stridor/sound/course.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -102,10 +103,21 @@ std::vector<double> echo_of(signal::Fourier& fourier, std::span<const double> wi
 std::vector<double> without_line(std::span<const double> samples) {
     const auto count = static_cast<double>(samples.size());
     const double middle = 0.5 * (count - 1.0);
-    const double mean = std::accumulate(samples.begin(), samples.end(), 0.0) / count;
-    double covariance = 0.0;
-    for (std::size_t n = 0; n < samples.size(); ++n)
-        covariance += (static_cast<double>(n) - middle) * samples[n];
+    // four sums at a time: each waits for itself only
+    std::array<double, 4> sums{};
+    std::array<double, 4> products{};
+    std::size_t first = 0;
+    for (; first + 4 <= samples.size(); first += 4)
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+            sums[lane] += samples[first + lane];
+            products[lane] += (static_cast<double>(first + lane) - middle) * samples[first + lane];
+        }
+    for (; first < samples.size(); ++first) {
+        sums[0] += samples[first];
+        products[0] += (static_cast<double>(first) - middle) * samples[first];
+    }
+    const double mean = std::accumulate(sums.begin(), sums.end(), 0.0) / count;
+    const double covariance = std::accumulate(products.begin(), products.end(), 0.0);
     const double slope = 12.0 * covariance / (count * (count * count - 1.0));
     std::vector<double> result(samples.size());
     for (std::size_t n = 0; n < samples.size(); ++n)
