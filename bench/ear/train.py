@@ -7,8 +7,9 @@
 TABLE.csv has the columns file, repository, label, expected ("squeak|creak") and confidence (high, low); files lie in
 FOLDER by their last name, or as the table says. The figures come from `stridor classify --json`; the model is the
 multinomial logistic regression of ear.hpp, with a quadratic penalty. A clip that may be several categories counts by
-the sum of their probabilities. First the model is cross-validated: each repository is heard by a model that has not
-met it. Then all clips are fitted. There is no chance in it: the same clips give the same numbers.
+the sum of their probabilities. Of the degraded copies, those in two rooms are learnt from too. First the model is
+cross-validated: each repository is heard by a model that has not met it, nor a copy of it. Then all is fitted. There is
+no chance in it: the same clips give the same numbers.
 
 Needs NumPy and SciPy (Debian: python3-scipy).
 """
@@ -29,6 +30,7 @@ CATEGORIES = ["none", "squeal", "squeak", "creak"]
 PENALTY = 3.0  # on the squares of the weights
 LOW_CONFIDENCE = 0.5  # weight of a clip of which its label is not sure
 SYNTHETIC = 0.5  # weight of all synthetic sounds over that of all clips
+ROOMS, IN_A_ROOM = ["room_0.3_s", "room_0.8_s"], 0.3  # copies that are learnt from, and the weight of one
 MOST_DEVIATIONS = 2.5  # as in ear.cpp
 LEAST_SHARE, QUIET_DEPTH = 0.2, 25.0  # thresholds of the verdict of the whole
 RUBBING = re.compile(r"scrap|slid|drag|brush|sand|rubb|writ|eras|saw|zip|wip|plan|scratch", re.I)
@@ -135,15 +137,27 @@ def decide(probabilities, energy):
     return chosen, np.average(probabilities[heard_there, chosen], weights=energy[heard_there])
 
 
-def cross_validated(clips, names, synthetic, others=()):
-    """The verdicts on each clip by a model that has met no clip of its repository; likewise on lists of other clips of
-    the same repositories, such as degraded copies."""
-    figures, outcomes, weights, places = design(clips, names)
+def with_copies(clips, copies, names):
+    """Figures, outcomes, weights and repositories of clips and of lists of copies of them, by passage. The weights are
+    scaled so that the penalty weighs as much as without copies."""
+    lists = [clips, *copies]
+    parts = [design(each, names) for each in lists]
+    met = np.concatenate([np.array([row["repository"] for row, _ in each])[part[3]]
+                          for each, part in zip(lists, parts)])
+    weights = np.concatenate([part[2] * (IN_A_ROOM if k else 1.0) for k, part in enumerate(parts)])
+    figures, outcomes = (np.concatenate([part[k] for part in parts]) for k in range(2))
+    return figures, outcomes, weights / (1.0 + IN_A_ROOM * len(copies)), met
+
+
+def cross_validated(clips, learnt, synthetic, names, others=()):
+    """The verdicts on each clip by a model that has met no clip of its repository, nor a copy of one; likewise on lists
+    of other clips of the same repositories, such as degraded copies. `learnt` is what with_copies returns."""
+    figures, outcomes, weights, met = learnt
     repositories = np.array([row["repository"] for row, _ in clips])
     lists = [clips, *others]
     verdicts = [[None] * len(each) for each in lists]
     for repository in np.unique(repositories):
-        known = repositories[places] != repository
+        known = met != repository
         model = fitted((figures[known], outcomes[known], weights[known]), synthetic)
         for each, said in zip(lists, verdicts):
             for place, (row, passages) in enumerate(each):
@@ -204,7 +218,8 @@ def main():
     parser.add_argument("--program", default="build/stridor")
     parser.add_argument("--clips", action="append", required=True, metavar="FOLDER=TABLE.csv")
     parser.add_argument("--synthetic", required=True, metavar="FOLDER")
-    parser.add_argument("--degraded", metavar="FOLDER", help="copies by degrade.py, heard by the same models")
+    parser.add_argument("--degraded", metavar="FOLDER",
+                        help="copies by degrade.py, heard by the same models; those in rooms are learnt from")
     parser.add_argument("--out", metavar="FILE.hpp")
     options = parser.parse_args()
     sets = [read_clips(options.program, *pair.split("=", 1)) for pair in options.clips]
@@ -215,7 +230,8 @@ def main():
     kinds = sorted(os.listdir(options.degraded)) if options.degraded else []
     copies = [read_clips(options.program, os.path.join(options.degraded, kind),
                          os.path.join(options.degraded, kind, "table.csv")) for kind in kinds]
-    verdicts, *of_copies = cross_validated(clips, names, synthetic, copies)
+    learnt = with_copies(clips, [each for kind, each in zip(kinds, copies) if kind in ROOMS], names)
+    verdicts, *of_copies = cross_validated(clips, learnt, synthetic, names, copies)
     first = 0
     for pair, each in zip(options.clips, sets):
         report(pair, each, verdicts[first:first + len(each)])
@@ -223,7 +239,7 @@ def main():
     report("together", clips, verdicts)
     for kind, each, said in zip(kinds, copies, of_copies):
         report(kind, each, said)
-    model = fitted(design(clips, names)[:3], synthetic)
+    model = fitted(learnt[:3], synthetic)
     if options.out:
         with open(options.out, "w") as text:
             text.write(header(model))

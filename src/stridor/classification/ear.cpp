@@ -56,12 +56,19 @@ double train(const Passage& p) {
     return p.onsets.train;
 }
 
-// releases of stick and slip: high steps up, slower falls, seven or more in a row
+// of a row of seven or more in which the level rises fast and falls slowly
+double jerks_of(double skewness, double longest_train) {
+    const double asymmetry = std::max(0.0, skewness);
+    return asymmetry / (1.0 + asymmetry) * std::min(1.0, std::log2(1.0 + longest_train) / 3.0);
+}
+
+// releases of stick and slip: a room takes of their height, less of their shape
 double jerks(const Passage& p) {
-    const double skewness = std::max(0.0, p.onsets.skewness);
-    const double height = std::clamp((p.onsets.rise - 4.0) / 8.0, 0.0, 1.0);
-    const double row = std::min(1.0, std::log2(1.0 + p.onsets.longest_train) / 3.0);
-    return skewness / (1.0 + skewness) * height * row;
+    return jerks_of(p.onsets.skewness, p.onsets.longest_train);
+}
+
+double joint_jerks(const Passage& p) {
+    return jerks_of(p.onsets.joint_skewness, p.onsets.joint_train);
 }
 
 double beat(const Passage& p) {
@@ -87,6 +94,7 @@ constexpr std::array<EarFigure, ear_figure_count> figure_table{
     EarFigure{"onset_rate", "octave", "many onsets", onset_rate},
     EarFigure{"train", "1", "onsets follow each other at like intervals", train},
     EarFigure{"jerks", "1", "the level jumps up and falls off, again and again", jerks},
+    EarFigure{"joint_jerks", "1", "and so do low and high octaves at once", joint_jerks},
     EarFigure{"beat", "dB", "the level beats", beat},
     EarFigure{"level_spread", "dB", "the level changes over time", level_spread},
     EarFigure{"sounding", "1", "it sounds all the time", sounding},

@@ -1,9 +1,11 @@
 // The envelope is the mean square of parts of 2 ms of what lies above 1 kHz. An onset is where the energy of the
-// 8 ms after an instant exceeds that of the 8 ms before by 4.5 dB, most of its surroundings.
+// 8 ms after an instant exceeds that of the 8 ms before by 4.5 dB, most of its surroundings. The same is asked of the
+// mean level of octaves, which shows what strikes all of them at once.
 #include "stridor/sound/onsets.hpp"
 
 #include "stridor/signal/filter.hpp"
 #include "stridor/signal/median.hpp"
+#include "stridor/sound/band_levels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,7 @@ namespace {
 constexpr double corner = 1000.0;          // [Hz]
 constexpr double part_time = 0.002;        // [s]
 constexpr std::size_t step_parts = 4;      // 8 ms
+constexpr std::size_t short_parts = 2;     // 4 ms, for impulses of which the next one comes before 16 ms have passed
 constexpr std::size_t apart = 3;           // parts on either side that an onset exceeds
 constexpr double least_step = 4.5;         // [dB]
 constexpr std::size_t lasting = 50;        // parts of a lasting level, 0.1 s
@@ -76,18 +79,32 @@ std::vector<std::uint8_t> loud_parts(std::span<const double> levels) {
     return loud;
 }
 
-// [dB] shape [part]: the level of the 8 ms from each part on over that of the 8 ms before it
-std::vector<double> steps_of(std::span<const double> squares, double least) {
+// [dB] shape [part]: the level of `width` parts from each part on over that of as many before it
+std::vector<double> steps_of(std::span<const double> squares, double least, std::size_t width) {
     std::vector<double> sums(squares.size() + 1);
     for (std::size_t k = 0; k < squares.size(); ++k)
         sums[k + 1] = sums[k] + squares[k] + least;
     std::vector<double> steps(squares.size());
     for (std::size_t k = 1; k < squares.size(); ++k) {
-        const std::size_t to = std::min(squares.size(), k + step_parts);
-        const std::size_t from = k - std::min(k, step_parts);
+        const std::size_t to = std::min(squares.size(), k + width);
+        const std::size_t from = k - std::min(k, width);
         const double after = (sums[to] - sums[k]) / static_cast<double>(to - k);
         const double before = (sums[k] - sums[from]) / static_cast<double>(k - from);
         steps[k] = decibels(after / before);
+    }
+    return steps;
+}
+
+// [dB] shape [part]: the same of levels
+std::vector<double> steps_of_levels(std::span<const double> levels, std::size_t width) {
+    std::vector<double> sums(levels.size() + 1);
+    std::partial_sum(levels.begin(), levels.end(), sums.begin() + 1);
+    std::vector<double> steps(levels.size());
+    for (std::size_t k = 1; k < levels.size(); ++k) {
+        const std::size_t to = std::min(levels.size(), k + width);
+        const std::size_t from = k - std::min(k, width);
+        steps[k] =
+            (sums[to] - sums[k]) / static_cast<double>(to - k) - (sums[k] - sums[from]) / static_cast<double>(k - from);
     }
     return steps;
 }
@@ -132,26 +149,31 @@ StepMoments moments_of(std::span<const double> values, std::span<const std::uint
     return {deviation, third / count / (scale * scale * scale)};
 }
 
+struct Rows {
+    double taken = 0.0;    // [s]
+    double longest = 0.0;  // [1] onsets
+};
+
 // rows of at least four onsets whose intervals change by less than `most_change` from one to the next
-void describe_trains(std::span<const double> instants, double lasted, Onsets& onsets) {
+Rows rows_of(std::span<const double> instants) {
+    Rows rows;
     const auto interval = [&](std::size_t k) { return instants[k + 1] - instants[k]; };
     const auto goes_on = [&](std::size_t k) {  // from interval k to the next
         const double ratio = interval(k + 1) / interval(k);
         return std::max(interval(k), interval(k + 1)) < longest_interval && ratio < most_change &&
                ratio * most_change > 1.0;
     };
-    double taken = 0.0;
     for (std::size_t k = 0; k + 2 < instants.size();) {
         std::size_t end = k;
         while (end + 2 < instants.size() && goes_on(end))
             ++end;
         if (end - k >= 2) {
-            taken += instants[end + 1] - instants[k];
-            onsets.longest_train = std::max(onsets.longest_train, static_cast<double>(end - k + 2));
+            rows.taken += instants[end + 1] - instants[k];
+            rows.longest = std::max(rows.longest, static_cast<double>(end - k + 2));
         }
         k = std::max(end, k + 1);
     }
-    onsets.train = std::min(1.0, taken / lasted);
+    return rows;
 }
 
 // levels less their median over 0.2 s, which is found every 20 ms
@@ -198,6 +220,13 @@ double kurtosis_of(std::span<const double> samples) {
     return second > 0.0 ? fourth * static_cast<double>(samples.size()) / (second * second) : 0.0;
 }
 
+std::vector<double> instants_of(std::span<const std::size_t> parts, double part) {
+    std::vector<double> instants;
+    for (const std::size_t k : parts)
+        instants.push_back(part * static_cast<double>(k));
+    return instants;
+}
+
 }  // namespace
 
 Onsets onsets_of(std::span<const double> samples, double rate) {
@@ -214,17 +243,23 @@ Onsets onsets_of(std::span<const double> samples, double rate) {
     const double part = static_cast<double>(length) / rate;  // [s]
 
     const std::vector<std::uint8_t> loud = loud_parts(levels_of(means_of(squares, lasting), least));
-    const std::vector<double> steps = steps_of(squares, least);
+    const std::vector<double> steps = steps_of(squares, least, step_parts);
     const double lasted = part * std::accumulate(loud.begin(), loud.end(), 0.0);
-    for (const std::size_t k : onset_parts(steps, loud)) {
-        onsets.instants.push_back(part * static_cast<double>(k));
-        onsets.rise += steps[k];
-    }
-    if (!onsets.instants.empty()) onsets.rise /= static_cast<double>(onsets.instants.size());
+    onsets.instants = instants_of(onset_parts(steps, loud), part);
     onsets.rate = static_cast<double>(onsets.instants.size()) / lasted;
-    onsets.skewness = moments_of(steps, loud).skewness;
-    describe_trains(onsets.instants, lasted, onsets);
+    onsets.skewness =
+        std::max(moments_of(steps, loud).skewness, moments_of(steps_of(squares, least, short_parts), loud).skewness);
+    const Rows rows = rows_of(onsets.instants);
+    onsets.train = std::min(1.0, rows.taken / lasted);
+    onsets.longest_train = rows.longest;
     onsets.beat = beat_of(levels_of(means_of(squares, step_parts), least), loud);
+
+    const std::vector<double> levels = band_levels(samples, rate, length);
+    if (levels.empty()) return onsets;
+    const std::vector<double> joint = steps_of_levels(levels, step_parts);
+    onsets.joint_skewness =
+        std::max(moments_of(joint, loud).skewness, moments_of(steps_of_levels(levels, short_parts), loud).skewness);
+    onsets.joint_train = rows_of(instants_of(onset_parts(joint, loud), part)).longest;
     return onsets;
 }
 

@@ -10,10 +10,12 @@ namespace stridor::sound {
 struct Onsets {
     std::vector<double> instants{};  // [s] of steps up by 4.5 dB or more
     double rate = 0.0;               // [1/s] of them, while the sound lasts
-    double rise = 0.0;               // [dB] mean of them; 0: there is none
-    double skewness = 0.0;           // [1] of the steps: positive where the level rises faster than it falls
+    double skewness = 0.0;           // [1] of the steps over 4 or 8 ms, the greater: positive where the level rises
+                                     // faster than it falls
     double train = 0.0;              // [1] share of the time that rows of onsets take whose intervals change little
     double longest_train = 0.0;      // [1] onsets in the longest row
+    double joint_skewness = 0.0;     // [1] the same as `skewness` of the mean level of octaves, see `band_levels`
+    double joint_train = 0.0;        // [1] onsets in its longest row
     double beat = 0.0;               // [dB] standard deviation of the level over 8 ms around that over 0.2 s
     double kurtosis = 0.0;           // [1] above 1 kHz: sine 1.5, noise 3, impulses more; 0: silence
     double level_spread = 0.0;       // [dB] standard deviation of the level over 50 ms, above 100 Hz

@@ -24,7 +24,6 @@ TEST(Onsets, OfACreakAreItsImpulses) {
     const Onsets onsets = onsets_in(support::creak());
     EXPECT_NEAR(static_cast<double>(onsets.instants.size()), 40.0, 2.0);
     EXPECT_NEAR(onsets.instants.front(), 0.1, 0.004);
-    EXPECT_GT(onsets.rise, 15.0);
     EXPECT_GT(onsets.skewness, 1.0);  // up at once, down slowly
     EXPECT_GT(onsets.train, 0.9);
     EXPECT_GT(onsets.longest_train, 30.0);
@@ -50,6 +49,15 @@ TEST(Onsets, OfSteadySoundsAreFew) {
     EXPECT_NEAR(onsets_in(sampled(1.0, [](double t) { return sine(3000.0 * t); })).kurtosis, 1.5, 0.05);
 }
 
+// 70 impulses a second that have died away when the next one comes: steps over 8 ms are the same both ways
+TEST(Onsets, OfADenseRowRiseFasterThanTheyFall) {
+    const auto row = [](double t) { return std::exp(-std::fmod(t, 1.0 / 70.0) / 0.001) * sine(3000.0 * t); };
+    signal::Signal sound = sampled(2.0, row);
+    EXPECT_GT(onsets_in(sound).skewness, 0.5);
+    std::reverse(sound.samples.begin(), sound.samples.end());
+    EXPECT_LT(onsets_in(sound).skewness, 0.1);
+}
+
 // reversed, the level rises slowly and falls at once
 TEST(Onsets, TellRisesFromFalls) {
     signal::Signal backwards = support::creak();
@@ -72,7 +80,7 @@ TEST(Onsets, DoNotDependOnGain) {
     const Onsets a = onsets_in(loud);
     const Onsets b = onsets_in(soft);
     EXPECT_EQ(a.instants, b.instants);
-    EXPECT_NEAR(a.rise, b.rise, 1e-9);
+    EXPECT_NEAR(a.skewness, b.skewness, 1e-9);
     EXPECT_NEAR(a.beat, b.beat, 1e-9);
     EXPECT_NEAR(a.level_spread, b.level_spread, 1e-9);
 }
