@@ -60,7 +60,7 @@ void make_share(const sweep::Study& study, const std::filesystem::path& folder, 
     sweep::Store store(sweep::share_file(folder, share), study);
     std::vector<sweep::IndexedCell> batch;
     for (std::size_t index = 0; index < cell_count(study); ++index) {
-        if (!is_in(share, index)) continue;
+        if (!is_in(share, study, index)) continue;
         batch.push_back({index, invented(index)});
         if (batch.size() < cells_per_commit) continue;
         store.write(batch);

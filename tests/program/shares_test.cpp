@@ -20,7 +20,7 @@ using stridor::support::write_text;
 
 namespace {
 
-// 64 by 40 points in two directions, five blocks of runs of some tenths of a second each
+// 64 by 40 points in two directions, blocks of runs of some hundredths of a second each
 class SharesOfAChart : public testing::Test {
 protected:
     void SetUp() override { write_text(folder_ / "pair.toml", run({"init", "noise-chart"}).out); }

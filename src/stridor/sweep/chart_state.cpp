@@ -84,7 +84,7 @@ void deal_out(const Study& study, const std::vector<int>& marks, const std::vect
     for (StoreState& state : shares) {
         if (!state.share) continue;
         for (const std::size_t run : runs)
-            for (std::size_t k = 0; is_in(*state.share, run) && k < directions_per_run(study); ++k)
+            for (std::size_t k = 0; is_in(*state.share, study, run) && k < directions_per_run(study); ++k)
                 state.missing += marks[run + k * points] == unknown_mark ? 1 : 0;
     }
 }

@@ -154,7 +154,7 @@ public:
         const std::size_t before = agenda_.left();
         std::size_t missing = 0;
         for (const std::size_t run : refine(study_, marks_).missing) {
-            if (!is_in(options_.share, run)) continue;
+            if (!is_in(options_.share, study_, run)) continue;
             ++missing;
             agenda_.add(run);
         }
@@ -162,7 +162,7 @@ public:
         to_come_ = missing * directions_per_run(study_);
         there_ = 0;
         for (std::size_t index = 0; index < marks_.size(); ++index)
-            there_ += marks_[index] != unknown_mark && is_in(options_.share, run_of(study_, index)) ? 1U : 0U;
+            there_ += marks_[index] != unknown_mark && is_in(options_.share, study_, run_of(study_, index)) ? 1U : 0U;
     }
 
 private:
@@ -171,7 +171,7 @@ private:
         const std::size_t stride = stored.size() / study_.directions.size();
         const std::size_t cells = directions_per_run(study_);
         for (std::size_t first = 0; first < stored.size() / cells; ++first) {
-            if (!is_in(options_.share, first)) continue;
+            if (!is_in(options_.share, study_, first)) continue;
             bool is_there = true;
             for (std::size_t k = 0; k < cells; ++k)
                 is_there = is_there && stored[first + k * stride];

@@ -5,12 +5,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <utility>
 
 namespace stridor::sweep {
 
 namespace {
+
+// so that the costs of shares differ little
+constexpr std::size_t blocks_per_share = 16;
+constexpr std::size_t most_runs_per_block = 1024;
 
 std::optional<std::size_t> whole_number(std::string_view text) {
     std::size_t number = 0;
@@ -35,9 +40,20 @@ Share checked(const Share& share, const std::string& text) {
 
 }  // namespace
 
-bool is_in(const Share& share, std::size_t run) {
+std::size_t runs_per_block(const Study& study, std::size_t shares) {
+    STRIDOR_EXPECT(shares > 0);
+    // runs of both directions have the indices of the first
+    const std::size_t runs = cell_count(study) / directions_per_run(study);
+    return std::clamp<std::size_t>(runs / (blocks_per_share * shares), 1, most_runs_per_block);
+}
+
+std::size_t share_of_run(const Study& study, std::size_t shares, std::size_t run) {
+    return run / runs_per_block(study, shares) % shares;
+}
+
+bool is_in(const Share& share, const Study& study, std::size_t run) {
     STRIDOR_EXPECT(share.index < share.count);
-    return run / runs_per_block % share.count == share.index;
+    return share.count == 1 || share_of_run(study, share.count, run) == share.index;
 }
 
 std::string text_of(const Share& share) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stridor/sweep/study.hpp"
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -11,9 +13,10 @@
 /// more than quiet ones. Who computes what depends on the study and the number of shares alone, so nobody has to ask.
 namespace stridor::sweep {
 
-/// Neighbouring runs that belong to one share: long enough that a share's cells lie side by side in its store, short
-/// enough that costly regions are dealt to many. Changing it leaves half-finished shares with the wrong runs.
-inline constexpr std::size_t runs_per_block = 1024;
+/// Neighbouring runs that belong to one share: many, so that a share's cells lie side by side in its store, but so few
+/// that each share has blocks all over the chart and costly regions are dealt to many. From 1 to 1024. Changing the rule
+/// leaves half-finished shares with the wrong runs.
+std::size_t runs_per_block(const Study& study, std::size_t shares);
 
 /// Most shares of one chart: the places of their files' names.
 inline constexpr std::size_t most_shares = 9999;
@@ -25,8 +28,11 @@ struct Share {
     bool operator==(const Share&) const = default;
 };
 
-/// Does a run, by the index of its first cell, belong to a share?
-bool is_in(const Share& share, std::size_t run);
+/// Which of so many shares a run belongs to, by the index of its first cell.
+std::size_t share_of_run(const Study& study, std::size_t shares, std::size_t run);
+
+/// Does a run belong to a share?
+bool is_in(const Share& share, const Study& study, std::size_t run);
 
 /// "3/16".
 std::string text_of(const Share& share);

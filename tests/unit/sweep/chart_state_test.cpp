@@ -26,14 +26,14 @@ protected:
         Store store(share_file(folder_.path(), share), study_);
         std::vector<IndexedCell> cells;
         for (std::size_t index = 0; index < cell_count(study_) && cells.size() < wanted; ++index)
-            if (is_in(share, index)) cells.push_back({index, Cell{}});
+            if (is_in(share, study_, index)) cells.push_back({index, Cell{}});
         store.write(cells);
     }
 
     ChartState state() const { return chart_state(study_, folder_.path()); }
 
     ScratchFolder folder_;
-    Study study_ = small_study();  // 5 blocks of runs
+    Study study_ = small_study();
 };
 
 TEST_F(StateOf, AChartThatWasNotBegunLacksAll) {

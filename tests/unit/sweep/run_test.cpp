@@ -159,7 +159,7 @@ TEST_F(Run, ComputesItsShareOnly) {
         EXPECT_EQ(report.ending, SweepEnding::completed);
         const std::vector<bool> there = keeper.stored();
         for (std::size_t run = 0; run < there.size(); ++run)
-            ASSERT_EQ(there[run], is_in(options.share, run)) << run;
+            ASSERT_EQ(there[run], is_in(options.share, study, run)) << run;
         EXPECT_EQ(report.progress.total, report.computed);
         EXPECT_EQ(sweep::run(study, keeper, options).computed, 0U);
     }

@@ -1,6 +1,7 @@
 #include "stridor/sweep/share.hpp"
 
 #include "support/error_text.hpp"
+#include "support/small_study.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,19 +12,41 @@ namespace {
 
 using support::thrown_by;
 
+// `points` by `points` in two directions, each with runs of its own
+Study square(int points) {
+    Study study = small_study();
+    study.x.points = points;
+    study.y.points = points;
+    return study;
+}
+
 TEST(Share, IsTheWholeChartUnlessToldOtherwise) {
-    for (const std::size_t run : {0U, 1U, 1023U, 1024U, 5000U, 100'000'000U})
-        EXPECT_TRUE(is_in({}, run)) << run;
+    for (const std::size_t run : {0U, 1U, 1023U, 1024U, 5000U})
+        EXPECT_TRUE(is_in({}, square(100), run)) << run;
 }
 
 TEST(Share, DealsEveryRunToExactlyOneInBlocksOfNeighbours) {
-    for (const std::size_t count : {1U, 2U, 5U, 16U})
-        for (std::size_t run = 0; run < 40 * runs_per_block; run += 7) {
+    for (const std::size_t count : {1U, 2U, 5U, 16U, 300U}) {
+        const Study study = square(100);
+        const std::size_t block = runs_per_block(study, count);
+        for (std::size_t run = 0; run < cell_count(study); run += 7) {
             std::vector<std::size_t> owners;
             for (std::size_t index = 0; index < count; ++index)
-                if (is_in({index, count}, run)) owners.push_back(index);
-            ASSERT_EQ(owners, std::vector<std::size_t>{run / runs_per_block % count}) << run << " of " << count;
+                if (is_in({index, count}, study, run)) owners.push_back(index);
+            ASSERT_EQ(owners, std::vector<std::size_t>{run / block % count}) << run << " of " << count;
         }
+    }
+}
+
+TEST(Share, HasBlocksAllOverTheChartBeItSmallOrLarge) {
+    // 3200 runs, 16 shares: sixteen blocks of 12 for each
+    EXPECT_EQ(runs_per_block(square(40), 16), 12U);
+    EXPECT_EQ(runs_per_block(square(3), 16), 1U);
+    EXPECT_EQ(runs_per_block(square(4000), 16), 1024U);
+    // one run gives both directions
+    Study both = square(40);
+    both.base.drive.kind = parameters::DriveKind::sinusoidal;
+    EXPECT_EQ(runs_per_block(both, 16), 6U);
 }
 
 TEST(Share, ReadsWhatItWrites) {

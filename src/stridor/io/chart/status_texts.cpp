@@ -125,7 +125,7 @@ std::string missing_text(const sweep::Study& study, const sweep::MergeReport& re
     for (const auto& [count, found] : there) {
         std::vector<std::size_t> runs(count);
         for (const std::size_t run : report.missing)
-            ++runs[run / sweep::runs_per_block % count];
+            ++runs[share_of_run(study, count, run)];
         for (std::size_t index = 0; index < count; ++index) {
             const auto store = stores.find({count, index});
             if (runs[index] == 0 || ++lines > most_lines) continue;
