@@ -25,7 +25,7 @@ _stridor() {
         simulate) options="--help --set --no-early --json --trace --trace-from --trace-to --trace-interval --history --figure --zoom" ;;
         stability) options="--help --set --over --figure --modes --json" ;;
         advise) options="--help --set --over --tolerance --samples --seed --threads --json" ;;
-        chart) options="--help --set --no-early --x --y --out --threads --preview --json --shard --slurm --time" ;;
+        chart) options="--help --set --no-early --x --y --out --files --figures --threads --preview --json --shard --slurm --time" ;;
         merge) options="--help" ;;
         chart-status) options="--help --json" ;;
         report) options="--help --set --no-early --output --x --y --points --no-chart --no-advice --threads" ;;
