@@ -14,8 +14,8 @@
 namespace stridor::sweep {
 
 /// Neighbouring runs that belong to one share: many, so that a share's cells lie side by side in its store, but so few
-/// that each share has blocks all over the chart and costly regions are dealt to many. From 1 to 1024. Changing the rule
-/// leaves half-finished shares with the wrong runs.
+/// that each share has blocks all over the chart and costly regions are dealt to many. From 1 to 1024. Changing the
+/// rule leaves half-finished shares with the wrong runs.
 std::size_t runs_per_block(const Study& study, std::size_t shares);
 
 /// Most shares of one chart: the places of their files' names.
