@@ -81,8 +81,8 @@ int update() {
         if (moved && said.results_version == now.results_version) {
             for (const std::string& sentence : contradictions(said, now))
                 std::cerr << sentence << '\n';
-            std::cerr << "results moved: raise results_version (src/stridor/sweep/store_layout.hpp) and say what and why in "
-                         "CHANGELOG.md under \"Results changed\"\n";
+            std::cerr << "results moved: raise results_version (src/stridor/sweep/store_layout.hpp) and say what and "
+                         "why in CHANGELOG.md under \"Results changed\"\n";
             return 1;
         }
     }
