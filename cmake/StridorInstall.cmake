@@ -26,8 +26,19 @@ install(FILES
     DESTINATION "${package_dir}")
 
 get_property(programs GLOBAL PROPERTY STRIDOR_PROGRAM_TARGETS)
-if(programs)
-    install(TARGETS ${programs} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+foreach(program IN LISTS programs)
+    if(program STREQUAL "stridor-mpi")
+        # its package needs MPI, that of the others does not
+        install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT mpi)
+    else()
+        install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+    endif()
+endforeach()
+
+# all that is installed, and nothing that is not
+add_custom_target(installed DEPENDS ${modules} ${programs})
+if(STRIDOR_HAS_PYTHON)
+    add_dependencies(installed stridor_python)
 endif()
 
 # Data that a fresh tree may not have yet.
@@ -38,6 +49,12 @@ function(stridor_install_file path folder name)
 endfunction()
 
 stridor_install_file(LICENSE "${CMAKE_INSTALL_DOCDIR}" LICENSE)
+stridor_install_file(README.md "${CMAKE_INSTALL_DOCDIR}" README.md)
+stridor_install_file(CHANGELOG.md "${CMAKE_INSTALL_DOCDIR}" CHANGELOG.md)
+stridor_install_file(KNOWN_ISSUES.md "${CMAKE_INSTALL_DOCDIR}" KNOWN_ISSUES.md)
+if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/docs")
+    install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+endif()
 stridor_install_file(man/stridor.1 "${CMAKE_INSTALL_MANDIR}/man1" stridor.1)
 stridor_install_file(completions/stridor.bash "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" stridor)
 stridor_install_file(completions/stridor.zsh "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" _stridor)
