@@ -78,6 +78,10 @@ def wheel_name():
     return f"stridor-{project()[0]}-{tag}.whl"
 
 
+def about_name():
+    return f"stridor-{project()[0]}.dist-info"
+
+
 def run(*command):
     # pip hides what the system has installed, NumPy included, from the interpreters that a backend starts
     hidden = {"PYTHONPATH", "PYTHONNOUSERSITE"}
@@ -135,7 +139,7 @@ def package_of(folder, scratch):
 
 def write_wheel(file, files):
     """A wheel of the files, with what pip wants to know about it."""
-    about = f"stridor-{project()[0]}.dist-info"
+    about = about_name()
     files = dict(sorted(files.items()))
     files[f"{about}/METADATA"] = metadata().encode()
     files[f"{about}/WHEEL"] = wheel_file().encode()
@@ -153,6 +157,18 @@ def write_wheel(file, files):
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = (0o100755 if name.endswith(".so") else 0o100644) << 16
             archive.writestr(entry, content)
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """Lets pip look for what the package needs before anything is compiled."""
+    about = Path(metadata_directory) / about_name()
+    about.mkdir()
+    (about / "METADATA").write_text(metadata(), encoding="utf-8")
+    (about / "WHEEL").write_text(wheel_file(), encoding="utf-8")
+    return about.name
+
+
+prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

@@ -95,6 +95,14 @@ def test_a_wheel_has_all_that_is_installed_and_says_its_hashes(tmp_path):
     assert {"stridor/py.typed", "stridor/_stridor.pyi"} <= written
 
 
+def test_what_it_needs_is_known_before_it_is_built(tmp_path):
+    about = tmp_path / backend.prepare_metadata_for_build_wheel(tmp_path, {"built": "/nowhere"})
+    (tmp_path / "wheel").mkdir()
+    with zipfile.ZipFile(tmp_path / "wheel" / backend.build_wheel(tmp_path / "wheel", {"built": BUILT})) as wheel:
+        for name in ("METADATA", "WHEEL"):
+            assert (about / name).read_bytes() == wheel.read(f"{about.name}/{name}")
+
+
 def test_an_archive_of_the_sources_is_what_git_knows(tmp_path):
     if not (ROOT / ".git").exists():
         pytest.skip("not a git checkout")
