@@ -40,7 +40,7 @@ _stridor() {
         compare) options="--help --label --library --of --quantity --json" ;;
         match) options="--help --chart --set --best --every --store --out --with-level --threads --library --of --quantity --json" ;;
         structure) options="--help" ;;
-        explore) options="--help --set --port --no-browser --unix-socket --library --threads --address --allow-remote --host-name" ;;
+        explore) options="--help --set --port --no-browser --unix-socket --library --threads --address --allow-remote --host-name --frame" ;;
         verify) options="--help" ;;
         completion) options="--help" ;;
     esac

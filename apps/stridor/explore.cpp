@@ -5,6 +5,7 @@
 #include "stridor/console/terminal.hpp"
 #include "stridor/explorer/api.hpp"
 #include "stridor/explorer/browser.hpp"
+#include "stridor/explorer/framing_site.hpp"
 #include "stridor/explorer/gate.hpp"
 #include "stridor/explorer/link.hpp"
 #include "stridor/explorer/redirect.hpp"
@@ -32,6 +33,7 @@ struct ExploreOptions {
     explorer::Address address;
     std::string library;
     std::vector<std::string> host_names;
+    std::optional<std::string> frame;  // origin that may show it in a frame
     int threads = 0;
     bool allow_remote = false;
     bool no_browser = false;
@@ -41,9 +43,10 @@ struct ExploreOptions {
 // tells the links, one after the other, and opens the first
 class Links {
 public:
-    Links(const ExploreOptions& options, std::uint16_t port) : options_(options) {
-        base_ = has_port() ? fmt::format("http://{}:{}", explorer::host_in_link(options.address.host), port)
-                           : "http://localhost";
+    Links(const ExploreOptions& options, const explorer::FramingSite& frame, std::uint16_t port) : options_(options) {
+        // in a frame the session holds only under the name of the page round it
+        const std::string host = !frame.host.empty() ? frame.host : explorer::host_in_link(options.address.host);
+        base_ = has_port() ? fmt::format("http://{}:{}", host, port) : "http://localhost";
     }
 
     void tell(const std::string& token) {
@@ -74,6 +77,9 @@ private:
 void explore(ExploreOptions options) {
     if (!options.typescript.empty()) return console::print(explorer::typescript(options.typescript));
     if (!options.allow_remote) explorer::require_loopback(options.address.host);
+    const std::vector<std::string> hosts = explorer::host_names(options.address.host, options.host_names);
+    const explorer::FramingSite frame =
+        options.frame ? explorer::read_framing_site(*options.frame, hosts) : explorer::FramingSite();
     if (explorer::is_link(options.file)) {
         options.fragment = explorer::fragment_of(options.file);
         if (!options.overrides.empty())
@@ -84,10 +90,9 @@ void explore(ExploreOptions options) {
     world.threads = options.threads;
     if (!options.file.empty() && !explorer::is_link(options.file))
         world.presets.insert(world.presets.begin(), explorer::preset_of(load_source(options.file, options.overrides)));
-    std::optional<explorer::Server> server(std::in_place, options.address);
-    std::optional<Links> links(std::in_place, options, server->port());
-    explorer::Gate gate(explorer::host_names(options.address.host, options.host_names), std::to_string(server->port()),
-                        [&](const std::string& token) { links->tell(token); });
+    std::optional<explorer::Server> server(std::in_place, options.address, explorer::Limits(), frame.origin);
+    std::optional<Links> links(std::in_place, options, frame, server->port());
+    explorer::Gate gate(hosts, std::to_string(server->port()), [&](const std::string& token) { links->tell(token); });
     const Interrupt interrupt;
     const std::size_t stuck =
         server->serve([&](const explorer::HttpRequest& request,
@@ -129,6 +134,8 @@ void add_explore(CLI::App& program) {
     command->add_option("--host-name", options->host_names, "name by which other machines ask for it (repeatable)")
         ->type_name("NAME")
         ->allow_extra_args(false);
+    command->add_option("--frame", options->frame, "site that may show it in a frame, such as http://localhost:8888")
+        ->type_name("ORIGIN");
     // for who changes the program (explorer/README.md); users have no use for it
     command->add_option("--typescript", options->typescript)
         ->check(one_of(std::vector<std::string>(explorer::typescript_names.begin(), explorer::typescript_names.end())))

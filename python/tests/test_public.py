@@ -11,7 +11,8 @@ from conftest import needed
 import stridor
 
 MODULES = ["stridor"] + [f"stridor.{name}" for name in (
-    "errors", "_axis", "_case", "_chart_parts", "_chart_run", "_charts", "_design", "_evaluate", "_motion", "_sounds")]
+    "errors", "_axis", "_case", "_chart_parts", "_chart_run", "_charts", "_design", "_evaluate", "_explorer", "_motion",
+    "_sounds")]
 
 
 def public_members():

@@ -248,8 +248,8 @@ private:
         message.result(static_cast<unsigned>(response.status));
         message.version(11);
         message.keep_alive(keep_alive_);
-        for (const auto& [name, value] : security_headers())
-            message.set(beast::string_view(name.data(), name.size()), beast::string_view(value.data(), value.size()));
+        for (const auto& [name, value] : shared_.headers)
+            message.set(name, value);
         for (const auto& [name, value] : response.headers)
             message.set(name, value);
         message.set(http::field::content_type, response.content_type);

@@ -27,18 +27,18 @@ std::vector<std::string> parameters(std::string_view text, std::string_view name
     return values;
 }
 
-const std::vector<std::pair<std::string_view, std::string_view>>& security_headers() {
-    static const std::vector<std::pair<std::string_view, std::string_view>> headers{
+std::vector<std::pair<std::string, std::string>> security_headers(const std::string& frame_origin) {
+    return {
         {"Content-Security-Policy",
          "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; media-src 'self' blob:; "
-         "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+         "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors " +
+             (frame_origin.empty() ? "'none'" : frame_origin)},
         {"X-Content-Type-Options", "nosniff"},
         {"Referrer-Policy", "no-referrer"},
         {"Cross-Origin-Opener-Policy", "same-origin"},
         {"Cross-Origin-Resource-Policy", "same-origin"},
         {"Permissions-Policy", "camera=(), microphone=(), geolocation=()"},
         {"Cache-Control", "no-store"}};
-    return headers;
 }
 
 }  // namespace stridor::explorer

@@ -54,8 +54,8 @@ std::string parameter(std::string_view text, std::string_view name, char separat
 /// The values of all parameters of a name, in their order.
 std::vector<std::string> parameters(std::string_view text, std::string_view name, char separator);
 
-/// The header fields that every response carries: nothing from outside, no framing,
-/// no guessing of types, no copies kept.
-const std::vector<std::pair<std::string_view, std::string_view>>& security_headers();
+/// The header fields that every response carries: nothing from outside, no framing but by `frame_origin` (empty: by
+/// nobody), no guessing of types, no copies kept.
+std::vector<std::pair<std::string, std::string>> security_headers(const std::string& frame_origin = {});
 
 }  // namespace stridor::explorer

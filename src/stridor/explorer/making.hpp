@@ -48,7 +48,9 @@ struct Work {
 ///
 /// Everything but the counts of connections and threads is touched by the thread that carries bytes alone.
 struct Shared : std::enable_shared_from_this<Shared> {
-    Shared(const Limits& given) : limits(given) {}
+    Shared(const Limits& given, const std::string& frame_origin)
+        : limits(given),
+          headers(security_headers(frame_origin)) {}
 
     using Task = std::function<void()>;
 
@@ -92,6 +94,7 @@ struct Shared : std::enable_shared_from_this<Shared> {
     }
 
     const Limits limits;
+    const std::vector<std::pair<std::string, std::string>> headers;  // of every response
     Handler handler{};
     Admit admit{};
     std::stop_source stop{};  // of the whole server

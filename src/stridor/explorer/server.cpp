@@ -87,8 +87,8 @@ Local::acceptor listen_at(asio::io_context& io, const std::filesystem::path& pat
 
 class Server::Implementation {
 public:
-    Implementation(const Address& address, const Limits& limits)
-        : shared(std::make_shared<Shared>(limits)),
+    Implementation(const Address& address, const Limits& limits, const std::string& frame_origin)
+        : shared(std::make_shared<Shared>(limits, frame_origin)),
           socket_path(address.unix_socket) {
         if (!socket_path.empty()) {
             acceptor.emplace(listen_at(shared->io, socket_path));
@@ -129,7 +129,8 @@ public:
     std::uint16_t port = 0;
 };
 
-Server::Server(const Address& address, const Limits& limits) : implementation_(new Implementation(address, limits)) {}
+Server::Server(const Address& address, const Limits& limits, const std::string& frame_origin)
+    : implementation_(new Implementation(address, limits, frame_origin)) {}
 
 Server::~Server() = default;
 

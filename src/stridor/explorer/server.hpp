@@ -45,8 +45,9 @@ struct Limits {
 /// others.
 class Server {
 public:
-    /// Listens at once. Throws `Error` (input) for an address that is none, (io) for one that cannot be had.
-    explicit Server(const Address& address, const Limits& limits = {});
+    /// Listens at once. Pages of `frame_origin` may show it in a frame; empty: none. Throws `Error` (input) for an
+    /// address that is none, (io) for one that cannot be had.
+    explicit Server(const Address& address, const Limits& limits = {}, const std::string& frame_origin = {});
     ~Server();
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;
