@@ -24,6 +24,7 @@ from ._evaluate import evaluate, words
 from ._explorer import Explorer, explore
 from ._motion import Margin, Motion, Phase, PhaseVerdict, simulate
 from ._sounds import Hearing, Library, Recording, Sound, library, listen, read_sound
+from ._structure import structure
 from .errors import Error, FileError, InputError, Interrupted, NumericalError, Place
 
 __version__: str = _stridor.version
@@ -33,5 +34,5 @@ __all__ = [
     "InputError", "Interrupted", "Library", "Margin", "Motion", "NumericalError", "Phase", "PhaseVerdict", "Place",
     "Recording", "Sound", "Stability", "StabilityDirection", "advise", "axis", "case", "case_names", "chart", "errors",
     "evaluate", "explore", "from_toml", "library", "listen", "open_chart", "read", "read_sound", "simulate",
-    "stability", "words",
+    "stability", "structure", "words",
 ]

@@ -12,7 +12,7 @@ import stridor
 
 MODULES = ["stridor"] + [f"stridor.{name}" for name in (
     "errors", "_axis", "_case", "_chart_parts", "_chart_run", "_charts", "_design", "_evaluate", "_explorer", "_motion",
-    "_sounds")]
+    "_sounds", "_structure")]
 
 
 def public_members():

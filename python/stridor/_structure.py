@@ -1,0 +1,210 @@
+"""Structures of the user's own, as arrays."""
+
+from __future__ import annotations
+
+import csv
+import json
+import pathlib
+import tempfile
+from decimal import Decimal
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+
+from . import _stridor
+from ._case import Case, _plain, _text
+from ._optional import needed
+from .errors import Complaint, Error, InputError
+
+__all__ = ["structure"]
+
+_most_rows = 2000  # [1] of a structure: what the engines take
+
+
+def structure(
+    *,
+    mass: Any,
+    stiffness: Any,
+    contacts: Sequence[Mapping[str, Any]],
+    values: Mapping[str, object],
+    damping: Any = None,
+    rows: Sequence[str] = (),
+    damping_ratio: Optional[float] = None,
+    loss_factor: Optional[float] = None,
+    rayleigh_mass: Optional[float] = None,
+    rayleigh_stiffness: Optional[float] = None,
+    load: Any = None,
+    force: Any = None,
+    initial_displacement: Any = None,
+    initial_velocity: Any = None,
+    outputs: Optional[Mapping[str, Any]] = None,
+    title: str = "",
+) -> Case:
+    """A case with a linear structure of your own: M u'' + C u' + K u = loads, with rubbing contacts.
+
+    The page on structures of one's own (docs/formats/own-structure.md) says what each key means.
+
+    Parameters
+    ----------
+    mass, stiffness : array_like or sparse matrix, shape (rows, rows)
+        M [kg], K [N/m]; symmetric, M positive definite. Of NumPy or SciPy; up to 2000 rows.
+    contacts : sequence of mappings
+        Of each contact `name`, `normal` and `tangent`, and whatever else a `[[structure.contact]]` has:
+        `second_tangent`, `initial_gap` [m], `static_friction`, `kinetic_friction`, `preload_share`, `drive_share`,
+        `position` [m]. Directions are arrays with a number for each row, or text: "y1 -y2".
+    values : mapping
+        Of the rest of the case by key, as `Case.set` takes them: preload, both frictions and `drive.kind` at least.
+    damping : array_like or sparse matrix, optional
+        C [N*s/m].
+    rows : sequence of str
+        Their names; without it u1, u2, ...
+    damping_ratio, loss_factor : float, optional
+        [1] Damping of each mode of the structure without contacts.
+    rayleigh_mass, rayleigh_stiffness : float, optional
+        [1/s], [s] C = alpha M + beta K.
+    load, force, initial_displacement, initial_velocity : array_like, optional
+        A number for each row [N], [1], [m], [1].
+    outputs : mapping, optional
+        By name the direction of a point whose motion is wanted.
+    title : str
+
+    Returns
+    -------
+    Case
+
+    Raises
+    ------
+    InputError
+        For matrices that do not fit, and whatever the program refuses in such a file.
+
+    Examples
+    --------
+    >>> import numpy, stridor
+    >>> block = stridor.structure(
+    ...     rows=["x", "y"], mass=0.1 * numpy.eye(2), stiffness=[[1e5, -4e4], [-4e4, 2e5]], damping_ratio=0.01,
+    ...     contacts=[{"name": "foot", "normal": [0, 1], "tangent": [1, 0]}],
+    ...     values={"preload": "5 N", "mu_s": 0.8, "mu_d": 0.3, "drive.kind": "constant", "drive.velocity": 0.02})
+    >>> stridor.simulate(block).whole.category
+    'none'
+    """
+    with tempfile.TemporaryDirectory(prefix="stridor-") as folder:
+        here = pathlib.Path(folder)
+        lines = [f"title = {_quoted(title)}", *_value_lines(values), "[structure]", 'contacts = "contacts.csv"']
+        for name, matrix in (("mass", mass), ("stiffness", stiffness), ("damping", damping)):
+            if matrix is not None:
+                _write_matrix(here / f"{name}.csv", name, matrix)
+                lines.append(f'{name} = "{name}.csv"')
+        if len(rows):
+            lines.append("rows = [" + ", ".join(_quoted(str(row)) for row in rows) + "]")
+        numbers = {"damping_ratio": damping_ratio, "loss_factor": loss_factor, "rayleigh_mass": rayleigh_mass,
+                   "rayleigh_stiffness": rayleigh_stiffness}
+        lines += [f"{name} = {_number(name, number)}" for name, number in numbers.items() if number is not None]
+        lists = {"load": load, "force": force, "initial_displacement": initial_displacement,
+                 "initial_velocity": initial_velocity}
+        lines += [f"{name} = {_list(name, list_of)}" for name, list_of in lists.items() if list_of is not None]
+        for name, direction in (outputs or {}).items():
+            text = _quoted(direction) if isinstance(direction, str) else _list(f"output {name}", direction)
+            lines += ["[[structure.output]]", f"name = {_quoted(name)}", f"direction = {text}"]
+        _write_contacts(here / "contacts.csv", contacts)
+        (here / "case.toml").write_text("\n".join(lines) + "\n", encoding="utf-8")
+        try:
+            return Case._of(_stridor.read(str(here / "case.toml")))
+        except Error as error:
+            raise _without_place(error) from None
+
+
+def _quoted(text: str) -> str:
+    """As TOML has it."""
+    return json.dumps(_text(text), ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _value_lines(values: Mapping[str, object]) -> List[str]:
+    lines = []
+    for name, value in values.items():
+        key, plain = _stridor.key_called(_text(str(name))), _plain(value)
+        unit = _stridor.unit_of(key)
+        if isinstance(plain, str):
+            lines.append(f"{key} = {_quoted(plain)}")
+        else:
+            lines.append(f'{key} = "{plain!r} {unit}"' if unit not in ("", "1") else f"{key} = {plain!r}")
+    return lines
+
+
+def _array(what: str, numbers: Any) -> Any:
+    numpy = needed("numpy", "a structure")
+    if hasattr(numbers, "toarray") and max(numbers.shape) <= _most_rows:  # SciPy's sparse ones
+        numbers = numbers.toarray()
+    try:
+        made = numpy.asarray(numbers)
+        is_real = made.dtype.kind in "iuf"
+    except ValueError:
+        is_real = False
+    if not is_real:
+        raise InputError(f"{what} is no array of real numbers")
+    if not numpy.isfinite(made).all():
+        raise InputError(f"{what} has a number that is not finite")
+    return made.astype(float)
+
+
+def _write_matrix(path: pathlib.Path, name: str, matrix: Any) -> None:
+    shape = getattr(matrix, "shape", None)
+    if shape is not None and len(shape) == 2 and max(shape) > _most_rows:
+        raise InputError(f"{name} has the shape {shape[0]} x {shape[1]} (a structure has up to {_most_rows} rows). "
+                         "Reduce it first: stridor structure reduce.")
+    array = _array(name, matrix)
+    if array.ndim != 2 or array.shape[0] != array.shape[1] or not array.size:
+        raise InputError(f"{name} has the shape {' x '.join(map(str, array.shape)) or 'of a number'} "
+                         "(a matrix of a structure is square)")
+    with open(path, "w", encoding="ascii") as file:
+        for row in array.tolist():
+            file.write(",".join(map(repr, row)) + "\n")
+
+
+def _write_contacts(path: pathlib.Path, contacts: Sequence[Mapping[str, Any]]) -> None:
+    keys: Dict[str, None] = {"name": None, "normal": None, "tangent": None}
+    for contact in contacts:
+        if not isinstance(contact, Mapping):
+            raise InputError(f"{contact!r} is no contact. Write it as {{'name': ..., 'normal': ..., 'tangent': ...}}.")
+        keys.update(dict.fromkeys(map(str, contact)))
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(keys)
+        for contact in contacts:
+            table.writerow([_cell(key, contact.get(key, "")) for key in keys])
+
+
+def _cell(key: str, value: Any) -> str:
+    if isinstance(value, str):
+        return _text(value)
+    array = _array(key, value)
+    if array.ndim > 1 and max(array.shape) == array.size:  # a row or a column of a matrix
+        array = array.ravel()
+    if array.ndim > 1:
+        raise InputError(f"{key} of a contact has the shape {array.shape} (it has one number for each row)")
+    return " ".join(map(repr, array.ravel().tolist()))
+
+
+def _number(name: str, number: Union[float, str]) -> str:
+    array = _array(name, number)
+    if array.ndim:
+        raise InputError(f"{name} is no number")
+    return _without_point(float(array))
+
+
+def _list(name: str, numbers: Any) -> str:
+    array = _array(name, numbers)
+    if array.ndim != 1:
+        raise InputError(f"{name} has the shape {array.shape} (it has one number for each row)")
+    return "[" + ", ".join(map(_without_point, array.tolist())) + "]"
+
+
+def _without_point(number: float) -> str:
+    """The same number with an exponent: a case file has room for few points."""
+    sign, digits, exponent = Decimal(repr(number)).as_tuple()
+    return f"{'-' * sign}{''.join(map(str, digits))}e{exponent}"
+
+
+def _without_place(error: Error) -> Error:
+    """The same of a file that is gone."""
+    complaints: List[Complaint] = [(what, why, suggestion, None) for what, why, suggestion, _ in error.complaints]
+    texts = [what + (f" ({why})." if why and suggestion else f" ({why})" if why else "." if suggestion else "") +
+             (f" {suggestion}" if suggestion else "") for what, why, suggestion, _ in complaints]
+    return type(error)("\n".join(texts), complaints)
