@@ -9,8 +9,9 @@ from typing import Sequence, Union
 from . import _stridor
 from ._axis import Axis
 from ._case import Case
-from ._charts import Chart, temporary_folder
+from ._charts import Chart, open_chart, temporary_folder
 from ._evaluate import Progress, _directions, _shown
+from ._launch import launched
 from .errors import InputError, Interrupted
 
 __all__ = ["chart"]
@@ -27,6 +28,7 @@ def chart(
     out: Union[str, os.PathLike[str], None] = None,
     threads: int = 0,
     progress: Progress = False,
+    launcher: Sequence[str] = (),
 ) -> Chart:
     """Computes a chart over two quantities, on all processors, as `stridor chart` does.
 
@@ -51,6 +53,10 @@ def chart(
     progress : bool or callable
         True: a bar of tqdm, where it is installed. A function is called ten times a second with the cells done, those
         to do as far as known, and a dictionary of how many there are of each kind; what it raises ends the work.
+    launcher : sequence of str, optional
+        What starts a program on several ranks: ["mpirun", "-n", "64"]. The program `stridor-mpi` then computes the
+        chart in `out`, which all ranks must see; `threads` are those of a rank. Progress is what `stridor chart-status`
+        says.
 
     Returns
     -------
@@ -73,6 +79,8 @@ def chart(
     """
     study = _stridor.study(case._handle, _axis_text(x), _axis_text(y), _directions(directions), list(starts),
                            ["category"], int(refine))
+    if launcher:
+        return _of_launcher(launcher, study, out, int(threads), progress)
     kept, folder = (None, pathlib.Path(out)) if out is not None else temporary_folder()
     folder.mkdir(parents=True, exist_ok=True)
     show, close = _shown(progress, "cell")
@@ -85,6 +93,18 @@ def chart(
     if out is not None:
         handle.write_tables(str(folder))
     return Chart(handle, folder, kept)
+
+
+def _of_launcher(launcher: Sequence[str], study: _stridor.StudyHandle, out: Union[str, os.PathLike[str], None],
+                 threads: int, progress: Progress) -> Chart:
+    if out is None:
+        raise InputError("a chart of several ranks has no folder (all of them must see it). Say out=...")
+    if progress:
+        raise InputError("a launcher tells no progress (its program runs elsewhere). Ask `stridor chart-status`.")
+    folder = pathlib.Path(out)
+    folder.mkdir(parents=True, exist_ok=True)
+    launched(launcher, study, folder, threads)
+    return open_chart(folder)
 
 
 def _axis_text(axis: object) -> str:
