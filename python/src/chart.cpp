@@ -220,9 +220,9 @@ py::dict verdicts(const ChartHandle& chart) {
 }
 
 // of both axes: key, unit, sentence, scale and values
-py::list axes(const ChartHandle& chart) {
+py::list axes(const sweep::Study& study) {
     py::list list;
-    for (const sweep::Axis* axis : {&chart.study().x, &chart.study().y}) {
+    for (const sweep::Axis* axis : {&study.x, &study.y}) {
         std::vector<double> values;
         for (int index = 0; index < axis->points; ++index)
             values.push_back(sweep::value_at(*axis, index));
@@ -284,9 +284,9 @@ void write_tables(ChartHandle& chart, const std::string& folder) {
     });
 }
 
-std::vector<std::string_view> directions(const ChartHandle& chart) {
+std::vector<std::string_view> directions(const sweep::Study& study) {
     std::vector<std::string_view> names;
-    for (const parameters::Direction direction : chart.study().directions)
+    for (const parameters::Direction direction : study.directions)
         names.push_back(parameters::direction_names[static_cast<std::size_t>(direction)]);
     return names;
 }
@@ -308,6 +308,9 @@ void bind_charts(py::module_& module) {
     module.def("evaluate", &evaluate, py::arg("case"), py::arg("keys"), py::arg("values"), py::arg("directions"),
                py::arg("threads"), py::arg("progress"));
     py::class_<StudyHandle>(module, "StudyHandle", "A chart that is to be computed.")
+        .def("directions", [](const StudyHandle& c) { return directions(c.study); })
+        .def("axes", [](const StudyHandle& c) { return axes(c.study); })
+        .def("starts", [](const StudyHandle& c) { return c.study.starts.size(); })
         .def("toml", [](const StudyHandle& c) { return python_text(io::study_toml(c.study)); });
     module.def(
         "study",
@@ -324,8 +327,8 @@ void bind_charts(py::module_& module) {
         [](const StudyHandle& study, const std::string& store) { return ChartHandle(study.study, store); },
         py::arg("study"), py::arg("store"));
     py::class_<ChartHandle>(module, "ChartHandle", "A finished chart.")
-        .def("directions", &directions)
-        .def("axes", &axes)
+        .def("directions", [](const ChartHandle& chart) { return directions(chart.study()); })
+        .def("axes", [](const ChartHandle& chart) { return axes(chart.study()); })
         .def("verdicts", &verdicts)
         .def("figure", &figure, py::arg("name"))
         .def("boundaries", &boundaries)

@@ -11,7 +11,7 @@ from ._axis import Axis
 from ._case import Case
 from ._charts import Chart, open_chart, temporary_folder
 from ._evaluate import Progress, _directions, _shown
-from ._launch import launched
+from ._launch import launched, put_study
 from .errors import InputError, Interrupted
 
 __all__ = ["chart"]
@@ -83,6 +83,8 @@ def chart(
         return _of_launcher(launcher, study, out, int(threads), progress)
     kept, folder = (None, pathlib.Path(out)) if out is not None else temporary_folder()
     folder.mkdir(parents=True, exist_ok=True)
+    if not (folder / "chart.sqlite").exists():
+        put_study(study, folder / "chart.toml")
     show, close = _shown(progress, "cell")
     try:
         handle = _stridor.compute(study, str(folder / "chart.sqlite"), int(threads), show)

@@ -22,7 +22,7 @@ def launched(launcher: Sequence[str], study: _stridor.StudyHandle, folder: pathl
     """Has a study computed in its folder by `LAUNCHER stridor-mpi chart`, which goes on with what is there."""
     if isinstance(launcher, str) or not all(isinstance(word, str) for word in launcher):
         raise InputError(f'launcher = {launcher!r} is no list of words. Write ["mpirun", "-n", "64"].')
-    _put(study, folder / "chart.toml")
+    put_study(study, folder / "chart.toml")
     command = [*launcher, found("stridor-mpi"), "chart", str(folder / "chart.toml"), "--out", str(folder),
                "--files", "csv,boundaries,nc", *(["--threads", str(threads)] if threads else [])]
     try:
@@ -43,7 +43,7 @@ def launched(launcher: Sequence[str], study: _stridor.StudyHandle, folder: pathl
         raise kind(_reason(said) or f"{launcher[0]} ended with {process.returncode}")
 
 
-def _put(study: _stridor.StudyHandle, path: pathlib.Path) -> None:
+def put_study(study: _stridor.StudyHandle, path: pathlib.Path) -> None:
     """The study's file, for all ranks; another chart's is left alone."""
     text = study.toml()
     if path.exists():
