@@ -50,13 +50,13 @@ TEST_F(SharesOfAChart, AreMergedIntoTheBytesOfASingleRun) {
     ASSERT_EQ(done(chart("single")).exit_code, 0);
     const Finished first = done(chart("pair", {"--shard", "0/2"}));
     ASSERT_EQ(first.exit_code, 0) << first.err;
-    EXPECT_NE(first.out.find("share 0/2 is done: 3072 cells computed into pair/shards/0000-of-0002.sqlite"),
+    EXPECT_NE(first.out.find("share 0/2 is done: 2560 cells computed into pair/shards/0000-of-0002.sqlite"),
               std::string::npos)
         << first.out;
     EXPECT_NE(first.out.find("stridor merge pair"), std::string::npos) << first.out;
     const Finished early = done({"merge", "pair"});
     EXPECT_EQ(early.exit_code, 4);
-    EXPECT_NE(early.out.find("1 of 2 shares, 2048 cells missing\n  1/2: 2048 runs missing (not begun)\n"),
+    EXPECT_NE(early.out.find("1 of 2 shares, 2560 cells missing\n  1/2: 2560 runs missing (not begun)\n"),
               std::string::npos)
         << early.out;
     const Finished second =
@@ -66,7 +66,7 @@ TEST_F(SharesOfAChart, AreMergedIntoTheBytesOfASingleRun) {
                    std::nullopt,
                    {{"SLURM_ARRAY_TASK_ID", "8"}, {"SLURM_ARRAY_TASK_MIN", "7"}, {"SLURM_ARRAY_TASK_COUNT", "2"}}});
     ASSERT_EQ(second.exit_code, 0) << second.err;
-    EXPECT_NE(second.out.find("share 1/2 is done: 2048 cells"), std::string::npos) << second.out;
+    EXPECT_NE(second.out.find("share 1/2 is done: 2560 cells"), std::string::npos) << second.out;
     EXPECT_NE(done(chart("pair", {"--shard", "1/2"})).out.find("share 1/2 is done: 0 cells"), std::string::npos);
     const Finished merged = done({"merge", "pair"});
     EXPECT_EQ(merged.exit_code, 0) << merged.err;
@@ -114,7 +114,7 @@ TEST_F(SharesOfAChart, AreShownWhileTheyAreFilledAndGoOnAfterASignal) {
     EXPECT_EQ(status.exit_code, 0) << status.err;
     EXPECT_NE(status.out.find("cells so far, filled by process "), std::string::npos) << status.out;
     EXPECT_NE(status.out.find("1 of 2 shares"), std::string::npos) << status.out;
-    EXPECT_NE(status.out.find("  0/2: not begun, 3072 cells missing"), std::string::npos) << status.out;
+    EXPECT_NE(status.out.find("  0/2: not begun, 2560 cells missing"), std::string::npos) << status.out;
     const auto document = json_of(done({"chart-status", "pair", "--json"}).out);
     EXPECT_EQ(document["schema"], "stridor.chart-status/1");
     EXPECT_EQ(document["cells"]["known"], 5120);

@@ -99,7 +99,14 @@ private:
         rate_.note(now, progress_.done);
         progress_.rate = rate_.value();
         reported_ = now;
-        if (options_.progress) options_.progress(progress_);
+        if (!options_.progress) return;
+        try {
+            options_.progress(progress_);
+        } catch (...) {
+            // what it throws costs no cell
+            write();
+            throw;
+        }
     }
 
     CellKeeper& keeper_;

@@ -227,7 +227,7 @@ TEST_F(Merge, LeavesOutAShareThatIsBeingFilled) {
     ASSERT_EQ(report.shares.size(), 2U);
     EXPECT_FALSE(report.shares[0].is_filled);
     EXPECT_TRUE(report.shares[1].is_filled);
-    EXPECT_EQ(report.missing_cells, 4096U);
+    EXPECT_EQ(report.missing_cells, 4480U);
 }
 
 TEST_F(Merge, IsRefusedWhileTheChartItselfIsBeingFilled) {

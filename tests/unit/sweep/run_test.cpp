@@ -142,6 +142,7 @@ TEST_F(Run, PassesOnWhatTheCallbackThrows) {
         if (progress.done > 0) throw std::logic_error("enough");
     };
     EXPECT_THROW(run(study_, store_, options), std::logic_error);
+    EXPECT_FALSE(store_.read().empty()) << "what was finished by then is kept";
 }
 
 // the runs of a share are every second block of neighbours
