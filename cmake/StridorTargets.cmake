@@ -195,12 +195,15 @@ function(stridor_test name)
             list(APPEND ARG_LABEL threads)
         endif()
         add_test(NAME ${name} COMMAND ${target} --gtest_brief=1)
-        set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT 1200 COST ${ARG_COST})
+        set(environment
+            "LSAN_OPTIONS=print_suppressions=0:suppressions=${PROJECT_SOURCE_DIR}/tests/support/leak_sanitizer.supp")
         if(ARG_PROGRAM)
             # looking at frames that returned costs the program a fifth of its time;
             # tests of modules do (CMakePresets.json)
-            set_tests_properties(${name} PROPERTIES ENVIRONMENT "ASAN_OPTIONS=strict_string_checks=1")
+            list(APPEND environment "ASAN_OPTIONS=strict_string_checks=1")
         endif()
+        set_tests_properties(${name} PROPERTIES
+            LABELS "${ARG_LABEL}" TIMEOUT 1200 COST ${ARG_COST} ENVIRONMENT "${environment}")
         return()
     endif()
     gtest_discover_tests(${target}

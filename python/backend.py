@@ -30,6 +30,11 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 # the same bytes whenever it is built; the oldest time that a ZIP archive can say
 FIRST_TIME = (1980, 1, 1, 0, 0, 0)
+# lets xarray open stores of charts: open_dataset(..., engine="stridor")
+ENTRY_POINTS = """\
+[xarray.backends]
+stridor = stridor.xarray_backend:StoreBackend
+"""
 METADATA = """\
 Metadata-Version: 2.1
 Name: stridor
@@ -143,6 +148,7 @@ def write_wheel(file, files):
     files = dict(sorted(files.items()))
     files[f"{about}/METADATA"] = metadata().encode()
     files[f"{about}/WHEEL"] = wheel_file().encode()
+    files[f"{about}/entry_points.txt"] = ENTRY_POINTS.encode()
     files[f"{about}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
     record = io.StringIO()
     rows = csv.writer(record, lineterminator="\n")
@@ -165,6 +171,7 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
     about.mkdir()
     (about / "METADATA").write_text(metadata(), encoding="utf-8")
     (about / "WHEEL").write_text(wheel_file(), encoding="utf-8")
+    (about / "entry_points.txt").write_text(ENTRY_POINTS, encoding="utf-8")
     return about.name
 
 

@@ -52,6 +52,8 @@ def test_a_package_is_installed_used_and_removed(venv, tmp_path):
     assert where_installed(venv, tmp_path).startswith(str(venv))
     use = "import stridor; print(stridor.simulate(stridor.case('squeal')).going.category, stridor.__version__)"
     assert run(venv / "bin/python", "-c", use, cwd=tmp_path) == f"squeal {backend.project()[0]}\n"
+    engines = "import xarray; print('stridor' in xarray.backends.list_engines())"
+    assert run(venv / "bin/python", "-c", engines, cwd=tmp_path).endswith("True\n")
     shown = run(venv / "bin/pip", "show", "stridor")
     assert f"Version: {backend.project()[0]}" in shown
     assert "Requires: numpy" in shown
@@ -99,7 +101,7 @@ def test_what_it_needs_is_known_before_it_is_built(tmp_path):
     about = tmp_path / backend.prepare_metadata_for_build_wheel(tmp_path, {"built": "/nowhere"})
     (tmp_path / "wheel").mkdir()
     with zipfile.ZipFile(tmp_path / "wheel" / backend.build_wheel(tmp_path / "wheel", {"built": BUILT})) as wheel:
-        for name in ("METADATA", "WHEEL"):
+        for name in ("METADATA", "WHEEL", "entry_points.txt"):
             assert (about / name).read_bytes() == wheel.read(f"{about.name}/{name}")
 
 
