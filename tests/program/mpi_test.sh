@@ -51,13 +51,15 @@ done
 
 # long enough to be caught at work: some seconds
 slow="--set chart.x.points=20 --set chart.y.points=20 --set chart.refine=2 --set run.early_ending=never
-    --set run.duration=30 --set run.window=1"
+    --set run.duration=50 --set run.window=1"
 "$stridor" chart pair.toml --out slow --threads 2 $slow >/dev/null 2>&1
 
 echo "killed $kills times: ranks and mpirun itself"
 kill_number=0
 at_work=0 # kills that came before all was done
 while [ "$kill_number" -lt "$kills" ]; do
+    # done in spite of the kills: once more from the start
+    [ ! -e killed/chart.csv ] || rm -r killed
     ranks=$((1 + kill_number % 5))
     # exec: the process is mpirun, not a shell
     (exec "$mpirun" --oversubscribe --bind-to none -n "$ranks" "$stridor_mpi" chart pair.toml --out killed --threads 1 \
