@@ -50,7 +50,6 @@ std::size_t RankCrew::batch(const Member& member) {
 }
 
 std::size_t RankCrew::appetite(std::size_t left) {
-    own_wanted_ = 0;
     for (Member& member : members_)
         member.wanted = 0;
     if (halt_.stop_requested()) return 0;
@@ -63,8 +62,7 @@ std::size_t RankCrew::appetite(std::size_t left) {
         member.wanted = std::min({size, most, left - sum});
         sum += member.wanted;
     }
-    own_wanted_ = std::min({own_->appetite(left), most, left - sum});
-    return sum + own_wanted_;
+    return sum + std::min({own_->appetite(left), most, left - sum});
 }
 
 void RankCrew::give(std::vector<std::size_t> runs) {
@@ -143,18 +141,18 @@ void RankCrew::expect_signs_of_life() {
     }
 }
 
-bool RankCrew::is_satisfied(std::size_t enough, std::size_t left_to_give) {
-    return arrived_.size() >= enough || is_idle() || (was_fed_ && appetite(left_to_give) > 0);
+bool RankCrew::is_satisfied(std::size_t enough) {
+    // what there is to give is not known here; enough that nobody's appetite is cut short
+    constexpr std::size_t plenty = 1U << 30U;
+    return arrived_.size() >= enough || is_idle() || (was_fed_ && appetite(plenty) > 0);
 }
 
 std::vector<sweep::IndexedCell> RankCrew::take(std::size_t enough, Clock::time_point deadline) {
-    // what there is to give is not known here; enough that nobody's appetite is cut short
-    constexpr std::size_t plenty = 1U << 30U;
     for (bool is_late = false;; is_late = options_.timing.now() >= deadline) {
         halt_all();
         read_letters();
         expect_signs_of_life();
-        if (is_late || is_satisfied(enough, plenty)) break;
+        if (is_late || is_satisfied(enough)) break;
         const Clock::time_point now = options_.timing.now();
         if (own_->is_idle()) options_.timing.pause(busy_pause);
         std::vector<sweep::IndexedCell> cells = own_->take(enough, std::min(deadline, now + busy_pause));

@@ -65,7 +65,7 @@ private:
     void fail(std::exception_ptr failure);
     void halt_all();
     void expect_signs_of_life();
-    bool is_satisfied(std::size_t enough, std::size_t left_to_give);
+    bool is_satisfied(std::size_t enough);
     static std::size_t batch(const Member& member);
 
     Post& post_;
@@ -75,7 +75,6 @@ private:
     std::stop_source halt_;
     std::stop_callback<std::function<void()>> relay_;  // passes the caller's stop request on to halt_
     std::unique_ptr<sweep::Crew> own_;                 // of this rank
-    std::size_t own_wanted_ = 0;                       // [1] runs that it would be given now
     std::vector<Member> members_;
     std::vector<sweep::IndexedCell> arrived_;
     std::exception_ptr failure_;

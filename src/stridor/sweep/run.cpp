@@ -137,9 +137,8 @@ public:
     }
 
     Agenda& agenda() { return agenda_; }
-    std::size_t there() const { return there_; }        // [1] cells of this share that were known at the last look
-    std::size_t to_come() const { return to_come_; }    // [1] cells of this share that were missing then
-    std::size_t new_runs() const { return new_runs_; }  // [1] of these, found by that look
+    std::size_t there() const { return there_; }      // [1] cells of this share that were known at the last look
+    std::size_t to_come() const { return to_come_; }  // [1] cells of this share that were missing then
 
     void note(std::span<const IndexedCell> cells) {
         since_ += cells.size();
@@ -158,14 +157,12 @@ public:
 
     void look() {
         since_ = 0;
-        const std::size_t before = agenda_.left();
         std::size_t missing = 0;
         for (const std::size_t run : refine(study_, marks_).missing) {
             if (!is_in(options_.share, study_, run)) continue;
             ++missing;
             agenda_.add(run);
         }
-        new_runs_ = agenda_.left() - before;
         to_come_ = missing * directions_per_run(study_);
         there_ = 0;
         for (std::size_t index = 0; index < marks_.size(); ++index)
@@ -186,7 +183,6 @@ private:
             there_ += is_there ? cells : 0;
         }
         to_come_ = agenda_.left() * cells;
-        new_runs_ = agenda_.left();
     }
 
     const Study& study_;
@@ -195,7 +191,6 @@ private:
     std::vector<int> marks_;  // of the known cells of a refined study; shape [cell]
     std::size_t there_ = 0;
     std::size_t to_come_ = 0;
-    std::size_t new_runs_ = 0;
     std::size_t since_ = 0;  // [1] cells that became known since the last look
 };
 
