@@ -5,7 +5,7 @@
 
 #include "stridor/io/chart/chart_tables.hpp"
 #include "stridor/pictures/picture_files.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 #include "support/scratch_folder.hpp"
 #include "unit/io/invented_chart.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "stridor/sweep/paper_charts.hpp"
 #include "stridor/sweep/run.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

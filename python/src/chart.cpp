@@ -16,7 +16,7 @@
 #include "stridor/sweep/points.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/starts.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 #include "texts.hpp"
 #include "work.hpp"
 

@@ -4,7 +4,7 @@
 #include "golden/results.hpp"
 #include "golden/witness.hpp"
 #include "stridor/integration/exact/kernel.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -81,8 +81,9 @@ int update() {
         if (moved && said.results_version == now.results_version) {
             for (const std::string& sentence : contradictions(said, now))
                 std::cerr << sentence << '\n';
-            std::cerr << "results moved: raise results_version (src/stridor/sweep/store_layout.hpp) and say what and "
-                         "why in CHANGELOG.md under \"Results changed\"\n";
+            std::cerr
+                << "results moved: raise results_version (src/stridor/sweep/store/store_layout.hpp) and say what and "
+                   "why in CHANGELOG.md under \"Results changed\"\n";
             return 1;
         }
     }

@@ -8,9 +8,9 @@
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/paper_cases.hpp"
-#include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/starts.hpp"
+#include "stridor/sweep/store/keeper.hpp"
 #include "support/seal_lip.hpp"
 #include "support/small_study.hpp"
 

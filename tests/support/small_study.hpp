@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/sweep/cell.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 #include "stridor/sweep/study.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -5,7 +5,7 @@
 #include "stridor/console/progress.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/sweep/run.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "stridor/sweep/cell.hpp"
 #include "stridor/sweep/diagram.hpp"
 #include "stridor/sweep/run.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <filesystem>

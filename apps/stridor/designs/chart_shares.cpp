@@ -12,10 +12,10 @@
 #include "stridor/io/chart/status_texts.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/storage/atomic_file.hpp"
-#include "stridor/sweep/chart_state.hpp"
-#include "stridor/sweep/merge.hpp"
 #include "stridor/sweep/run.hpp"
-#include "stridor/sweep/share_keeper.hpp"
+#include "stridor/sweep/store/chart_state.hpp"
+#include "stridor/sweep/store/merge.hpp"
+#include "stridor/sweep/store/share_keeper.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "stridor/base/sha256.hpp"
 #include "stridor/base/version.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -6,7 +6,7 @@
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/sweep/fork_join.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>

@@ -2,7 +2,7 @@
 
 #include "stridor/base/error.hpp"
 #include "stridor/hearing/run_sound.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include <fmt/format.h>
 

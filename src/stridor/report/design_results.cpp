@@ -8,8 +8,8 @@
 #include "stridor/pictures/many_contacts.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"
+#include "stridor/sweep/store/keeper.hpp"
 
 #include <algorithm>
 #include <cmath>

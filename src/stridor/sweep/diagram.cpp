@@ -8,7 +8,7 @@
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/evaluate.hpp"
 #include "stridor/sweep/fork_join.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "stridor/sweep/crew.hpp"
-#include "stridor/sweep/keeper.hpp"
-#include "stridor/sweep/share.hpp"
+#include "stridor/sweep/store/keeper.hpp"
+#include "stridor/sweep/store/share.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <cstddef>

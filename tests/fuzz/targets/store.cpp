@@ -1,4 +1,4 @@
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include "fuzz/targets/damaged_file.hpp"
 #include "fuzz/targets/targets.hpp"

@@ -1,7 +1,7 @@
 #include "stridor/cluster/rank_crew.hpp"
 
-#include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"
+#include "stridor/sweep/store/keeper.hpp"
 #include "support/error_text.hpp"
 #include "unit/cluster/network.hpp"
 

@@ -2,8 +2,8 @@
 // ranks: the cells are those of one process. STRIDOR_CLUSTER_SEEDS=10000 looks further.
 
 #include "stridor/cluster/rank_crew.hpp"
-#include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"
+#include "stridor/sweep/store/keeper.hpp"
 #include "unit/cluster/network.hpp"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include "stridor/base/error.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "stridor/sweep/boundaries.hpp"
-#include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"
+#include "stridor/sweep/store/keeper.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "stridor/sweep/share.hpp"
+#include "stridor/sweep/store/share.hpp"
 
 #include "support/error_text.hpp"
 #include "support/small_study.hpp"

@@ -3,7 +3,7 @@
 #include "stridor/base/error.hpp"
 #include "stridor/storage/page_checksum.hpp"
 #include "stridor/sweep/starts.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 #include "support/bit_flips.hpp"
 #include "support/error_text.hpp"
 #include "support/small_study.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/storage/owner_text.hpp"

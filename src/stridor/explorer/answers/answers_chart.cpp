@@ -3,8 +3,8 @@
 #include "stridor/explorer/bytes.hpp"
 #include "stridor/io/chart/json_chart.hpp"
 #include "stridor/sweep/boundaries.hpp"
-#include "stridor/sweep/keeper.hpp"
 #include "stridor/sweep/run.hpp"
+#include "stridor/sweep/store/keeper.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stridor/sweep/chart_state.hpp"
-#include "stridor/sweep/merge.hpp"
+#include "stridor/sweep/store/chart_state.hpp"
+#include "stridor/sweep/store/merge.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/storage/owner_file.hpp"
-#include "stridor/sweep/share.hpp"
+#include "stridor/sweep/store/share.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <array>

@@ -1,11 +1,11 @@
-#include "stridor/sweep/merge.hpp"
+#include "stridor/sweep/store/merge.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/storage/owner_file.hpp"
 #include "stridor/storage/system_io.hpp"
 #include "stridor/sweep/refinement.hpp"
-#include "stridor/sweep/share_keeper.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/share_keeper.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

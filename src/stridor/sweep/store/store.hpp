@@ -2,8 +2,8 @@
 
 #include "stridor/storage/database.hpp"
 #include "stridor/storage/owner_file.hpp"
-#include "stridor/sweep/keeper.hpp"
-#include "stridor/sweep/store_layout.hpp"
+#include "stridor/sweep/store/keeper.hpp"
+#include "stridor/sweep/store/store_layout.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <cstddef>

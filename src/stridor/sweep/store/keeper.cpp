@@ -1,4 +1,4 @@
-#include "stridor/sweep/keeper.hpp"
+#include "stridor/sweep/store/keeper.hpp"
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"

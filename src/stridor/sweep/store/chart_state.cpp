@@ -1,10 +1,10 @@
-#include "stridor/sweep/chart_state.hpp"
+#include "stridor/sweep/store/chart_state.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/sweep/merge.hpp"
 #include "stridor/sweep/refinement.hpp"
-#include "stridor/sweep/share_keeper.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/merge.hpp"
+#include "stridor/sweep/store/share_keeper.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include <algorithm>
 #include <map>

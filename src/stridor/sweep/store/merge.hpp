@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/sweep/share.hpp"
+#include "stridor/sweep/store/share.hpp"
 #include "stridor/sweep/study.hpp"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "stridor/sweep/share_keeper.hpp"
+#include "stridor/sweep/store/share_keeper.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stridor/sweep/share.hpp"
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/share.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include <filesystem>
 #include <functional>

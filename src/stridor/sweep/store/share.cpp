@@ -1,4 +1,4 @@
-#include "stridor/sweep/share.hpp"
+#include "stridor/sweep/store/share.hpp"
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"

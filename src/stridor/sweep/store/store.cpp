@@ -1,8 +1,8 @@
-#include "stridor/sweep/store.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/sweep/store_layout.hpp"
+#include "stridor/sweep/store/store_layout.hpp"
 
 #include <algorithm>
 #include <optional>

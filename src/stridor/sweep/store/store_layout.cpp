@@ -1,4 +1,4 @@
-#include "stridor/sweep/store_layout.hpp"
+#include "stridor/sweep/store/store_layout.hpp"
 
 #include "stridor/base/error.hpp"
 #include "stridor/base/version.hpp"
