@@ -29,7 +29,7 @@ void run_once(const sweep::Study& study, int threads) {
     {
         sweep::Store store(file, study);
         sweep::RunOptions options;
-        options.threads = threads;
+        options.crew = crew::thread_crews(threads);
         sweep::run(study, store, options);
     }
     std::filesystem::remove(file);

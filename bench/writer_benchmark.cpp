@@ -6,6 +6,7 @@
 #include "stridor/sweep/paper_charts.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/store/store.hpp"
+#include "stridor/sweep/study_work.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -51,29 +52,30 @@ sweep::Cell invented(const sweep::Study& study, std::size_t index) {
 }
 
 // has computed what it is given at once
-class InventingCrew final : public sweep::Crew {
+class InventingCrew final : public crew::Crew {
 public:
     InventingCrew(const sweep::Study& study, std::stop_token stop) : study_(study), stop_(std::move(stop)) {}
 
     std::size_t appetite(std::size_t left) override { return std::min<std::size_t>(left, 4096); }
-    void give(std::vector<std::size_t> runs) override {
+    void give(std::vector<crew::Task> tasks) override {
         const std::size_t stride = sweep::cell_count(study_) / study_.directions.size();
-        for (const std::size_t run : runs)
+        for (const crew::Task& task : tasks) {
+            std::vector<sweep::Cell> cells;
             for (std::size_t k = 0; k < sweep::directions_per_run(study_); ++k)
-                arrived_.push_back({run + k * stride, invented(study_, run + k * stride)});
+                cells.push_back(invented(study_, task.number + k * stride));
+            arrived_.push_back({task.number, sweep::packed(cells)});
+        }
     }
-    std::vector<sweep::IndexedCell> take(std::size_t, Clock::time_point) override {
-        return std::exchange(arrived_, {});
-    }
+    std::vector<crew::Result> take(std::size_t, Clock::time_point) override { return std::exchange(arrived_, {}); }
     bool is_idle() override { return arrived_.empty(); }
     bool has_stopped() override { return stop_.stop_requested(); }
     void rethrow() override {}
-    double seconds_per_run() override { return 0.0; }
+    double seconds_per_task() override { return 0.0; }
 
 private:
     const sweep::Study& study_;
     std::stop_token stop_;
-    std::vector<sweep::IndexedCell> arrived_;
+    std::vector<crew::Result> arrived_;
 };
 
 }  // namespace
@@ -95,8 +97,8 @@ int main(int argc, char** argv) {
     {
         sweep::Store store(folder / "chart.sqlite", study);
         sweep::RunOptions options;
-        options.crew = [](const sweep::Study& of, const std::stop_token& stop) {
-            return std::make_unique<InventingCrew>(of, stop);
+        options.crew = [&](const crew::Work&, const std::stop_token& stop) {
+            return std::make_unique<InventingCrew>(study, stop);
         };
         computed = sweep::run(study, store, options).computed;
     }

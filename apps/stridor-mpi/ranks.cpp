@@ -7,13 +7,13 @@
 #include "stridor/cluster/rank_crew.hpp"
 #include "stridor/cluster/timing.hpp"
 #include "stridor/console/terminal.hpp"
-#include "stridor/sweep/thread_crew.hpp"
+#include "stridor/crew/thread_crew.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
 #include <set>
 #include <thread>
 
@@ -26,21 +26,21 @@ using Clock = std::chrono::steady_clock;
 // for the others to hear that the command has ended: they look for letters every few milliseconds
 constexpr std::chrono::seconds patience{5};
 
-// what MPI is: one job to a process, which the command and the functions that it calls find here
-struct Job {
-    MpiPost* post = nullptr;
-    std::optional<int> exit_code;  // once rank 0 has told it
-};
+// one job to a process, as MPI has it, which the functions of crews.hpp find here
+Ranks*& the_ranks() {
+    static Ranks* ranks = nullptr;
+    return ranks;
+}
 
-Job& job() {
-    static Job the_job;
-    return the_job;
+Ranks& ranks() {
+    STRIDOR_EXPECT(the_ranks() != nullptr);
+    return *the_ranks();
 }
 
 // of a process that is bound to some processors these, else its part of the machine's
 int threads_of(const MpiPost& post, int asked) {
-    const int usable = static_cast<int>(sweep::thread_count(0));
-    const int all = static_cast<int>(std::thread::hardware_concurrency());
+    const int usable = static_cast<int>(crew::thread_count(0));
+    const int all = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
     if (asked == 0) return usable < all ? usable : std::max(all / post.neighbours(), 1);
     if (asked > usable && post.rank() == 0)
         console::say(
@@ -52,26 +52,26 @@ int threads_of(const MpiPost& post, int asked) {
 
 }  // namespace
 
-sweep::CrewMaker crews(int threads) {
-    STRIDOR_EXPECT(job().post != nullptr);
-    MpiPost& post = *job().post;
+crew::CrewMaker crews(int threads) {
+    MpiPost& post = ranks().post();
     return cluster::rank_crews(post, threads_of(post, threads));
 }
 
-bool helps_with(const sweep::Study& study, int threads) {
-    STRIDOR_EXPECT(job().post != nullptr);
-    MpiPost& post = *job().post;
-    if (post.rank() == 0) return false;
-    job().exit_code = cluster::serve(post, study, threads_of(post, threads));
-    return true;
+bool only_helps() {
+    return ranks().post().rank() != 0;
 }
 
-Ranks::Ranks(MpiPost& post) : post_(post) {
-    job() = {&post, std::nullopt};
+void help_with(const crew::Work& work, int threads) {
+    const int count = threads_of(ranks().post(), threads);
+    ranks().hand().serve(work, {crew::thread_count(count), crew::thread_crews(count)});
+}
+
+Ranks::Ranks(MpiPost& post) : post_(post), hand_(post) {
+    the_ranks() = this;
 }
 
 Ranks::~Ranks() {
-    job() = {};
+    the_ranks() = nullptr;
 }
 
 int Ranks::end(int exit_code) {
@@ -94,20 +94,14 @@ int Ranks::lead_to_the_end(int exit_code) {
 
 int Ranks::wait_for_the_end(int exit_code) {
     // it should have helped, and could not: rank 0 may not have had its trouble
-    if (!job().exit_code && exit_code != 0)
-        post_.send(0, cluster::pack(cluster::Failure{ErrorKind::io,
-                                                     {fmt::format("rank {} could not begin", post_.rank()),
-                                                      fmt::format("it ended with exit code {}", exit_code),
-                                                      "Are all files to be found from its machine?"}}));
-    while (!job().exit_code) {
-        while (const std::optional<cluster::Letter> letter = post_.poll()) {
-            const cluster::Message message = cluster::unpack(letter->bytes);
-            if (const auto* end = std::get_if<cluster::End>(&message)) job().exit_code = end->exit_code;
-        }
-        std::this_thread::sleep_for(cluster::idle_pause);
-    }
+    if (!hand_.exit_code() && exit_code != 0)
+        hand_.fail(
+            {ErrorKind::io,
+             {fmt::format("rank {} could not begin", post_.rank()),
+              fmt::format("it ended with exit code {}", exit_code), "Are all files to be found from its machine?"}});
+    const int of_all = hand_.wait_for_the_end();
     post_.send(0, cluster::pack(cluster::Bye{}));
-    return *job().exit_code;
+    return of_all;
 }
 
 }  // namespace stridor::app

@@ -1,15 +1,20 @@
 #include "crews.hpp"
 
-#include "stridor/sweep/thread_crew.hpp"
+#include "stridor/base/check.hpp"
+#include "stridor/crew/thread_crew.hpp"
 
 namespace stridor::app {
 
-sweep::CrewMaker crews(int threads) {
-    return sweep::thread_crews(threads);
+crew::CrewMaker crews(int threads) {
+    return crew::thread_crews(threads);
 }
 
-bool helps_with(const sweep::Study&, int) {
+bool only_helps() {
     return false;
+}
+
+void help_with(const crew::Work&, int) {
+    STRIDOR_EXPECT(only_helps());
 }
 
 }  // namespace stridor::app

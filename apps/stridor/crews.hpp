@@ -1,15 +1,20 @@
 #pragma once
 
-#include "stridor/sweep/crew.hpp"
-#include "stridor/sweep/study.hpp"
+#include "stridor/crew/crew.hpp"
 
 /// Who computes in this program: each program has these functions in a source of its own.
+///
+/// The processes of a job run the same command on the same input. One of them leads; the others help it with each work
+/// of the command, in the order in which the leading one comes upon them.
 namespace stridor::app {
 
-/// The crews of its sweeps; `threads` of each process, 0: as many as it may use.
-sweep::CrewMaker crews(int threads);
+/// Who computes for this process; `threads` of each process, 0: as many as it may use.
+crew::CrewMaker crews(int threads);
 
-/// In a process that only helps another one with this study: does so to the end, and is true then.
-bool helps_with(const sweep::Study& study, int threads);
+/// Does this process only help another one? Such a process reads its input and helps, and writes nothing.
+bool only_helps();
+
+/// Helps with a work until that is over.
+void help_with(const crew::Work& work, int threads);
 
 }  // namespace stridor::app

@@ -51,7 +51,7 @@ py::str advise(const CaseHandle& c, const Texts& over, const Texts& tolerances, 
         base::refuse("samples = " + std::to_string(samples) + " is out of range", "",
                      "Take 1 to " + std::to_string(advice::most_samples) + ".");
     options.chance.samples = samples;
-    options.threads = threads;
+    options.crew = crew::thread_crews(threads);
     options.progress = [&](const advice::AdviceProgress& now) {
         call_python(progress, [&] { progress(static_cast<int>(100.0 * now.share), 100, py::dict()); });
     };

@@ -102,7 +102,7 @@ py::dict evaluate(const CaseHandle& c, const std::vector<std::string>& keys, con
     sweep::DesignPoints points{*c.of, keys, {values.data(), values.data() + values.size()}, {}};
     points.directions = chosen<parameters::Direction>("directions", directions, parameters::direction_names);
     sweep::PointOptions options;
-    options.threads = threads;
+    options.crew = crew::thread_crews(threads);
     options.progress = [&](std::size_t done) {
         call_python(progress, [&] { progress(done, sweep::run_count(points), py::dict()); });
     };
@@ -179,7 +179,7 @@ ChartHandle compute(const StudyHandle& handle, const std::string& store_file, in
     unlocked([&](const std::stop_token& stop) {
         sweep::Store store(store_file, study);
         sweep::RunOptions options;
-        options.threads = threads;
+        options.crew = crew::thread_crews(threads);
         options.stop = stop;
         options.progress = [&](const sweep::Progress& now) {
             call_python(progress, [&] { progress(now.done, now.total, python_counts(now.counts)); });

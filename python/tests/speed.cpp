@@ -44,7 +44,7 @@ int main() {
         points.values.push_back(5.0 + 0.05 * k);
     const double start = seconds();
     const std::clock_t cpu = std::clock();
-    const std::size_t cells = sweep::evaluate(points, {.threads = 2}).size();
+    const std::size_t cells = sweep::evaluate(points, {.crew = crew::thread_crews(2)}).size();
     std::printf("%.9f\n%.9f\n", seconds() - start, static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC);
     return cells == 20000 ? 0 : 1;
 }

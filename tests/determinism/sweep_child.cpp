@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
         mark();
         MarkingKeeper keeper(store);
         sweep::RunOptions options;
-        options.threads = std::stoi(argv[2]);
+        options.crew = crew::thread_crews(std::stoi(argv[2]));
         // many commits, so that kills fall into some
         options.cells_per_commit = 4;
         std::cout << sweep::run(study, keeper, options).computed << std::endl;

@@ -62,7 +62,7 @@ protected:
     std::vector<Cell> undisturbed(int threads) {
         Store store(folder_ / ("undisturbed-" + std::to_string(threads)), study_);
         RunOptions options;
-        options.threads = threads;
+        options.crew = crew::thread_crews(threads);
         EXPECT_EQ(run(study_, store, options).ending, SweepEnding::completed);
         return all_cells(load(study_, store));
     }
@@ -122,7 +122,7 @@ TEST_P(Sweep, HasTheSameBitsHoweverOftenItWasStopped) {
     for (int batches = 1; ending == SweepEnding::stopped; ++batches) {
         ImpatientKeeper keeper(store, batches);
         RunOptions options;
-        options.threads = 1 + stops % 3;
+        options.crew = crew::thread_crews(1 + stops % 3);
         options.stop = keeper.token();
         options.cells_per_commit = 4;
         ending = run(study_, keeper, options).ending;

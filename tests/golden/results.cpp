@@ -182,7 +182,7 @@ Case bouncing(ImpactKind law) {
 Result chart(std::string name, const sweep::Study& study) {
     auto keeper = std::make_shared<sweep::MemoryKeeper>(study);
     sweep::RunOptions options;
-    options.threads = 1;
+    options.crew = crew::thread_crews(1);
     sweep::run(study, *keeper, options);
     const sweep::SweepResult result = sweep::load(study, keeper);
     Values values;

@@ -44,7 +44,7 @@ function check_line(place, file, module, line,    header) {
         check_ours(place, file, module, header)
     else if (rank[module] <= rank[last_core] && (header in edge_of_the_world))
         complain(place, module " includes <" header ">, which belongs at the edges " \
-            "(sweep, io, report, explorer, apps).")
+            "(crew, sweep, io, report, explorer, apps).")
 }
 
 BEGIN {

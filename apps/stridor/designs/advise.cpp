@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "crews.hpp"
 #include "interrupt.hpp"
 #include "stridor/advice/advice.hpp"
 #include "stridor/base/escapes.hpp"
@@ -37,14 +38,18 @@ std::string stage_text(const advice::AdviceProgress& progress) {
                        advice::advice_stage_names[number], progress.runs);
 }
 
-advice::Advice advice_on(const parameters::Case& c, const AdviseCommand& command) {
+advice::AdviceOptions advice_options(const parameters::Case& c, const AdviseCommand& command) {
     advice::AdviceOptions options;
     for (const std::string& text : command.over)
         options.over.push_back(io::read_asked_range(c, text));
     for (const std::string& text : command.tolerances)
         options.tolerances.push_back(io::read_asked_tolerance(c, text));
     options.chance = {command.samples, command.seed};
-    options.threads = command.threads;
+    options.crew = crews(command.threads);
+    return options;
+}
+
+advice::Advice advice_on(const parameters::Case& c, advice::AdviceOptions options) {
     const Interrupt interrupt;
     options.stop = interrupt.token();
     console::ShareDisplay display("advice:", console::TimeLeft::shown);
@@ -56,7 +61,9 @@ advice::Advice advice_on(const parameters::Case& c, const AdviseCommand& command
 
 void advise(const AdviseCommand& command) {
     const parameters::Case c = load_case(command.input);
-    const advice::Advice advice = advice_on(c, command);
+    const advice::AdviceOptions options = advice_options(c, command);
+    if (only_helps()) return help_with(advice::work_of(advice::design_space(c, options.over)), command.threads);
+    const advice::Advice advice = advice_on(c, options);
     console::print(command.json ? io::advice_json(advice) + "\n" : console::advice_text(advice));
     if (command.json || !console::has_terminal() || !advice.recommended) return;
     std::string next = "next: stridor simulate " + base::shell_word(command.input.file);

@@ -13,6 +13,8 @@
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/pictures/picture_files.hpp"
 #include "stridor/storage/atomic_file.hpp"
+#include "stridor/sweep/diagram.hpp"
+#include "stridor/sweep/study_work.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -49,7 +51,11 @@ void write_diagram(const sweep::SweepResult& result, const std::filesystem::path
 void chart(const ChartOptions& options) {
     sweep::Study study = io::read_study(load_source(options.input.file, options.input.overrides), options.axes);
     if (options.preview) study = sweep::preview(std::move(study));
-    if (helps_with(study, options.threads)) return;
+    if (only_helps()) {
+        help_with(sweep::work_of(study), options.threads);
+        if (sweep::has_one_axis(study)) help_with(sweep::diagram_work(study), options.threads);
+        return;
+    }
     const io::ChartExports exports = io::chart_exports(study, options.exports);
     if (!exports.left_out.empty()) console::say_note(exports.left_out);
     const std::string name =

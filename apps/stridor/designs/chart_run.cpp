@@ -49,7 +49,7 @@ std::vector<sweep::DiagramCell> compute_diagram(const sweep::SweepResult& result
     const Interrupt interrupt;
     console::ShareDisplay display("diagram:", console::TimeLeft::shown);
     sweep::DiagramOptions options;
-    options.threads = threads;
+    options.crew = crews(threads);
     options.stop = interrupt.token();
     options.kept = &kept;
     if (kept.found() < result.cells.size()) options.progress = [&](double share) { display.show(share); };

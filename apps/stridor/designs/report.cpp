@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "crews.hpp"
 #include "interrupt.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/escapes.hpp"
@@ -40,7 +41,7 @@ struct ReportOptions {
 void add_advice(report::DesignResults& results, const ReportOptions& options, const std::stop_token& asked) {
     console::ShareDisplay display("advice:", console::TimeLeft::shown);
     advice::AdviceOptions advice;
-    advice.threads = options.threads;
+    advice.crew = crews(options.threads);
     advice.stop = asked;
     advice.progress = [&](const advice::AdviceProgress& progress) { display.show(progress.share); };
     report::add_advice(results, advice, longest_advice);

@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "crews.hpp"
 #include "interrupt.hpp"
 #include "stridor/console/progress.hpp"
 #include "stridor/console/results/evaluation_text.hpp"
@@ -38,7 +39,7 @@ struct EvaluateOptions {
 hearing::HearingOptions hearing_options(const EvaluateOptions& options) {
     hearing::HearingOptions hearing;
     hearing.perturb_every = options.perturb_every;
-    hearing.threads = options.threads;
+    hearing.crew = crews(options.threads);
     hearing.settings.motion.of = options.of;
     for (const std::string& assignment : options.assignments)
         if (parameters::is_sound_threshold(assignment))
@@ -98,6 +99,11 @@ void evaluate(const EvaluateOptions& options) {
     io::HearingReport report;
     report.options = hearing_options(options);
     report.charts = charts_of(options);
+    if (only_helps()) {
+        for (const io::HeardChart& chart : report.charts)
+            help_with(hearing::work_of(chart.study, report.options), options.threads);
+        return;
+    }
     std::vector<hearing::Expectation> expectations;
     if (!options.recordings.empty()) expectations = io::read_expectations(options.recordings, options.labels);
     {

@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "crews.hpp"
 #include "interrupt.hpp"
 #include "sounds/compare.hpp"
 #include "sounds/compare_options.hpp"
@@ -53,7 +54,7 @@ hearing::SoundSearchResult searched(const MatchOptions& options, const io::Match
     settings.extent = report.extent;
     settings.keep = options.best;
     settings.level = report.level;
-    settings.threads = options.threads;
+    settings.crew = crews(options.threads);
     if (!options.store.empty())
         settings.ruled_out = hearing::ruled_out(report.study, options.store, report.recording.heard.category);
     const Interrupt interrupt;

@@ -104,10 +104,10 @@ Advice advise(const parameters::Case& c, const AdviceOptions& options) {
     Advice advice;
     advice.space = design_space(c, options.over);
     const std::vector<Tolerance> spreads = tolerances(c, options.tolerances);
-    DesignRunner runner(options.threads, options.stop);
+    DesignRunner runner(advice.space, options.crew, options.stop);
     Watch watch(options, advice.space, runner);
     watch.begin(AdviceStage::margins);
-    advice.present = runner.judge(advice.space, std::span(&advice.space.origin, 1)).front();
+    advice.present = runner.judge(std::span(&advice.space.origin, 1)).front();
     advice.margins = margins(advice.space, advice.present, runner);
     const bool was_quiet = is_quiet(advice.present);
     if (was_quiet) watch.skip(AdviceStage::changes);
@@ -120,7 +120,7 @@ Advice advise(const parameters::Case& c, const AdviceOptions& options) {
     else
         find_changes(advice, runner);
     watch.begin(AdviceStage::chance);
-    if (!spreads.empty()) advice.chance = chance(advice.space, spreads, options.chance, runner);
+    if (!spreads.empty()) advice.chance = chance(spreads, options.chance, runner);
     advice.runs = runner.runs();
     return advice;
 }

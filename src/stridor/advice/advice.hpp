@@ -3,6 +3,7 @@
 #include "stridor/advice/margins.hpp"
 #include "stridor/advice/quieting.hpp"
 #include "stridor/advice/tolerance.hpp"
+#include "stridor/crew/thread_crew.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -33,7 +34,7 @@ struct AdviceOptions {
     std::vector<AskedRange> over{};            // what may be changed; empty: all with a usual range
     std::vector<AskedTolerance> tolerances{};  // empty: no chance of noise is computed
     ChanceOptions chance{};
-    int threads = 0;                                        // [1] 0: one per processor this process may use
+    crew::CrewMaker crew = crew::thread_crews();            // who computes
     std::stop_token stop{};                                 // asks for an early end
     std::function<void(const AdviceProgress&)> progress{};  // called from the caller's thread
 };
@@ -53,7 +54,7 @@ struct Advice {
     std::size_t runs = 0;  // [1] simulated designs
 };
 
-/// Advice on a case: the same for every number of threads. Throws `Error` (input) for what is wrong with case and
+/// Advice on a case: the same for every crew. Throws `Error` (input) for what is wrong with case and
 /// options, and (interrupted) when stopped.
 Advice advise(const parameters::Case& c, const AdviceOptions& options = {});
 

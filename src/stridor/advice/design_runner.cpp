@@ -2,21 +2,15 @@
 
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/base/error.hpp"
+#include "stridor/base/packed_bytes.hpp"
 #include "stridor/classification/contact_rules.hpp"
+#include "stridor/crew/compute.hpp"
+#include "stridor/parameters/field.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/fork_join.hpp"
-
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
-#include <oneapi/tbb/task_arena.h>
+#include "stridor/sweep/store/store_layout.hpp"
 
 #include <algorithm>
-#include <exception>
-#include <mutex>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -24,7 +18,8 @@ namespace stridor::advice {
 
 namespace {
 
-namespace tbb = oneapi::tbb;
+using base::Packing;
+using base::Unpacking;
 using classification::Category;
 using parameters::Case;
 
@@ -52,82 +47,111 @@ DesignVerdict judged(const DesignSpace& space, const Case& c, const sweep::Attem
     return verdict;
 }
 
+std::string packed(const Design& design) {
+    Packing packing;
+    packing.add(static_cast<std::uint64_t>(design.settings.size()));
+    for (const Design::Setting& setting : design.settings) {
+        packing.add(setting.key);
+        packing.add(setting.value);
+    }
+    packing.add(static_cast<std::uint64_t>(design.start ? 1 : 0));
+    if (design.start) packing.add(*design.start);
+    return packing.take();
+}
+
+Design unpacked_design(std::string_view bytes) {
+    Unpacking unpacking(bytes);
+    Design design;
+    for (std::uint64_t left = unpacking.count(); left > 0 && unpacking.is_good(); --left) {
+        Design::Setting& setting = design.settings.emplace_back();
+        setting.key = unpacking.words();
+        setting.value = unpacking.number();
+    }
+    if (unpacking.count() == 1) design.start = unpacking.kind<parameters::Initial>(sweep::start_names().size());
+    if (!unpacking.is_complete()) throw crew::damaged_result();
+    return design;
+}
+
+std::string packed(const DesignVerdict& verdict) {
+    Packing packing;
+    packing.add(verdict.message);
+    packing.add(static_cast<std::uint64_t>(verdict.phases.size()));
+    for (std::size_t k = 0; k < verdict.phases.size(); ++k) {
+        packing.add(verdict.phases[k].status);
+        packing.add(verdict.phases[k].category);
+        packing.add(verdict.quiet[k]);
+    }
+    return packing.take();
+}
+
+DesignVerdict unpacked_verdict(std::string_view bytes) {
+    Unpacking unpacking(bytes);
+    DesignVerdict verdict;
+    verdict.message = unpacking.words();
+    for (std::uint64_t left = unpacking.count(); left > 0 && unpacking.is_good(); --left) {
+        sweep::StartVerdict& phase = verdict.phases.emplace_back();
+        phase.status = unpacking.kind<sweep::Status>(sweep::status_names.size());
+        phase.category = unpacking.kind<Category>(classification::category_names.size());
+        verdict.quiet.push_back(unpacking.kind<classification::Quiet>(classification::quiet_names.size()));
+    }
+    if (!unpacking.is_complete()) throw crew::damaged_result();
+    return verdict;
+}
+
 }  // namespace
 
-struct DesignRunner::Threads {
-    Threads(int threads, std::stop_token asked)
-        : count(threads > 0 ? threads : tbb::info::default_concurrency()),
-          control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count)),
-          arena(count),
-          stop(std::move(asked)) {}
-
-    int count;
-    tbb::global_control control;  // as many threads, even beyond the number of processors
-    tbb::task_arena arena;
-    tbb::enumerable_thread_specific<integration::Workspace> workspaces{};
-    std::stop_token stop;
-    std::function<void(std::size_t)> progress{};
-    std::size_t runs = 0;
-
-    // the runs first <= k < last; what one throws comes out here
-    void judge(const DesignSpace& space, std::span<const Case> cases, std::vector<DesignVerdict>& verdicts,
-               std::size_t first, std::size_t last) {
-        std::mutex mutex;
-        std::exception_ptr failure;
-        using IndexRange = tbb::blocked_range<std::size_t>;
-        const sweep::ForkJoin all;
-        const auto judge_range = [&](const IndexRange& range) {
-            const sweep::ForkJoin::Task task;
-            for (std::size_t k = range.begin(); k < range.end() && !stop.stop_requested(); ++k) {
-                try {
-                    const std::optional<sweep::Attempt> run = sweep::attempt(cases[k], {}, stop, workspaces.local());
-                    if (run) verdicts[k] = judged(space, cases[k], *run);
-                } catch (...) {
-                    // kept here: TBB drops an exception that comes after another
-                    const std::lock_guard lock(mutex);
-                    if (!failure) failure = std::current_exception();
-                }
-            }
+crew::Work work_of(const DesignSpace& space) {
+    crew::Work work;
+    work.text = "designs\n" + parameters::canonical_text(space.base);
+    for (const record::Phase phase : space.phases)
+        work.text += "phase = " + std::to_string(static_cast<int>(phase)) + "\n";
+    work.text += "results = " + std::to_string(sweep::results_version) + "\n";
+    work.worker = [&space] {
+        return [&space, workspace = std::make_shared<integration::Workspace>()](
+                   const crew::Task& task, const std::stop_token& stop) -> std::optional<std::string> {
+            const Case c = case_of(space, unpacked_design(task.bytes));
+            const std::optional<sweep::Attempt> run = sweep::attempt(c, {}, stop, *workspace);
+            return run ? std::optional(packed(judged(space, c, *run))) : std::nullopt;
         };
-        arena.execute([&] { tbb::parallel_for(IndexRange(first, last, 1), judge_range, tbb::simple_partitioner()); });
-        all.join();
-        if (failure) std::rethrow_exception(failure);
-        if (stop.stop_requested())
-            throw Error(ErrorKind::interrupted,
-                        {"stopped after " + std::to_string(runs) + " runs", "advice keeps nothing", "Run it again."});
-        runs += last - first;
-        if (progress) progress(runs);
-    }
-};
+    };
+    return work;
+}
 
-DesignRunner::DesignRunner(int threads, std::stop_token stop)
-    : threads_(std::make_unique<Threads>(threads, std::move(stop))) {}
+DesignRunner::DesignRunner(const DesignSpace& space, const crew::CrewMaker& crew, const std::stop_token& stop)
+    : space_(space),
+      crew_(crew(work_of(space), stop)) {}
 
-DesignRunner::~DesignRunner() = default;
-
-std::vector<DesignVerdict> DesignRunner::judge(const DesignSpace& space, std::span<const Case> cases) {
-    std::vector<DesignVerdict> verdicts(cases.size());
-    // so many between two signs of life that waiting for the last of them costs little
-    const auto block = static_cast<std::size_t>(16 * threads_->count);
-    for (std::size_t first = 0; first < cases.size(); first += block)
-        threads_->judge(space, cases, verdicts, first, std::min(cases.size(), first + block));
+std::vector<DesignVerdict> DesignRunner::judge(std::span<const Design> designs) {
+    std::vector<crew::Task> tasks = crew::numbered_tasks(designs.size());
+    for (crew::Task& task : tasks)
+        task.bytes = packed(designs[task.number]);
+    std::vector<DesignVerdict> verdicts(designs.size());
+    std::size_t judged = 0;
+    const auto take = [&](const crew::Result& result) {
+        verdicts[result.number] = unpacked_verdict(result.bytes);
+        ++judged;
+    };
+    const auto tick = [&] {
+        if (progress_) progress_(runs_ + judged);
+    };
+    crew::compute(*crew_, std::move(tasks), take, tick);
+    runs_ += judged;
+    if (judged < designs.size())
+        throw Error(ErrorKind::interrupted,
+                    {"stopped after " + std::to_string(runs_) + " runs", "advice keeps nothing", "Run it again."});
     return verdicts;
 }
 
-std::vector<DesignVerdict> DesignRunner::judge(const DesignSpace& space, std::span<const Shares> designs) {
-    std::vector<Case> cases;
-    cases.reserve(designs.size());
-    for (const Shares& shares : designs)
-        cases.push_back(design_at(space, shares));
-    return judge(space, cases);
+std::vector<DesignVerdict> DesignRunner::judge(std::span<const Shares> points) {
+    std::vector<Design> designs;
+    designs.reserve(points.size());
+    for (const Shares& shares : points)
+        designs.push_back(design_at(space_, shares));
+    return judge(designs);
 }
 
 void DesignRunner::on_progress(std::function<void(std::size_t)> progress) {
-    threads_->progress = std::move(progress);
-}
-
-std::size_t DesignRunner::runs() const {
-    return threads_->runs;
+    progress_ = std::move(progress);
 }
 
 bool are_alike(const DesignVerdict& a, const DesignVerdict& b) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stridor/advice/design_space.hpp"
+#include "stridor/crew/crew.hpp"
 #include "stridor/sweep/starts.hpp"
 
 #include <cstddef>
@@ -38,30 +39,32 @@ bool is_invalid(const DesignVerdict& verdict);
 /// The loudest of the phases (starts.hpp).
 sweep::StartVerdict overall(const DesignVerdict& verdict);
 
-/// Runs designs on many threads.
+/// The judging of designs as the work of a crew. The space must outlive the crew.
+crew::Work work_of(const DesignSpace& space);
+
+/// Has a crew judge designs of a space.
 class DesignRunner {
 public:
-    /// `threads` 0: one per processor this process may use.
-    DesignRunner(int threads, std::stop_token stop);
-    ~DesignRunner();
-    DesignRunner(const DesignRunner&) = delete;
-    DesignRunner& operator=(const DesignRunner&) = delete;
+    /// The space must outlive it.
+    DesignRunner(const DesignSpace& space, const crew::CrewMaker& crew, const std::stop_token& stop);
 
-    /// The verdicts of designs, in their order, whatever the number of threads.
+    /// The verdicts of designs, in their order, whoever computes them.
     /// Throws `Error` (interrupted) when stopped.
-    std::vector<DesignVerdict> judge(const DesignSpace& space, std::span<const Shares> designs);
-    /// The same for designs that are given as cases.
-    std::vector<DesignVerdict> judge(const DesignSpace& space, std::span<const parameters::Case> cases);
+    std::vector<DesignVerdict> judge(std::span<const Design> designs);
+    /// The same for points of the box.
+    std::vector<DesignVerdict> judge(std::span<const Shares> points);
 
-    /// Called from the caller's thread after every few runs, with their number so far.
+    /// Called from the caller's thread ten times a second, with the number of runs so far.
     void on_progress(std::function<void(std::size_t runs)> progress);
 
     /// Number of runs so far.
-    std::size_t runs() const;
+    std::size_t runs() const { return runs_; }
 
 private:
-    struct Threads;
-    std::unique_ptr<Threads> threads_;
+    const DesignSpace& space_;
+    std::unique_ptr<crew::Crew> crew_;
+    std::function<void(std::size_t)> progress_{};
+    std::size_t runs_ = 0;
 };
 
 }  // namespace stridor::advice

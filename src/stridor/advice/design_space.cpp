@@ -138,13 +138,21 @@ DesignSpace design_space(const Case& c, std::span<const AskedRange> asked) {
     return space;
 }
 
-Case design_at(const DesignSpace& space, const Shares& shares) {
-    STRIDOR_EXPECT(shares.size() == space.parameters.size());
+Case case_of(const DesignSpace& space, const Design& design) {
     Case c = space.base;
+    for (const Design::Setting& setting : design.settings)
+        parameters::set_quantity(c, setting.key, setting.value);
+    if (design.start) c.run.initial = *design.start;
+    return c;
+}
+
+Design design_at(const DesignSpace& space, const Shares& shares) {
+    STRIDOR_EXPECT(shares.size() == space.parameters.size());
+    Design design;
     for (std::size_t k = 0; k < shares.size(); ++k)
         if (shares[k] != space.origin[k])
-            parameters::set_quantity(c, space.parameters[k].key, value_at(space.parameters[k], shares[k]));
-    return c;
+            design.settings.push_back({space.parameters[k].key, value_at(space.parameters[k], shares[k])});
+    return design;
 }
 
 }  // namespace stridor::advice

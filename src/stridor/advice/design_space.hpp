@@ -69,7 +69,20 @@ void expect_one_value(const parameters::Case& c, std::string_view key);
 /// quantity without a usual range whose ends are not given, and for a case with `parameters::findings`.
 DesignSpace design_space(const parameters::Case& c, std::span<const AskedRange> asked = {});
 
-/// The case at a point of the box. Parameters that stay at the origin keep their bits.
-parameters::Case design_at(const DesignSpace& space, const Shares& shares);
+/// A design, by what of the space's base case is otherwise.
+struct Design {
+    struct Setting {
+        std::string key;
+        double value = 0.0;  // in the field's unit
+    };
+    std::vector<Setting> settings{};             // made in this order
+    std::optional<parameters::Initial> start{};  // of the motion; nothing: as the base case
+};
+
+/// The case of a design.
+parameters::Case case_of(const DesignSpace& space, const Design& design);
+
+/// The design at a point of the box. Parameters that stay at the origin keep their bits.
+Design design_at(const DesignSpace& space, const Shares& shares);
 
 }  // namespace stridor::advice

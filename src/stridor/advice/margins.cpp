@@ -32,7 +32,7 @@ Shares moved(const DesignSpace& space, std::size_t parameter, double share) {
 }
 
 bool is_valid(const DesignSpace& space, std::size_t parameter, double share) {
-    return parameters::findings(design_at(space, moved(space, parameter, share))).empty();
+    return parameters::findings(case_of(space, design_at(space, moved(space, parameter, share)))).empty();
 }
 
 // how far a parameter can go to one side without a contradiction
@@ -56,7 +56,7 @@ Reach reach(const DesignSpace& space, std::size_t parameter, Side side) {
             const double middle = 0.5 * (valid + next);
             (is_valid(space, parameter, middle) ? valid : next) = middle;
         }
-        const parameters::Case beyond = design_at(space, moved(space, parameter, next));
+        const parameters::Case beyond = case_of(space, design_at(space, moved(space, parameter, next)));
         return {valid, ScanEnd::invalid, parameters::findings(beyond).front().problem.why};
     }
     return {end, ScanEnd::range, ""};
@@ -127,7 +127,7 @@ void locate(const DesignSpace& space, const std::vector<Search>& searches, Desig
         brackets.push_back(search.bracket);
         conditions.push_back(search.condition);
     }
-    brackets = bisect(space, std::move(brackets), conditions, scan_resolution, runner);
+    brackets = bisect(std::move(brackets), conditions, scan_resolution, runner);
     for (std::size_t k = 0; k < searches.size(); ++k) {
         const std::size_t parameter = searches[k].parameter;
         const DesignParameter& range = space.parameters[parameter];
@@ -146,7 +146,7 @@ std::vector<ParameterMargin> scans(const DesignSpace& space, const DesignVerdict
         for (const double share : tracks[k].shares)
             designs.push_back(moved(space, k, share));
     }
-    const std::vector<DesignVerdict> verdicts = runner.judge(space, designs);
+    const std::vector<DesignVerdict> verdicts = runner.judge(designs);
     std::size_t next = 0;
     for (std::size_t k = 0; k < margins.size(); ++k) {
         const DesignParameter& parameter = space.parameters[k];
@@ -184,8 +184,8 @@ double distance(const Shares& a, const Shares& b) {
     return std::sqrt(square);
 }
 
-std::vector<Bracket> bisect(const DesignSpace& space, std::vector<Bracket> brackets,
-                            const std::vector<DesignCondition>& conditions, double resolution, DesignRunner& runner) {
+std::vector<Bracket> bisect(std::vector<Bracket> brackets, const std::vector<DesignCondition>& conditions,
+                            double resolution, DesignRunner& runner) {
     STRIDOR_EXPECT(brackets.size() == conditions.size());
     while (true) {
         // all brackets at once: each round is as many runs as there are wide ones
@@ -201,7 +201,7 @@ std::vector<Bracket> bisect(const DesignSpace& space, std::vector<Bracket> brack
             middles.push_back(std::move(middle));
         }
         if (wide.empty()) return brackets;
-        std::vector<DesignVerdict> verdicts = runner.judge(space, middles);
+        std::vector<DesignVerdict> verdicts = runner.judge(middles);
         for (std::size_t k = 0; k < wide.size(); ++k) {
             Bracket& bracket = brackets[wide[k]];
             if (conditions[wide[k]](verdicts[k])) {

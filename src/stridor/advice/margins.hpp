@@ -87,8 +87,8 @@ struct Bracket {
 
 /// The same brackets, bisected until their ends are at most `resolution` apart [1, distance of shares]; each with its
 /// own condition, shape [bracket].
-std::vector<Bracket> bisect(const DesignSpace& space, std::vector<Bracket> brackets,
-                            const std::vector<DesignCondition>& conditions, double resolution, DesignRunner& runner);
+std::vector<Bracket> bisect(std::vector<Bracket> brackets, const std::vector<DesignCondition>& conditions,
+                            double resolution, DesignRunner& runner);
 
 /// Distance of two designs: the Euclidean one of their shares [1].
 double distance(const Shares& a, const Shares& b);

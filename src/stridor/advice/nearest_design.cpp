@@ -65,7 +65,7 @@ std::vector<NearestDesign> located(const DesignSpace& space, std::vector<Bracket
                                    DesignRunner& runner) {
     const std::vector<DesignCondition> conditions(brackets.size(), target.condition);
     std::vector<NearestDesign> designs;
-    for (Bracket& bracket : bisect(space, std::move(brackets), conditions, ray_resolution, runner)) {
+    for (Bracket& bracket : bisect(std::move(brackets), conditions, ray_resolution, runner)) {
         const double far = distance(space.origin, bracket.beyond);
         designs.push_back({std::move(bracket.beyond), far, std::move(bracket.verdict)});
     }
@@ -95,7 +95,7 @@ std::vector<NearestDesign> nearer(const DesignSpace& space, std::vector<Heading>
     std::vector<Shares> points;
     for (const Heading& heading : headings)
         points.push_back(point_along(space, heading, shrinking * far));
-    const std::vector<DesignVerdict> verdicts = runner.judge(space, points);
+    const std::vector<DesignVerdict> verdicts = runner.judge(points);
     std::vector<NearestDesign> found;
     for (std::size_t k = 0; k < points.size(); ++k)
         if (target.condition(verdicts[k])) found.push_back({points[k], shrinking * far, verdicts[k]});
@@ -140,7 +140,7 @@ std::vector<std::optional<NearestDesign>> along_rays(const DesignSpace& space, s
         for (int step = 1; step <= ray_points; ++step)
             points.push_back(point_along(space, *heading, exit * step / ray_points));
     }
-    const std::vector<DesignVerdict> verdicts = runner.judge(space, points);
+    const std::vector<DesignVerdict> verdicts = runner.judge(points);
     std::vector<Bracket> brackets;
     std::vector<std::size_t> met;
     for (std::size_t k = 0; k < followed.size(); ++k) {
@@ -164,7 +164,7 @@ std::vector<std::optional<NearestDesign>> counted(const DesignSpace& space, std:
     if (target.specks == Specks::ignored)
         for (const NearestDesign& design : designs)
             farther.push_back(point_along(space, heading_to(space, design.shares), design.distance + beyond_margin));
-    const std::vector<DesignVerdict> verdicts = runner.judge(space, farther);
+    const std::vector<DesignVerdict> verdicts = runner.judge(farther);
     for (std::size_t k = 0; k < designs.size(); ++k)
         if (farther.empty() || target.condition(verdicts[k])) kept[k] = std::move(designs[k]);
     return kept;
@@ -183,7 +183,7 @@ std::vector<Heading> explored_headings(const DesignSpace& space, const DesignTar
             }
             points.push_back(std::move(point));
         }
-    const std::vector<DesignVerdict> verdicts = runner.judge(space, points);
+    const std::vector<DesignVerdict> verdicts = runner.judge(points);
     std::vector<std::pair<double, std::size_t>> found;
     for (std::size_t k = 0; k < points.size(); ++k)
         if (target.condition(verdicts[k])) found.emplace_back(distance(space.origin, points[k]), k);

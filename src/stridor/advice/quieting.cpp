@@ -63,38 +63,38 @@ double neighbour(const DesignSpace& space, const ParameterChange& change, int st
 }
 
 // the changed design, those around it, and itself from the other starts: a contact may have a quiet and a noisy motion
-std::vector<Case> around(const DesignSpace& space, const DesignChange& change) {
-    std::vector<Case> cases{space.base};
+std::vector<Design> around(const DesignSpace& space, const DesignChange& change) {
+    std::vector<Design> designs{{}};
     for (const ParameterChange& each : change.set) {
-        std::vector<Case> more;
+        std::vector<Design> more;
         for (const int steps : {0, -1, 1})
-            for (Case c : cases) {
-                parameters::set_quantity(c, space.parameters[each.parameter].key, neighbour(space, each, steps));
-                more.push_back(std::move(c));
+            for (Design design : designs) {
+                design.settings.push_back({space.parameters[each.parameter].key, neighbour(space, each, steps)});
+                more.push_back(std::move(design));
             }
-        cases = std::move(more);
+        designs = std::move(more);
     }
     const parameters::Initial own = space.base.run.initial;
     for (const parameters::Initial start : every_start)
         if (start != own) {
-            cases.push_back(cases.front());
-            cases.back().run.initial = start;
+            designs.push_back(designs.front());
+            designs.back().start = start;
         }
-    return cases;
+    return designs;
 }
 
 // the changes with what their runs say; nothing for those that do not meet the condition all around. Neighbours whose
 // values contradict each other are no designs, and asked for nothing.
 std::vector<std::optional<DesignChange>> verified(const DesignSpace& space, std::vector<DesignChange> changes,
                                                   const DesignCondition& condition, DesignRunner& runner) {
-    std::vector<Case> cases;
+    std::vector<Design> designs;
     std::vector<std::size_t> counts;
     for (const DesignChange& change : changes) {
-        const std::vector<Case> near = around(space, change);
+        const std::vector<Design> near = around(space, change);
         counts.push_back(near.size());
-        cases.insert(cases.end(), near.begin(), near.end());
+        designs.insert(designs.end(), near.begin(), near.end());
     }
-    const std::vector<DesignVerdict> verdicts = runner.judge(space, cases);
+    const std::vector<DesignVerdict> verdicts = runner.judge(designs);
     std::vector<std::optional<DesignChange>> results(changes.size());
     auto first = verdicts.begin();
     for (std::size_t k = 0; k < changes.size(); ++k) {

@@ -135,12 +135,15 @@ Tolerance tolerance_for(const Case& c, const AskedTolerance& asked) {
     return {key, value, amount, asked.spread};
 }
 
-Case sampled(const DesignSpace& space, std::span<const Tolerance> tolerances, const std::vector<double>& point) {
-    Case c = space.base;
+Design sampled(std::span<const Tolerance> tolerances, const std::vector<double>& point) {
+    Design design;
     for (std::size_t k = 0; k < tolerances.size(); ++k)
-        parameters::set_quantity(c, tolerances[k].key, value_at(tolerances[k], point[k]));
-    return c;
+        design.settings.push_back({tolerances[k].key, value_at(tolerances[k], point[k])});
+    return design;
 }
+
+// a bound on memory, in which replicates of few samples are judged together: nobody waits for the last of each
+constexpr std::size_t most_designs_at_once = 65536;
 
 // how often each thing was seen, by replicate
 using Hits = std::array<std::size_t, replicates>;
@@ -203,18 +206,19 @@ Estimate estimate(std::span<const std::size_t> hits, std::size_t samples) {
     return {mean, std::max(0.0, mean - half), std::min(1.0, mean + half)};
 }
 
-Chance chance(const DesignSpace& space, std::span<const Tolerance> tolerances, const ChanceOptions& options,
-              DesignRunner& runner) {
+Chance chance(std::span<const Tolerance> tolerances, const ChanceOptions& options, DesignRunner& runner) {
     STRIDOR_EXPECT(!tolerances.empty() && options.samples > 0 && options.samples <= most_samples);
     const std::size_t samples = std::bit_ceil((options.samples + replicates - 1) / replicates);
+    const std::size_t at_once = std::clamp<std::size_t>(most_designs_at_once / samples, 1, replicates);
     Seen seen;
-    for (std::size_t replicate = 0; replicate < replicates; ++replicate) {
-        std::vector<Case> cases;
-        cases.reserve(samples);
-        for (const std::vector<double>& point : sobol_points(tolerances.size(), samples, {options.seed, replicate}))
-            cases.push_back(sampled(space, tolerances, point));
-        for (const DesignVerdict& verdict : runner.judge(space, cases))
-            see(seen, replicate, verdict);
+    for (std::size_t first = 0; first < replicates; first += at_once) {
+        std::vector<Design> designs;
+        for (std::size_t replicate = first; replicate < std::min(first + at_once, replicates); ++replicate)
+            for (const std::vector<double>& point : sobol_points(tolerances.size(), samples, {options.seed, replicate}))
+                designs.push_back(sampled(tolerances, point));
+        const std::vector<DesignVerdict> verdicts = runner.judge(designs);
+        for (std::size_t k = 0; k < verdicts.size(); ++k)
+            see(seen, first + k / samples, verdicts[k]);
     }
     Chance result{{tolerances.begin(), tolerances.end()}, options, replicates * samples};
     result.noise = estimate(seen.noise, samples);

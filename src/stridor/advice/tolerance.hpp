@@ -89,7 +89,6 @@ struct Chance {
 
 /// Samples designs within their tolerances, independent of each other, and runs them all. The same for every number of
 /// threads.
-Chance chance(const DesignSpace& space, std::span<const Tolerance> tolerances, const ChanceOptions& options,
-              DesignRunner& runner);
+Chance chance(std::span<const Tolerance> tolerances, const ChanceOptions& options, DesignRunner& runner);
 
 }  // namespace stridor::advice

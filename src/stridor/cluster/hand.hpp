@@ -3,8 +3,9 @@
 #include "stridor/cluster/messages.hpp"
 #include "stridor/cluster/post.hpp"
 #include "stridor/cluster/timing.hpp"
-#include "stridor/sweep/crew.hpp"
+#include "stridor/crew/crew.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -12,45 +13,67 @@
 
 namespace stridor::cluster {
 
-/// How a rank other than the first works.
+/// Who computes in a rank other than the first.
 struct HandOptions {
-    std::size_t threads = 1;  // [1] that compute there
-    sweep::CrewMaker crew;    // who computes there
-    Timing timing{};
+    std::size_t threads = 1;  // [1]
+    crew::CrewMaker crew;
 };
 
-/// A rank other than the first: it computes what rank 0 gives it, and hands over the cells.
+/// A rank other than the first: it computes what rank 0 gives it, and hands over the results.
+///
+/// A command has one work after the other, and all ranks come upon them in the same order. Rank 0 may leave one out, of
+/// which everything is kept: so it says which one it begins, and the others go on to that.
 class Hand {
 public:
-    /// Says hello to rank 0.
-    Hand(Post& post, const sweep::Study& study, HandOptions options);
+    /// The post must outlive this.
+    explicit Hand(Post& post, Timing timing = {}) : post_(post), timing_(std::move(timing)) {}
 
-    /// Reads what has arrived, waits a moment for cells, hands over what is finished. False once rank 0 has ended.
+    /// Comes upon a work, and waits for rank 0 to begin it.
+    void take_up(const crew::Work& work, HandOptions options);
+
+    /// Reads what has arrived, waits a moment for results, hands over what is finished. False once the work is over:
+    /// rank 0 has begun another one, or has ended.
     bool step();
 
+    /// All steps of a work.
+    void serve(const crew::Work& work, HandOptions options);
+
+    /// Waits for the end of rank 0, having come to the end of the command; the exit code of the whole job. A work that
+    /// rank 0 has begun by then is one that this rank does not have, which is a failure.
+    int wait_for_the_end();
+
+    /// Says that this rank fails.
+    void fail(const Failure& failure);
+
     /// Of the whole job, once rank 0 has ended.
-    int exit_code() const { return exit_code_; }
+    std::optional<int> exit_code() const { return exit_code_; }
 
 private:
     using Clock = Timing::Clock;
 
+    // a work that rank 0 has begun
+    struct Labour {
+        std::stop_source halt;
+        std::unique_ptr<crew::Crew> crew;
+        std::vector<crew::Result> finished;
+        Clock::time_point worked;  // when there was last something to do
+        bool has_told_its_end = false;
+    };
+
     void read_letters();
+    void read(Message message);
+    void begin();
     void hand_over(Clock::time_point now);
     void tell(const Message& message);
 
     Post& post_;
+    Timing timing_;
     HandOptions options_;
-    std::stop_source halt_;
-    std::unique_ptr<sweep::Crew> crew_;
-    std::vector<sweep::IndexedCell> finished_;
-    Clock::time_point told_;    // when rank 0 last heard of this one
-    Clock::time_point worked_;  // when there was last something to do
-    bool has_told_its_end_ = false;
-    bool has_ended_ = false;
-    int exit_code_ = 0;
+    const crew::Work* work_ = nullptr;  // the one this rank has come upon
+    std::optional<Begin> begun_;        // what rank 0 has begun, and this rank has not yet
+    std::optional<Labour> labour_;
+    Clock::time_point told_;  // when rank 0 last heard of this one
+    std::optional<int> exit_code_;
 };
-
-/// Computes for rank 0 until that ends; the exit code of the whole job.
-int serve(Post& post, const sweep::Study& study, int threads);
 
 }  // namespace stridor::cluster

@@ -1,15 +1,20 @@
 #pragma once
 
 #include "stridor/cluster/messages.hpp"
-#include "stridor/sweep/study.hpp"
+#include "stridor/crew/crew.hpp"
+
+#include <string>
 
 namespace stridor::cluster {
 
-/// What a rank says of itself before it gets work on a study.
-Hello hello_of(const sweep::Study& study, std::size_t threads);
+/// What rank 0 says of a work that it begins.
+Begin begin_of(const crew::Work& work);
 
-/// Throws `Error` (input) unless a rank runs the same program on the same study as this one: else their cells would not
-/// belong together.
-void expect_same(const Hello& ours, const Hello& theirs, int rank);
+/// The machine that this process runs on.
+std::string host_name();
+
+/// What a rank has to complain of whose program is another than that of rank 0, or which does not have the work that
+/// rank 0 has begun: their results would not belong together.
+Failure mismatch(const Begin& begun, int rank);
 
 }  // namespace stridor::cluster

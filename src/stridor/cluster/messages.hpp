@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stridor/base/error.hpp"
-#include "stridor/sweep/cell.hpp"
+#include "stridor/crew/crew.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,32 +14,37 @@
 /// which the first message sees to.
 namespace stridor::cluster {
 
-/// The first message of a rank to rank 0.
+/// Rank 0 begins a work: the others leave what they had.
+struct Begin {
+    std::string build;  // program and commit
+    std::string work;   // a fingerprint of what decides the results
+    std::string host;   // the machine it runs on
+};
+
+/// The first message of a rank to rank 0 about a work that both have.
 struct Hello {
-    std::string build;          // program, commit, generation of results
-    std::string study;          // a fingerprint of what decides the results
     std::string host;           // the machine it runs on
     std::uint32_t threads = 1;  // [1] that compute there
 };
 
-/// Rank 0 gives a rank runs to compute, in this order.
+/// Rank 0 gives a rank tasks to compute, in this order.
 struct Batch {
-    std::vector<std::size_t> runs;  // by the index of their first cells
+    std::vector<crew::Task> tasks;
 };
 
-/// A rank hands over finished cells.
-struct Cells {
-    std::vector<sweep::IndexedCell> cells;
-    double seconds_per_run = 0.0;  // [s] on average in that rank; 0: not known yet
+/// A rank hands over results.
+struct Delivery {
+    std::vector<crew::Result> results;
+    double seconds_per_task = 0.0;  // [s] on average in that rank; 0: not known yet
 };
 
 /// A rank has nothing to hand over, and lives.
 struct Alive {};
 
-/// Rank 0 asks a rank to give up what it computes and to hand over what is finished.
+/// Rank 0 asks a rank to give up the work and to hand over what is finished.
 struct Stop {};
 
-/// A rank has stopped, and all that it finished was handed over before.
+/// A rank has given up the work, and all that it finished was handed over before.
 struct Stopped {};
 
 /// Something failed in a rank, which computes nothing any more.
@@ -57,7 +62,7 @@ struct End {
 struct Bye {};
 
 /// Any of them.
-using Message = std::variant<Hello, Batch, Cells, Alive, Stop, Stopped, Failure, End, Bye>;
+using Message = std::variant<Begin, Hello, Batch, Delivery, Alive, Stop, Stopped, Failure, End, Bye>;
 
 /// As bytes.
 std::string pack(const Message& message);

@@ -2,7 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/cluster/hello.hpp"
-#include "stridor/sweep/thread_crew.hpp"
+#include "stridor/crew/thread_crew.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 // long beside the time of a letter, short beside what anybody wants to lose
 constexpr double seconds_per_batch = 0.1;
-constexpr double most_runs_per_batch = 4096.0;
+constexpr double most_tasks_per_batch = 4096.0;
 // what is left is spread over so many batches a rank, so that all end together
 constexpr std::size_t batches_at_the_end = 4;
 // mpirun kills one second after it has passed on a signal, and the store is to be written before
@@ -26,27 +26,27 @@ constexpr auto patience = 400ms;
 
 }  // namespace
 
-RankCrew::RankCrew(Post& post, const sweep::Study& study, const std::stop_token& stop, RankCrewOptions options)
+RankCrew::RankCrew(Post& post, const crew::Work& work, const std::stop_token& stop, RankCrewOptions options)
     : post_(post),
       options_(std::move(options)),
-      hello_(hello_of(study, options_.threads)),
-      cells_per_run_(sweep::directions_per_run(study)),
       relay_(stop, [this] { halt_.request_stop(); }),
-      own_(options_.crew(study, halt_.get_token())) {
+      own_(options_.crew(work, halt_.get_token())) {
     STRIDOR_EXPECT(post.rank() == 0);
+    const Begin begun = begin_of(work);
     for (int rank = 1; rank < post.ranks(); ++rank) {
         members_.push_back({});
         members_.back().rank = rank;
         members_.back().heard = options_.timing.now();
+        post_.send(rank, pack(begun));
     }
 }
 
 std::size_t RankCrew::batch(const Member& member) {
     const auto threads = static_cast<double>(member.hello.threads);
     // before the first has ended nobody knows how long one takes
-    if (!(member.seconds_per_run > 0.0)) return 2 * member.hello.threads;
+    if (!(member.seconds_per_task > 0.0)) return 2 * member.hello.threads;
     return static_cast<std::size_t>(
-        std::clamp(seconds_per_batch * threads / member.seconds_per_run, 1.0, most_runs_per_batch));
+        std::clamp(seconds_per_batch * threads / member.seconds_per_task, 1.0, most_tasks_per_batch));
 }
 
 std::size_t RankCrew::appetite(std::size_t left) {
@@ -65,22 +65,22 @@ std::size_t RankCrew::appetite(std::size_t left) {
     return sum + std::min({own_->appetite(left), most, left - sum});
 }
 
-void RankCrew::give(std::vector<std::size_t> runs) {
+void RankCrew::give(std::vector<crew::Task> tasks) {
     // neighbours to one rank
-    auto next = runs.begin();
+    auto next = std::make_move_iterator(tasks.begin());
     const auto slice = [&](std::size_t size) {
-        const auto end = next + static_cast<std::ptrdiff_t>(std::min<std::size_t>(
-                                    size, static_cast<std::size_t>(std::distance(next, runs.end()))));
-        return std::vector<std::size_t>(std::exchange(next, end), end);
+        const auto left = static_cast<std::size_t>(std::distance(next, std::make_move_iterator(tasks.end())));
+        const auto end = next + static_cast<std::ptrdiff_t>(std::min(size, left));
+        return std::vector<crew::Task>(std::exchange(next, end), end);
     };
     for (Member& member : members_) {
-        std::vector<std::size_t> part = slice(member.wanted);
+        std::vector<crew::Task> part = slice(member.wanted);
         member.wanted = 0;
         if (part.empty()) continue;
         member.outstanding += part.size();
         post_.send(member.rank, pack(Batch{std::move(part)}));
     }
-    own_->give({next, runs.end()});
+    own_->give(slice(tasks.size()));
     was_fed_ = true;
 }
 
@@ -92,20 +92,21 @@ void RankCrew::fail(std::exception_ptr failure) {
 void RankCrew::read(Member& member, Message message) {
     if (Hello* hello = std::get_if<Hello>(&message)) {
         member.hello = std::move(*hello);
-        expect_same(hello_, member.hello, member.rank);
         member.has_said_hello = true;
         was_fed_ = true;
     }
-    if (Cells* cells = std::get_if<Cells>(&message)) {
-        member.outstanding -= std::min(member.outstanding, cells->cells.size() / cells_per_run_);
-        if (cells->seconds_per_run > 0.0) member.seconds_per_run = cells->seconds_per_run;
-        std::move(cells->cells.begin(), cells->cells.end(), std::back_inserter(arrived_));
-    }
-    if (std::holds_alternative<Stopped>(message)) member.has_stopped = true;
     if (const Failure* failure = std::get_if<Failure>(&message)) {
         member.has_stopped = true;
         throw Error(failure->kind, failure->problem);
     }
+    // what it says before is of the work before
+    if (!member.has_said_hello) return;
+    if (Delivery* done = std::get_if<Delivery>(&message)) {
+        member.outstanding -= std::min(member.outstanding, done->results.size());
+        if (done->seconds_per_task > 0.0) member.seconds_per_task = done->seconds_per_task;
+        std::move(done->results.begin(), done->results.end(), std::back_inserter(arrived_));
+    }
+    if (std::holds_alternative<Stopped>(message)) member.has_stopped = true;
 }
 
 void RankCrew::read_letters() {
@@ -144,10 +145,10 @@ void RankCrew::expect_signs_of_life() {
 bool RankCrew::is_satisfied(std::size_t enough) {
     // what there is to give is not known here; enough that nobody's appetite is cut short
     constexpr std::size_t plenty = 1U << 30U;
-    return arrived_.size() >= enough || is_idle() || (was_fed_ && appetite(plenty) > 0);
+    return arrived_.size() >= enough || is_done() || (was_fed_ && appetite(plenty) > 0);
 }
 
-std::vector<sweep::IndexedCell> RankCrew::take(std::size_t enough, Clock::time_point deadline) {
+std::vector<crew::Result> RankCrew::take(std::size_t enough, Clock::time_point deadline) {
     for (bool is_late = false;; is_late = options_.timing.now() >= deadline) {
         halt_all();
         read_letters();
@@ -155,15 +156,19 @@ std::vector<sweep::IndexedCell> RankCrew::take(std::size_t enough, Clock::time_p
         if (is_late || is_satisfied(enough)) break;
         const Clock::time_point now = options_.timing.now();
         if (own_->is_idle()) options_.timing.pause(busy_pause);
-        std::vector<sweep::IndexedCell> cells = own_->take(enough, std::min(deadline, now + busy_pause));
-        std::move(cells.begin(), cells.end(), std::back_inserter(arrived_));
+        std::vector<crew::Result> results = own_->take(enough, std::min(deadline, now + busy_pause));
+        std::move(results.begin(), results.end(), std::back_inserter(arrived_));
     }
     was_fed_ = false;
     return std::exchange(arrived_, {});
 }
 
 bool RankCrew::is_idle() {
-    if (!own_->is_idle() || !arrived_.empty()) return false;
+    return arrived_.empty() && is_done();
+}
+
+bool RankCrew::is_done() {
+    if (!own_->is_idle()) return false;
     if (!halt_.stop_requested())
         return std::all_of(members_.begin(), members_.end(),
                            [](const Member& member) { return member.outstanding == 0; });
@@ -182,16 +187,16 @@ void RankCrew::rethrow() {
     if (failure_) std::rethrow_exception(failure_);
 }
 
-double RankCrew::seconds_per_run() {
-    return own_->seconds_per_run();
+double RankCrew::seconds_per_task() {
+    return own_->seconds_per_task();
 }
 
-sweep::CrewMaker rank_crews(Post& post, int threads) {
-    return [&post, threads](const sweep::Study& study, const std::stop_token& stop) {
+crew::CrewMaker rank_crews(Post& post, int threads) {
+    return [&post, threads](const crew::Work& work, const std::stop_token& stop) {
         RankCrewOptions options;
-        options.threads = sweep::thread_count(threads);
-        options.crew = sweep::thread_crews(threads);
-        return std::make_unique<RankCrew>(post, study, stop, std::move(options));
+        options.threads = crew::thread_count(threads);
+        options.crew = crew::thread_crews(threads);
+        return std::make_unique<RankCrew>(post, work, stop, std::move(options));
     };
 }
 

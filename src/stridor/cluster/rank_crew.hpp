@@ -4,7 +4,7 @@
 #include "stridor/cluster/messages.hpp"
 #include "stridor/cluster/post.hpp"
 #include "stridor/cluster/timing.hpp"
-#include "stridor/sweep/crew.hpp"
+#include "stridor/crew/crew.hpp"
 
 #include <chrono>
 #include <exception>
@@ -24,28 +24,28 @@ public:
 /// How rank 0 leads the others.
 struct RankCrewOptions {
     std::size_t threads = 1;  // [1] that compute in rank 0
-    sweep::CrewMaker crew;    // who computes in rank 0
+    crew::CrewMaker crew;     // who computes in rank 0
     std::chrono::seconds longest_silence{60};
     Timing timing{};
 };
 
 /// The threads of all ranks, as rank 0 sees them; the others are each a `Hand`.
 ///
-/// Batch is dealt out in index order, to each rank in batches that take it a tenth of a second, two of them ahead, and
+/// Tasks are dealt out in their order, to each rank in batches that take it a tenth of a second, two of them ahead, and
 /// smaller ones towards the end. Nothing here waits for a message. A rank that dies ends the job (MPI sees to that, or
 /// its silence does); what was kept by then stays, and the same command goes on with any number of ranks.
-class RankCrew final : public sweep::Crew {
+class RankCrew final : public crew::Crew {
 public:
-    /// The post must be that of rank 0 and outlive this, as the study must.
-    RankCrew(Post& post, const sweep::Study& study, const std::stop_token& stop, RankCrewOptions options);
+    /// Begins the work in all ranks. The post must be that of rank 0 and outlive this.
+    RankCrew(Post& post, const crew::Work& work, const std::stop_token& stop, RankCrewOptions options);
 
     std::size_t appetite(std::size_t left) override;
-    void give(std::vector<std::size_t> runs) override;
-    std::vector<sweep::IndexedCell> take(std::size_t enough, Clock::time_point deadline) override;
+    void give(std::vector<crew::Task> tasks) override;
+    std::vector<crew::Result> take(std::size_t enough, Clock::time_point deadline) override;
     bool is_idle() override;
     bool has_stopped() override;
     void rethrow() override;
-    double seconds_per_run() override;
+    double seconds_per_task() override;
 
 private:
     // another rank
@@ -54,9 +54,9 @@ private:
         Hello hello{};
         bool has_said_hello = false;
         bool has_stopped = false;
-        std::size_t outstanding = 0;   // [1] runs that it was given and that are not here
-        std::size_t wanted = 0;        // [1] runs that it would be given now
-        double seconds_per_run = 0.0;  // [s] 0: not known yet
+        std::size_t outstanding = 0;    // [1] tasks that it was given and that are not here
+        std::size_t wanted = 0;         // [1] tasks that it would be given now
+        double seconds_per_task = 0.0;  // [s] 0: not known yet
         Clock::time_point heard;
     };
 
@@ -66,17 +66,16 @@ private:
     void halt_all();
     void expect_signs_of_life();
     bool is_satisfied(std::size_t enough);
+    bool is_done();  // nothing runs, here or elsewhere
     static std::size_t batch(const Member& member);
 
     Post& post_;
     RankCrewOptions options_;
-    const Hello hello_;
-    const std::size_t cells_per_run_;
     std::stop_source halt_;
     std::stop_callback<std::function<void()>> relay_;  // passes the caller's stop request on to halt_
-    std::unique_ptr<sweep::Crew> own_;                 // of this rank
+    std::unique_ptr<crew::Crew> own_;                  // of this rank
     std::vector<Member> members_;
-    std::vector<sweep::IndexedCell> arrived_;
+    std::vector<crew::Result> arrived_;
     std::exception_ptr failure_;
     bool was_fed_ = false;  // since the owner was last told that there is room
     bool has_asked_to_stop_ = false;
@@ -84,6 +83,6 @@ private:
 };
 
 /// Makes the crew of rank 0: `threads` of its own, and the other ranks.
-sweep::CrewMaker rank_crews(Post& post, int threads);
+crew::CrewMaker rank_crews(Post& post, int threads);
 
 }  // namespace stridor::cluster

@@ -138,7 +138,7 @@ private:
         meet();
         if (shared_.requests >= shared_.limits.requests) return send(plain(503, "Busy; try again in a moment."));
         is_streaming_ = false;
-        const auto work = std::make_shared<Work>(shared_.io, shared_.stop.get_token());
+        const auto work = std::make_shared<Answering>(shared_.io, shared_.stop.get_token());
         work_ = work;
         work->deadline.expires_after(shared_.limits.working);
         work->deadline.async_wait(own([this, work](error_code error) {
@@ -169,7 +169,7 @@ private:
     }
 
     // looks now and then whether the client has closed its end, whatever it sent before
-    void watch(const std::shared_ptr<Work>& work) {
+    void watch(const std::shared_ptr<Answering>& work) {
         constexpr std::chrono::milliseconds interval{100};
         work->look.expires_after(interval);
         work->look.async_wait(own([this, work](error_code error) {
@@ -181,7 +181,7 @@ private:
     }
 
     // nobody will read what is being made, or it takes too long
-    void lose(const std::shared_ptr<Work>& work) {
+    void lose(const std::shared_ptr<Answering>& work) {
         if (work == nullptr) return;
         shared_.stop_work(work, own([this] {
                               keep_alive_ = false;
@@ -198,7 +198,7 @@ private:
     }
 
     // on a thread of its own
-    void make(const HttpRequest& request, const std::shared_ptr<Work>& work) {
+    void make(const HttpRequest& request, const std::shared_ptr<Answering>& work) {
         Response response = plain(500, "The explorer failed to answer; its terminal may say more.");
         try {
             response = shared_.handler(request, work->token());
@@ -211,7 +211,7 @@ private:
                               }));
         const auto parts = std::make_shared<Parts>();
         asio::post(shared_.io, own([this, work, parts, response = std::move(response)] {
-                       if (work->state == Work::State::making) begin(response, parts);
+                       if (work->state == Answering::State::making) begin(response, parts);
                    }));
         bool is_whole = true;
         try {
@@ -219,7 +219,7 @@ private:
                 [&](std::string part) {
                     parts->push(std::move(part), work->token());
                     asio::post(shared_.io, own([this, work, parts] {
-                                   if (work->state == Work::State::making) send_next(parts);
+                                   if (work->state == Answering::State::making) send_next(parts);
                                }));
                 },
                 work->token());
@@ -237,8 +237,8 @@ private:
     }
 
     // false for one that was given up: its client has its answer, or is gone
-    bool finish(Work& work) {
-        const bool is_wanted = work.state == Work::State::making;
+    bool finish(Answering& work) {
+        const bool is_wanted = work.state == Answering::State::making;
         shared_.finish(work);
         return is_wanted;
     }
@@ -303,14 +303,14 @@ private:
         if (!error && keep_alive_) return read();
         if (!error) stream_.socket().shutdown(Stream::socket::shutdown_send, error);
         // whoever still makes an answer that nobody waits for keeps this object
-        if (const auto work = work_.lock(); work && work->state == Work::State::given_up) drop();
+        if (const auto work = work_.lock(); work && work->state == Answering::State::given_up) drop();
     }
 
     Shared& shared_;
     beast::basic_stream<Stream> stream_;
     beast::flat_buffer buffer_{shared_.limits.header + std::size_t{64} * 1024};
     std::optional<Parser> parser_;
-    std::weak_ptr<Work> work_;                               // for the last request
+    std::weak_ptr<Answering> work_;                          // for the last request
     std::optional<std::list<Connection*>::iterator> place_;  // among the strangers
     bool is_counted_ = true;
     bool keep_alive_ = false;

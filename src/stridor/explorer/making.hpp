@@ -24,9 +24,9 @@ namespace stridor::explorer {
 class Connection;
 
 /// An answer being made: stopped with the server, by its deadline or when its client goes away.
-struct Work {
+struct Answering {
     /// It is stopped with `server`.
-    Work(boost::asio::io_context& io, const std::stop_token& server)
+    Answering(boost::asio::io_context& io, const std::stop_token& server)
         : deadline(io),
           look(io),
           patience(io),
@@ -55,33 +55,33 @@ struct Shared : std::enable_shared_from_this<Shared> {
     using Task = std::function<void()>;
 
     /// Has an answer made as soon as there is a place for it.
-    void add(const std::shared_ptr<Work>& work, Task task) {
+    void add(const std::shared_ptr<Answering>& work, Task task) {
         ++requests;
         waiting.emplace_back(work, std::move(task));
         fill();
     }
 
     /// An answer is made, or was never begun.
-    void finish(Work& work) {
+    void finish(Answering& work) {
         for (boost::asio::steady_timer* timer : {&work.deadline, &work.look, &work.patience})
             timer->cancel();
-        if (work.state == Work::State::given_up)
+        if (work.state == Answering::State::given_up)
             --given_up;
         else
             --requests;
-        if (work.state == Work::State::making) --making;
-        work.state = Work::State::done;
+        if (work.state == Answering::State::making) --making;
+        work.state = Answering::State::done;
         fill();
     }
 
     /// Tells an answer to stop; `unanswered` is called should it not heed that, or not be begun.
-    void stop_work(const std::shared_ptr<Work>& work, const Task& unanswered) {
+    void stop_work(const std::shared_ptr<Answering>& work, const Task& unanswered) {
         const bool is_first = work->source.request_stop();
-        if (work->state == Work::State::waiting) {
+        if (work->state == Answering::State::waiting) {
             std::erase_if(waiting, [&](const auto& each) { return each.first == work; });
             finish(*work);
             unanswered();
-        } else if (is_first && work->state == Work::State::making) {
+        } else if (is_first && work->state == Answering::State::making) {
             await_end(work, unanswered);
         }
     }
@@ -106,14 +106,14 @@ struct Shared : std::enable_shared_from_this<Shared> {
     std::size_t given_up = 0;
     boost::asio::io_context io{1};
     boost::asio::steady_timer pause{io};
-    std::deque<std::pair<std::shared_ptr<Work>, Task>> waiting{};
+    std::deque<std::pair<std::shared_ptr<Answering>, Task>> waiting{};
 
 private:
     void fill() {
         while (making < limits.workers && !waiting.empty()) {
             auto [work, task] = std::move(waiting.front());
             waiting.pop_front();
-            work->state = Work::State::making;
+            work->state = Answering::State::making;
             ++making;
             start(std::move(task));
         }
@@ -133,12 +133,12 @@ private:
         }).detach();
     }
 
-    void await_end(const std::shared_ptr<Work>& work, const Task& unanswered) {
+    void await_end(const std::shared_ptr<Answering>& work, const Task& unanswered) {
         work->patience.expires_after(limits.stopping);
         work->patience.async_wait([this, work, unanswered](const boost::system::error_code& error) {
-            if (error || work->state != Work::State::making) return;
+            if (error || work->state != Answering::State::making) return;
             if (given_up >= limits.given_up) return await_end(work, unanswered);
-            work->state = Work::State::given_up;
+            work->state = Answering::State::given_up;
             ++given_up;
             --making;
             --requests;

@@ -1,6 +1,6 @@
 #include "stridor/hearing/heard_text.hpp"
 
-#include "stridor/base/packed_text.hpp"
+#include "stridor/base/packed_bytes.hpp"
 #include "stridor/sound/feature_table.hpp"
 
 namespace stridor::hearing {
@@ -11,18 +11,7 @@ using base::Packing;
 using base::Unpacking;
 using sound::SoundFeatures;
 
-template <typename Enumeration>
-void add(Packing& packing, Enumeration value) {
-    packing.add(static_cast<std::uint64_t>(value));
-}
-
-// a value of an enumeration with so many names
-template <typename Enumeration, typename Names>
-bool read(Unpacking& unpacking, const Names& names, Enumeration& value) {
-    const std::uint64_t number = unpacking.count();
-    value = static_cast<Enumeration>(number);
-    return number < names.size();
-}
+constexpr std::size_t categories = classification::category_names.size();
 
 void add(Packing& packing, const SoundFeatures& features) {
     for (const double value : {features.from, features.duration, features.mean_square, features.peak})
@@ -44,38 +33,37 @@ SoundFeatures features_in(Unpacking& unpacking) {
 
 void add(Packing& packing, const HeardSound& sound) {
     packing.add(static_cast<std::uint64_t>(sound.index));
-    add(packing, sound.cell.status);
-    add(packing, sound.cell.category);
-    add(packing, sound.cell.quiet);
+    packing.add(sound.cell.status);
+    packing.add(sound.cell.category);
+    packing.add(sound.cell.quiet);
     packing.add(sound.cell.message);
     for (const sweep::CellFigure& figure : sweep::cell_figures())
         packing.add(figure_of(sound.cell, figure));
-    add(packing, sound.heard);
+    packing.add(sound.heard);
     add(packing, sound.features);
     packing.add(sound.reason);
     packing.add(static_cast<std::uint64_t>(sound.perturbed.size()));
     for (const classification::Category category : sound.perturbed)
-        add(packing, category);
+        packing.add(category);
 }
 
 bool read(Unpacking& unpacking, HeardSound& sound) {
-    using classification::category_names;
+    using classification::Category;
     sound.index = unpacking.count();
-    bool is_good = read(unpacking, sweep::status_names, sound.cell.status);
-    is_good = read(unpacking, category_names, sound.cell.category) && is_good;
-    is_good = read(unpacking, classification::quiet_names, sound.cell.quiet) && is_good;
+    sound.cell.status = unpacking.kind<sweep::Status>(sweep::status_names.size());
+    sound.cell.category = unpacking.kind<Category>(categories);
+    sound.cell.quiet = unpacking.kind<classification::Quiet>(classification::quiet_names.size());
     sound.cell.message = unpacking.words();
     for (const sweep::CellFigure& figure : sweep::cell_figures())
         set_figure(sound.cell, figure, unpacking.number());
-    is_good = read(unpacking, category_names, sound.heard) && is_good;
+    sound.heard = unpacking.kind<Category>(categories);
     sound.features = features_in(unpacking);
     sound.reason = unpacking.words();
     const std::uint64_t perturbed = unpacking.count();
     if (perturbed != 0 && perturbed != perturbations().size()) return false;
-    sound.perturbed.resize(perturbed);
-    for (classification::Category& category : sound.perturbed)
-        is_good = read(unpacking, category_names, category) && is_good;
-    return is_good && unpacking.is_good();
+    for (std::uint64_t left = perturbed; left > 0; --left)
+        sound.perturbed.push_back(unpacking.kind<Category>(categories));
+    return unpacking.is_good();
 }
 
 }  // namespace
@@ -83,10 +71,10 @@ bool read(Unpacking& unpacking, HeardSound& sound) {
 std::string packed(const CellSound& sound) {
     Packing packing;
     packing.add(static_cast<std::uint64_t>(sound.index));
-    add(packing, sound.status);
+    packing.add(sound.status);
     packing.add(sound.message);
-    add(packing, sound.contact);
-    add(packing, sound.heard);
+    packing.add(sound.contact);
+    packing.add(sound.heard);
     add(packing, sound.profile.features);
     packing.add(sound.profile.impulse_interval);
     packing.add(sound.profile.impulse_regularity);
@@ -102,18 +90,18 @@ std::string packed(std::span<const HeardSound> sounds) {
 }
 
 std::optional<CellSound> unpacked_cell_sound(std::string_view text) {
-    using classification::category_names;
+    using classification::Category;
     Unpacking unpacking(text);
     CellSound sound;
     sound.index = unpacking.count();
-    bool is_good = read(unpacking, sweep::status_names, sound.status);
+    sound.status = unpacking.kind<sweep::Status>(sweep::status_names.size());
     sound.message = unpacking.words();
-    is_good = read(unpacking, category_names, sound.contact) && is_good;
-    is_good = read(unpacking, category_names, sound.heard) && is_good;
+    sound.contact = unpacking.kind<Category>(categories);
+    sound.heard = unpacking.kind<Category>(categories);
     sound.profile.features = features_in(unpacking);
     sound.profile.impulse_interval = unpacking.number();
     sound.profile.impulse_regularity = unpacking.number();
-    return is_good && unpacking.is_complete() ? std::optional(std::move(sound)) : std::nullopt;
+    return unpacking.is_complete() ? std::optional(std::move(sound)) : std::nullopt;
 }
 
 std::optional<std::vector<HeardSound>> unpacked_heard_sounds(std::string_view text) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/crew/thread_crew.hpp"
 #include "stridor/hearing/hearing.hpp"
 #include "stridor/storage/kept_results.hpp"
 #include "stridor/sweep/run.hpp"
@@ -16,8 +17,8 @@ namespace stridor::hearing {
 /// How the cells of a study are heard.
 struct HearingOptions {
     HearingSettings settings{};
-    std::size_t perturb_every = 7;  // [1] every so many runs' sounds are perturbed too; 0: none are
-    int threads = 0;                // [1] 0: one per processor this process may use
+    std::size_t perturb_every = 7;                // [1] every so many runs' sounds are perturbed too; 0: none are
+    crew::CrewMaker crew = crew::thread_crews();  // who computes
     std::stop_token stop{};
     storage::KeptResults* kept =
         nullptr;  // where runs are kept by their first index, if anywhere; must outlive the hearing
@@ -28,10 +29,14 @@ struct HearingOptions {
 /// All that decides what is heard of a study, as text: for what is kept of it.
 std::string heard_text(const sweep::Study& study, const HearingOptions& options);
 
+/// The hearing of a study's runs as the work of a crew: a task is a run by the index of its first cell, and its result
+/// what is kept of it. Study and options must outlive the crew.
+crew::Work work_of(const sweep::Study& study, const HearingOptions& options);
+
 /// Judges every cell of a study by its contact states and by ear; in index order, empty if it was stopped. What is kept
 /// is not heard again.
 ///
-/// The same result for any number of threads. A study's refinement is not looked at: every cell is heard. Throws
+/// The same result for every crew. A study's refinement is not looked at: every cell is heard. Throws
 /// `Error` (input) for a study with several starts, of which one could be heard only, and what `check_audible` throws.
 std::vector<HeardSound> hear(const sweep::Study& study, const HearingOptions& options);
 

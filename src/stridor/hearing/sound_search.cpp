@@ -1,19 +1,11 @@
 #include "stridor/hearing/sound_search.hpp"
 
+#include "stridor/crew/compute.hpp"
 #include "stridor/hearing/heard_text.hpp"
 #include "stridor/hearing/hearing_run.hpp"
-#include "stridor/sweep/fork_join.hpp"
-
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
-#include <mutex>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -32,6 +24,19 @@ std::vector<int> grid_points(int points, int stride) {
     return indices;
 }
 
+crew::Work listening_work(const sweep::Study& study, const CellListening& listening) {
+    crew::Work work;
+    work.text = listening_text(study, listening);
+    work.worker = [&study, &listening] {
+        return [&study, &listening, workspace = std::make_shared<integration::Workspace>()](
+                   const crew::Task& task, const std::stop_token& stop) -> std::optional<std::string> {
+            const std::optional<CellSound> sound = sound_of_cell(study, task.number, listening, stop, *workspace);
+            return sound ? std::optional(packed(*sound)) : std::nullopt;
+        };
+    };
+    return work;
+}
+
 class Search {
 public:
     Search(const sweep::Study& study, const classification::SoundProfile& recording, const CellListening& listening,
@@ -40,7 +45,8 @@ public:
           recording_(recording),
           listening_(listening),
           options_(options),
-          is_taken_(options.ruled_out) {
+          is_taken_(options.ruled_out),
+          crew_(options.crew(listening_work(study, listening), options.stop)) {
         is_taken_.resize(sweep::cell_count(study), false);
     }
 
@@ -79,7 +85,7 @@ private:
     std::size_t kept_ = 0;  // of these, by an earlier run
     std::size_t asked_ = 0;
     std::size_t without_result_ = 0;
-    std::mutex mutex_{};  // guards done_ and kept_ while threads run
+    std::unique_ptr<crew::Crew> crew_;
 
     std::size_t front() const { return std::max(least_front, options_.keep); }
 
@@ -123,13 +129,6 @@ private:
         return asked;
     }
 
-    void count(bool was_kept) {
-        const std::lock_guard lock(mutex_);
-        ++done_;
-        if (was_kept) ++kept_;
-        if (options_.progress) options_.progress({done_, kept_, asked_});
-    }
-
     // nothing if it was not listened to before
     std::optional<CellSound> kept(std::size_t index) const {
         if (options_.kept == nullptr) return std::nullopt;
@@ -138,39 +137,33 @@ private:
         return sound && sound->index == index ? std::move(sound) : std::nullopt;
     }
 
-    std::optional<CellSound> sound_of(std::size_t index, integration::Workspace& workspace) {
-        std::optional<CellSound> sound = kept(index);
-        const bool was_kept = sound.has_value();
-        if (!was_kept) sound = sound_of_cell(study_, index, listening_, options_.stop, workspace);
-        if (!was_kept && sound && options_.kept != nullptr) options_.kept->keep(index, packed(*sound));
-        count(was_kept);
-        return sound;
-    }
-
     void listen(const std::vector<std::size_t>& asked) {
-        namespace tbb = oneapi::tbb;
         asked_ += asked.size();
-        std::vector<std::optional<CellSound>> sounds(asked.size());
-        const int threads = options_.threads > 0 ? options_.threads : tbb::info::default_concurrency();
-        tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-        tbb::task_arena arena(threads);
-        tbb::enumerable_thread_specific<integration::Workspace> workspaces;
-        using IndexRange = tbb::blocked_range<std::size_t>;
-        const sweep::ForkJoin all;
-        const auto listen_to = [&](const IndexRange& range) {
-            const sweep::ForkJoin::Task task;
-            for (std::size_t k = range.begin(); k < range.end() && !options_.stop.stop_requested(); ++k) {
-                sounds[k] = sound_of(asked[k], workspaces.local());
+        std::vector<crew::Task> missing;
+        for (const std::size_t index : asked) {
+            if (std::optional<CellSound> sound = kept(index)) {
+                ++kept_;
+                take(std::move(*sound));
+            } else {
+                missing.push_back({index});
             }
+        }
+        const auto take_result = [&](crew::Result result) {
+            std::optional<CellSound> sound = unpacked_cell_sound(result.bytes);
+            if (!sound) throw crew::damaged_result();
+            if (options_.kept != nullptr) options_.kept->keep(result.number, std::move(result.bytes));
+            take(std::move(*sound));
         };
-        arena.execute([&] { tbb::parallel_for(IndexRange(0, asked.size(), 1), listen_to, tbb::simple_partitioner()); });
-        all.join();
-        for (std::optional<CellSound>& sound : sounds)
-            if (sound) take(std::move(*sound));
+        crew::compute(*crew_, std::move(missing), take_result, [&] { report(); });
         sort();
     }
 
+    void report() const {
+        if (options_.progress) options_.progress({done_, kept_, asked_});
+    }
+
     void take(CellSound sound) {
+        ++done_;
         if (sound.status != sweep::Status::done) {
             ++without_result_;
             return;

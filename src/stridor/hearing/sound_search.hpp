@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/crew/thread_crew.hpp"
 #include "stridor/hearing/cell_sound.hpp"
 #include "stridor/storage/kept_results.hpp"
 
@@ -15,7 +16,7 @@
 /// included. Then n is halved again and again down to 1. Each time the neighbours of the best cells so far follow,
 /// until those of all best ones are known. A small region between the points of the first grid may be missed:
 /// `SearchExtent::every` listens to all. What is listened to follows from the chart and the recording alone, never from
-/// threads.
+/// who computes.
 namespace stridor::hearing {
 
 /// Are the best cells searched for, or is every cell listened to?
@@ -34,11 +35,11 @@ struct SoundSearch {
     std::size_t keep = 5;          // [1] of the best cells
     std::size_t first_grid = 400;  // [1] most cells of the first grid
     classification::LevelUse level = classification::LevelUse::ignored;
-    std::vector<bool> ruled_out{};  // cells that are not listened to, shape [cell]; empty: none
-    int threads = 0;                // 0: one per processor this process may use
+    std::vector<bool> ruled_out{};                // cells that are not listened to, shape [cell]; empty: none
+    crew::CrewMaker crew = crew::thread_crews();  // who computes
     std::stop_token stop{};
     storage::KeptResults* kept = nullptr;  // where cells are kept by their index, if anywhere; must outlive the search
-    std::function<void(const SearchProgress&)> progress{};  // from any thread, one at a time
+    std::function<void(const SearchProgress&)> progress{};  // from the caller's thread
 };
 
 /// A cell beside the recording. In `likeness` the recording is the first, the cell the second.

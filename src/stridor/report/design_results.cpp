@@ -115,7 +115,7 @@ DesignResults basic_results(const Case& design, const std::stop_token& stop) {
 sweep::SweepResult chart_in_memory(const sweep::Study& study, int threads, const std::stop_token& stop) {
     const auto keeper = std::make_shared<sweep::MemoryKeeper>(study);
     sweep::RunOptions options;
-    options.threads = threads;
+    options.crew = crew::thread_crews(threads);
     options.stop = stop;
     sweep::run(study, *keeper, options);
     return sweep::load(study, keeper);  // throws where it was stopped

@@ -3,25 +3,17 @@
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/base/check.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/packed_text.hpp"
+#include "stridor/base/packed_bytes.hpp"
+#include "stridor/crew/compute.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/fork_join.hpp"
 #include "stridor/sweep/store/store.hpp"
-
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
+#include <memory>
 #include <utility>
 
 namespace stridor::sweep {
@@ -107,13 +99,10 @@ std::vector<double> beat_intervals(const record::Tally& tally) {
 }
 
 // nothing if it was stopped
-std::optional<DiagramCell> cell_at(const SweepResult& result, std::size_t index, const std::stop_token& stop,
+std::optional<DiagramCell> cell_at(const Study& study, const CellPlace& place, const std::stop_token& stop,
                                    integration::Workspace& workspace) {
-    const CellPlace place = shown_place(result, index);
-    const Case c = case_at(result.study, place);
-    const Direction direction = result.study.directions[place.direction];
-    // a joint that is carried along has no motion of its own
-    if (result.cells[index].quiet == classification::Quiet::sticks) return DiagramCell{};
+    const Case c = case_at(study, place);
+    const Direction direction = study.directions[place.direction];
     // an invalid case has no schedule
     if (!parameters::findings(c).empty()) return DiagramCell{};
     const std::vector<record::Span> spans = judged_spans(c, direction);
@@ -146,61 +135,60 @@ std::vector<double> numbers_in(base::Unpacking& unpacking) {
     return values;
 }
 
-class Drawing {
-public:
-    Drawing(const SweepResult& result, const DiagramOptions& options)
-        : result_(result),
-          options_(options),
-          cells_(result.cells.size()) {}
-
-    std::vector<DiagramCell> take() && {
-        namespace tbb = oneapi::tbb;
-        const int threads = options_.threads > 0 ? options_.threads : tbb::info::default_concurrency();
-        tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-        tbb::task_arena arena(threads);
-        tbb::enumerable_thread_specific<integration::Workspace> workspaces;
-        using IndexRange = tbb::blocked_range<std::size_t>;
-        const ForkJoin all;
-        const auto compute_range = [&](const IndexRange& range) {
-            const ForkJoin::Task task;
-            for (std::size_t k = range.begin(); k < range.end() && !options_.stop.stop_requested(); ++k)
-                compute(k, workspaces.local());
-        };
-        arena.execute(
-            [&] { tbb::parallel_for(IndexRange(0, cells_.size(), 1), compute_range, tbb::simple_partitioner()); });
-        all.join();
-        if (options_.stop.stop_requested())
-            throw Error(ErrorKind::interrupted, {"stopped while drawing the diagram", "what is computed is kept",
-                                                 "Run the same command again."});
-        return std::move(cells_);
-    }
-
-private:
-    void compute(std::size_t index, integration::Workspace& workspace) {
-        const std::optional<std::string> text = options_.kept == nullptr ? std::nullopt : options_.kept->find(index);
-        std::optional<DiagramCell> cell = text ? unpacked_diagram_cell(*text) : std::nullopt;
-        if (!cell) {
-            cell = cell_at(result_, index, options_.stop, workspace);
-            if (cell && options_.kept != nullptr) options_.kept->keep(index, packed(*cell));
-        }
-        if (cell) cells_[index] = std::move(*cell);
-        const std::lock_guard lock(mutex_);
-        ++done_;
-        if (options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(cells_.size()));
-    }
-
-    const SweepResult& result_;
-    const DiagramOptions& options_;
-    std::vector<DiagramCell> cells_;
-    std::mutex mutex_;  // guards done_
-    std::size_t done_ = 0;
-};
+// the start that a task says
+std::string bytes_of(std::size_t start) {
+    base::Packing packing;
+    packing.add(static_cast<std::uint64_t>(start));
+    return packing.take();
+}
 
 }  // namespace
 
+crew::Work diagram_work(const Study& study) {
+    crew::Work work;
+    work.text = diagram_text(study);
+    work.worker = [&study] {
+        return [&study, workspace = std::make_shared<integration::Workspace>()](
+                   const crew::Task& task, const std::stop_token& stop) -> std::optional<std::string> {
+            CellPlace place = place_of(study, task.number);
+            place.start = base::Unpacking(task.bytes).count();
+            const std::optional<DiagramCell> cell = cell_at(study, place, stop, *workspace);
+            return cell ? std::optional(packed(*cell)) : std::nullopt;
+        };
+    };
+    return work;
+}
+
 std::vector<DiagramCell> diagram(const SweepResult& result, const DiagramOptions& options) {
     STRIDOR_EXPECT(has_one_axis(result.study));
-    return Drawing(result, options).take();
+    std::vector<DiagramCell> cells(result.cells.size());
+    std::vector<crew::Task> tasks;
+    for (std::size_t index = 0; index < cells.size(); ++index) {
+        // a joint that is carried along has no motion of its own
+        if (result.cells[index].quiet == classification::Quiet::sticks) continue;
+        const std::optional<std::string> text = options.kept == nullptr ? std::nullopt : options.kept->find(index);
+        if (std::optional<DiagramCell> kept = text ? unpacked_diagram_cell(*text) : std::nullopt)
+            cells[index] = std::move(*kept);
+        else
+            tasks.push_back({index, bytes_of(shown_place(result, index).start)});
+    }
+    std::size_t done = cells.size() - tasks.size();
+    const auto take = [&](crew::Result computed) {
+        std::optional<DiagramCell> cell = unpacked_diagram_cell(computed.bytes);
+        if (!cell) throw crew::damaged_result();
+        cells[computed.number] = std::move(*cell);
+        if (options.kept != nullptr) options.kept->keep(computed.number, std::move(computed.bytes));
+        ++done;
+    };
+    const auto tick = [&] {
+        if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(cells.size()));
+    };
+    const std::unique_ptr<crew::Crew> crew = options.crew(diagram_work(result.study), options.stop);
+    crew::compute(*crew, std::move(tasks), take, tick);
+    if (done < cells.size())
+        throw Error(ErrorKind::interrupted,
+                    {"stopped while drawing the diagram", "what is computed is kept", "Run the same command again."});
+    return cells;
 }
 
 std::string diagram_text(const Study& study) {

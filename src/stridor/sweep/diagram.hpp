@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/crew/thread_crew.hpp"
 #include "stridor/storage/kept_results.hpp"
 #include "stridor/sweep/cell.hpp"
 
@@ -27,19 +28,23 @@ struct DiagramCell {
 
 /// How a diagram is computed.
 struct DiagramOptions {
-    int threads = 0;  // [1] 0: one per processor this process may use
+    crew::CrewMaker crew = crew::thread_crews();  // who computes
     std::stop_token stop{};
     storage::KeptResults* kept = nullptr;          // where cells are kept by their index; must outlive the call
-    std::function<void(double share)> progress{};  // from any thread, one at a time
+    std::function<void(double share)> progress{};  // from the caller's thread, ten times a second
 };
 
 /// The diagram of a finished sweep over one axis; shape [cell], empty ones where a cell has no result or the contact
 /// sticks for good. Each cell is run again with its trace, sampled every 20 us or 200,000 times, from the start that it
-/// shows. The same for any number of threads. Throws `Error` (interrupted) when stopped.
+/// shows. The same for every crew. Throws `Error` (interrupted) when stopped.
 std::vector<DiagramCell> diagram(const SweepResult& result, const DiagramOptions& options);
 
 /// All that decides a diagram, as text: for what is kept of it.
 std::string diagram_text(const Study& study);
+
+/// The runs of a diagram as the work of a crew: a task is a cell by its index, and says from which start it is run. The
+/// study must outlive the crew.
+crew::Work diagram_work(const Study& study);
 
 /// A cell as text, to be kept.
 std::string packed(const DiagramCell& cell);

@@ -1,27 +1,18 @@
 #include "stridor/sweep/points.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/base/sha256.hpp"
+#include "stridor/crew/compute.hpp"
 #include "stridor/parameters/case_key.hpp"
+#include "stridor/parameters/field.hpp"
 #include "stridor/sweep/evaluate.hpp"
-#include "stridor/sweep/fork_join.hpp"
+#include "stridor/sweep/store/store_layout.hpp"
+#include "stridor/sweep/study_work.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/partitioner.h>
-#include <oneapi/tbb/task_arena.h>
-
-#include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cmath>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
+#include <memory>
 #include <optional>
-#include <thread>
+#include <span>
 #include <utility>
 
 namespace stridor::sweep {
@@ -94,111 +85,50 @@ void check_resolved(const DesignPoints& points) {
     check_values(points);
 }
 
-/// The runs of all points on many threads, while the calling thread waits.
-class PointRuns {
-public:
-    PointRuns(const DesignPoints& points, std::stop_token stop)
-        : points_(points),
-          stop_(std::move(stop)),
-          cells_(point_count(points) * points.directions.size()),
-          runs_(run_count(points)) {}
-
-    void start(int threads) {
-        conductor_ = std::jthread([this, threads] { compute_all(threads); });
-    }
-
-    // the number of runs done, after so much time or at the end
-    std::size_t wait(std::chrono::milliseconds time) {
-        std::unique_lock lock(mutex_);
-        ended_.wait_for(lock, time, [&] { return is_over_; });
-        return done_;
-    }
-
-    bool has_ended() {
-        const std::lock_guard lock(mutex_);
-        return is_over_;
-    }
-
-    void give_up() { is_given_up_ = true; }
-
-    std::vector<Cell> result() {
-        conductor_.join();
-        if (failure_) std::rethrow_exception(failure_);
-        if (stop_.stop_requested())
-            throw Error(ErrorKind::interrupted,
-                        {"stopped after " + std::to_string(done_) + " of " + std::to_string(runs_) + " runs",
-                         "an evaluation that is stopped keeps nothing", "Run it again."});
-        return std::move(cells_);
-    }
-
-private:
-    bool is_stopped() const { return stop_.stop_requested() || is_given_up_; }
-
-    void compute_all(int threads) {
-        namespace tbb = oneapi::tbb;
-        const int count = threads > 0 ? threads : tbb::info::default_concurrency();
-        // the arena has that many places, the control that many threads, even beyond the number of processors
-        tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
-        tbb::task_arena arena(count);
-        tbb::enumerable_thread_specific<integration::Workspace> workspaces;
-        using IndexRange = tbb::blocked_range<std::size_t>;
-        const ForkJoin all;
-        const auto compute_range = [&](const IndexRange& range) {
-            const ForkJoin::Task task;
-            for (std::size_t run = range.begin(); run < range.end() && !is_stopped(); ++run)
-                compute(run, workspaces.local());
-        };
-        try {
-            arena.execute(
-                [&] { tbb::parallel_for(IndexRange(0, runs_, 1), compute_range, tbb::simple_partitioner()); });
-        } catch (...) {
-            keep_point_failure(std::current_exception());
-        }
-        all.join();
-        const std::lock_guard lock(mutex_);
-        is_over_ = true;
-        ended_.notify_one();
-    }
-
-    // a run of a constant drive gives one direction, any other all of them
-    void compute(std::size_t run, integration::Workspace& workspace) {
-        const std::size_t points = point_count(points_);
-        const std::size_t first = is_steady_drive(points_) ? run / points : 0;
-        const std::size_t last = is_steady_drive(points_) ? first + 1 : points_.directions.size();
-        const std::size_t point = run % points;
-        try {
-            const Case c = case_at(points_, point, points_.directions[first]);
-            const std::optional<Attempt> attempted = attempt(c, {}, stop_, workspace);
-            if (!attempted) return;
-            for (std::size_t k = first; k < last; ++k)
-                cells_[k * points + point] = cell_of(c, points_.directions[k], *attempted);
-            ++done_;
-        } catch (...) {
-            // kept here: TBB drops an exception that comes after another
-            keep_point_failure(std::current_exception());
-            give_up();
-        }
-    }
-
-    void keep_point_failure(std::exception_ptr failure) {
-        const std::lock_guard lock(mutex_);
-        if (!failure_) failure_ = std::move(failure);
-    }
-
-    const DesignPoints& points_;
-    std::stop_token stop_;
-    std::vector<Cell> cells_;  // shape [direction][point], each written by one task
-    std::size_t runs_;
-    std::atomic<std::size_t> done_ = 0;
-    std::atomic<bool> is_given_up_ = false;
-
-    std::mutex mutex_;  // guards the members below
-    std::condition_variable ended_;
-    bool is_over_ = false;
-    std::exception_ptr failure_;
-
-    std::jthread conductor_;  // last, so that it ends before what it uses
+// where the cells of a run stand, shape [direction][point]: one of a constant drive gives one direction, any other all
+struct RunPlace {
+    std::size_t point = 0;
+    std::size_t first = 0;  // into the directions
+    std::size_t last = 0;   // behind the last one
 };
+
+RunPlace place_of_run(const DesignPoints& points, std::size_t run) {
+    const std::size_t count = point_count(points);
+    if (!is_steady_drive(points)) return {run, 0, points.directions.size()};
+    return {run % count, run / count, run / count + 1};
+}
+
+// nothing if it was stopped
+std::optional<std::string> computed_run(const DesignPoints& points, std::size_t run, const std::stop_token& stop,
+                                        integration::Workspace& workspace) {
+    const RunPlace place = place_of_run(points, run);
+    const Case c = case_at(points, place.point, points.directions[place.first]);
+    const std::optional<Attempt> attempted = attempt(c, {}, stop, workspace);
+    if (!attempted) return std::nullopt;
+    std::vector<Cell> cells;
+    for (std::size_t k = place.first; k < place.last; ++k)
+        cells.push_back(cell_of(c, points.directions[k], *attempted));
+    return packed(cells);
+}
+
+// a task is the number of a run
+crew::Work work_of(const DesignPoints& points) {
+    crew::Work work;
+    work.text = "points\n" + parameters::canonical_text(points.base);
+    for (const std::string& key : points.keys)
+        work.text += "key = " + key + "\n";
+    const std::span values = std::as_bytes(std::span(points.values));
+    work.text +=
+        "values = " + base::sha256_text(std::string(reinterpret_cast<const char*>(values.data()), values.size())) +
+        "\nresults = " + std::to_string(results_version) + "\n";
+    work.worker = [&points] {
+        return [&points, workspace = std::make_shared<integration::Workspace>()](const crew::Task& task,
+                                                                                 const std::stop_token& stop) {
+            return computed_run(points, task.number, stop, *workspace);
+        };
+    };
+    return work;
+}
 
 }  // namespace
 
@@ -225,18 +155,25 @@ void check(const DesignPoints& points) {
 std::vector<Cell> evaluate(const DesignPoints& asked, const PointOptions& options) {
     const DesignPoints points = resolved(asked);
     check_resolved(points);
-    PointRuns runs(points, options.stop);
-    runs.start(options.threads);
-    try {
-        while (!runs.has_ended()) {
-            const std::size_t done = runs.wait(std::chrono::milliseconds(100));
-            if (options.progress) options.progress(done);
-        }
-    } catch (...) {
-        runs.give_up();
-        throw;
-    }
-    return runs.result();
+    const std::size_t count = point_count(points);
+    std::vector<Cell> cells(count * points.directions.size());
+    std::size_t done = 0;
+    const auto take = [&](const crew::Result& result) {
+        std::size_t direction = place_of_run(points, result.number).first;
+        for (Cell& cell : unpacked_cells(result.bytes))
+            cells[direction++ * count + place_of_run(points, result.number).point] = std::move(cell);
+        ++done;
+    };
+    const auto tick = [&] {
+        if (options.progress) options.progress(done);
+    };
+    const std::unique_ptr<crew::Crew> crew = options.crew(work_of(points), options.stop);
+    crew::compute(*crew, crew::numbered_tasks(run_count(points)), take, tick);
+    if (done < run_count(points))
+        throw Error(ErrorKind::interrupted,
+                    {"stopped after " + std::to_string(done) + " of " + std::to_string(run_count(points)) + " runs",
+                     "an evaluation that is stopped keeps nothing", "Run it again."});
+    return cells;
 }
 
 }  // namespace stridor::sweep

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stridor/crew/thread_crew.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/sweep/cell.hpp"
 
@@ -25,7 +26,7 @@ std::size_t point_count(const DesignPoints& points);
 
 /// How they are computed.
 struct PointOptions {
-    int threads = 0;  // [1] 0: one per processor this process may use
+    crew::CrewMaker crew = crew::thread_crews();  // who computes
     std::stop_token stop{};
     std::function<void(std::size_t done)> progress{};  // runs done; from the caller's thread, ten times a second
 };
@@ -42,7 +43,7 @@ void check(const DesignPoints& points);
 
 /// The cells of all points: what a chart has where its axes take these values. Shape [direction][point].
 ///
-/// The same bits for any number of threads. What goes wrong with the physics, the numbers or values that contradict
+/// The same bits for every crew. What goes wrong with the physics, the numbers or values that contradict
 /// each other becomes the cell's status. Throws what `check` does, and `Error` (interrupted) when stopped.
 std::vector<Cell> evaluate(const DesignPoints& points, const PointOptions& options = {});
 

@@ -3,7 +3,7 @@
 #include "stridor/base/check.hpp"
 #include "stridor/sweep/agenda.hpp"
 #include "stridor/sweep/refinement.hpp"
-#include "stridor/sweep/thread_crew.hpp"
+#include "stridor/sweep/study_work.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -17,7 +17,7 @@ namespace stridor::sweep {
 
 namespace {
 
-using Clock = Crew::Clock;
+using Clock = crew::Crew::Clock;
 using Seconds = std::chrono::duration<double>;
 
 // ten reports a second: more than an eye follows, and a reaction to a stop within that time
@@ -194,10 +194,32 @@ private:
     std::size_t since_ = 0;  // [1] cells that became known since the last look
 };
 
+std::vector<crew::Task> tasks_of(std::span<const std::size_t> runs) {
+    std::vector<crew::Task> tasks(runs.size());
+    for (std::size_t k = 0; k < runs.size(); ++k)
+        tasks[k].number = runs[k];
+    return tasks;
+}
+
+// a run gives the same place in one direction after the other
+std::vector<IndexedCell> cells_of(const Study& study, std::span<const crew::Result> results) {
+    const std::size_t stride = cell_count(study) / study.directions.size();
+    std::vector<IndexedCell> cells;
+    cells.reserve(results.size() * directions_per_run(study));
+    for (const crew::Result& result : results) {
+        std::size_t index = result.number;
+        for (Cell& cell : unpacked_cells(result.bytes)) {
+            cells.push_back({index, std::move(cell)});
+            index += stride;
+        }
+    }
+    return cells;
+}
+
 }  // namespace
 
 RunReport run(const Study& study, CellKeeper& keeper, const RunOptions& options) {
-    STRIDOR_EXPECT(options.threads >= 0 && options.cells_per_commit > 0);
+    STRIDOR_EXPECT(options.cells_per_commit > 0);
     Plan plan(study, keeper, options);
     Ledger ledger(keeper, options);
     ledger.expect(plan.there(), plan.to_come());
@@ -207,12 +229,12 @@ RunReport run(const Study& study, CellKeeper& keeper, const RunOptions& options)
     };
     if (plan.to_come() == 0) return report(SweepEnding::completed);
 
-    const CrewMaker make = options.crew ? options.crew : thread_crews(options.threads);
-    const std::unique_ptr<Crew> crew = make(study, options.stop);
+    const std::unique_ptr<crew::Crew> crew = options.crew(work_of(study), options.stop);
+    const std::size_t enough = std::max<std::size_t>(options.cells_per_commit / directions_per_run(study), 1);
     Agenda& agenda = plan.agenda();
     for (;;) {
-        if (const std::size_t most = crew->appetite(agenda.left()); most > 0) crew->give(agenda.next(most));
-        std::vector<IndexedCell> cells = crew->take(options.cells_per_commit, Clock::now() + tick);
+        if (const std::size_t most = crew->appetite(agenda.left()); most > 0) crew->give(tasks_of(agenda.next(most)));
+        std::vector<IndexedCell> cells = cells_of(study, crew->take(enough, Clock::now() + tick));
         plan.note(cells);
         ledger.take(std::move(cells));
         const bool is_idle = crew->is_idle();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/sweep/crew.hpp"
+#include "stridor/crew/thread_crew.hpp"
 #include "stridor/sweep/store/keeper.hpp"
 #include "stridor/sweep/store/share.hpp"
 #include "stridor/sweep/study.hpp"
@@ -21,7 +21,7 @@ struct Progress {
 
 /// How a sweep is computed.
 struct RunOptions {
-    int threads = 0;                                // [1] 0: one per processor this process may use
+    crew::CrewMaker crew = crew::thread_crews();    // who computes
     std::stop_token stop;                           // asks for an early end
     std::function<void(const Progress&)> progress;  // called from the caller's thread, at most ten times a second
     std::function<void()> round;          // called likewise whenever a round of refinement is done and kept and another
@@ -29,7 +29,6 @@ struct RunOptions {
     std::size_t cells_per_commit = 4096;  // [1] so many finished cells, or
     double seconds_per_commit = 0.5;      // [s] so much time, may be lost to a kill
     Share share{};                        // compute the cells of this share only
-    CrewMaker crew{};                     // who computes; nothing: `threads` threads of this process
 };
 
 /// How a sweep ended.

@@ -164,9 +164,9 @@ TEST(Advice, IsTheSameForAnyNumberOfThreads) {
     options.over = {{"contact.kinetic_friction"}, {"joint.incidence_angle", 60.0, 80.0}};
     options.tolerances = {{"preload", 0.1, {}}};
     options.chance.samples = 64;
-    options.threads = 1;
+    options.crew = crew::thread_crews(1);
     const Advice one = advise(brief(squeal), options);
-    options.threads = 3;
+    options.crew = crew::thread_crews(3);
     const Advice three = advise(brief(squeal), options);
     EXPECT_EQ(one.runs, three.runs);
     EXPECT_EQ(one.ranking, three.ranking);

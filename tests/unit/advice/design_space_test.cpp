@@ -90,10 +90,11 @@ TEST(DesignSpace, LeavesTheDriveAloneUnlessAskedForIt) {
 
 TEST(DesignSpace, KeepsTheBitsOfWhatStays) {
     const DesignSpace space = design_space(squeal_case);
-    EXPECT_EQ(parameters::canonical_text(design_at(space, space.origin)), parameters::canonical_text(squeal_case));
+    EXPECT_EQ(parameters::canonical_text(case_of(space, design_at(space, space.origin))),
+              parameters::canonical_text(squeal_case));
     Shares shares = space.origin;
     shares.front() = 0.0;
-    const Case changed = design_at(space, shares);
+    const Case changed = case_of(space, design_at(space, shares));
     EXPECT_EQ(changed.joint.mass, space.parameters.front().from);
     EXPECT_EQ(changed.contact.preload, squeal_case.contact.preload);
 }
@@ -160,14 +161,14 @@ TEST(DesignSpace, OfSeveralJointsHasEachWithItsOwnQuantities) {
     EXPECT_TRUE(has("joint.lower.contact.preload"));
     EXPECT_TRUE(has("plate.mass"));
     EXPECT_FALSE(has("contact.preload"));
-    EXPECT_EQ(parameters::canonical_text(design_at(space, space.origin)),
+    EXPECT_EQ(parameters::canonical_text(case_of(space, design_at(space, space.origin))),
               parameters::canonical_text(parameters::two_lips()));
 }
 
 TEST(DesignSpace, OfSeveralJointsChangesTheJointThatIsNamed) {
     const std::vector<AskedRange> asked{{"joint.lower.F", 20.0, 400.0}, {"joint.upper.alpha", 30.0, 80.0}};
     const DesignSpace space = design_space(parameters::two_lips(), asked);
-    const Case c = design_at(space, {1.0, 0.0});
+    const Case c = case_of(space, design_at(space, {1.0, 0.0}));
     EXPECT_EQ(c.further_joints[0].contact.preload, 400.0);
     EXPECT_EQ(c.contact.preload, 200.0);
     EXPECT_EQ(c.joint.incidence_angle, 30.0);
@@ -176,7 +177,7 @@ TEST(DesignSpace, OfSeveralJointsChangesTheJointThatIsNamed) {
 TEST(DesignSpace, OfSeveralJointsChangesAllThatAreAlikeAtOnce) {
     const std::vector<AskedRange> asked{{"preload", 20.0, 400.0}};
     const DesignSpace space = design_space(parameters::two_lips(), asked);
-    const Case c = design_at(space, {1.0});
+    const Case c = case_of(space, design_at(space, {1.0}));
     EXPECT_EQ(c.contact.preload, 400.0);
     EXPECT_EQ(c.further_joints[0].contact.preload, 400.0);
     // 70 and 60 degrees are no one design

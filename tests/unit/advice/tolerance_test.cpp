@@ -224,9 +224,10 @@ TEST(Chance, AgreesWithBruteForce) {
     c.contact.kinetic_friction = 0.4;  // the boundary of squeal is at 0.414
     const std::vector<AskedTolerance> asked{{"preload", 0.5, {}}, {"mu_d", {}, 0.1}};
     const std::vector<Tolerance> spreads = tolerances(c, asked);
-    DesignRunner runner(0, {});
+    const DesignSpace space = design_space(c);
+    DesignRunner runner(space, crew::thread_crews(), {});
     const std::size_t samples = support::effort<std::size_t>(2048, 256);
-    const Chance known = chance(design_space(c), spreads, {samples, 1}, runner);
+    const Chance known = chance(spreads, {samples, 1}, runner);
     EXPECT_EQ(known.samples, samples);
     const double brute = brute_force(c, spreads, support::effort<std::size_t>(2000, 256));
     // the brute estimate has an uncertainty of its own: four standard deviations
@@ -242,9 +243,10 @@ TEST(Chance, IsTheSameForAnyNumberOfThreads) {
     const std::vector<AskedTolerance> asked{{"mu_d", {}, 0.1}};
     const std::vector<Tolerance> spreads = tolerances(quiet, asked);
     std::vector<double> shares;
+    const DesignSpace space = design_space(quiet);
     for (const int threads : {1, 3}) {
-        DesignRunner runner(threads, {});
-        shares.push_back(chance(design_space(quiet), spreads, {64, 5}, runner).noise.share);
+        DesignRunner runner(space, crew::thread_crews(threads), {});
+        shares.push_back(chance(spreads, {64, 5}, runner).noise.share);
     }
     EXPECT_EQ(shares[0], shares[1]);
 }
@@ -255,8 +257,9 @@ TEST(Chance, NeverCallsWhatCannotBeQuiet) {
     c.contact.static_friction = 0.2;
     const std::vector<AskedTolerance> asked{{"mu_d", {}, 0.05}};
     const std::vector<Tolerance> spreads = tolerances(c, asked);
-    DesignRunner runner(0, {});
-    const Chance known = chance(design_space(c), spreads, {256, 1}, runner);
+    const DesignSpace space = design_space(c);
+    DesignRunner runner(space, crew::thread_crews(), {});
+    const Chance known = chance(spreads, {256, 1}, runner);
     const std::size_t invalid = sweep::number_of({sweep::Status::invalid, classification::Category::undecided});
     EXPECT_NEAR(known.by_verdict[invalid].share, 0.5, 0.01);
     EXPECT_GE(known.not_quiet.share, known.by_verdict[invalid].share);

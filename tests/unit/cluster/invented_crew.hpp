@@ -1,7 +1,8 @@
 #pragma once
 
-#include "stridor/sweep/crew.hpp"
+#include "stridor/crew/crew.hpp"
 #include "stridor/sweep/refinement.hpp"
+#include "stridor/sweep/study_work.hpp"
 #include "support/small_study.hpp"
 
 #include <cmath>
@@ -47,12 +48,27 @@ inline Cell invented_cell(const Study& study, std::size_t index) {
     return cell;
 }
 
-/// Computes invented cells in its owner's thread: a few at each look, in any order.
-class InventedCrew final : public sweep::Crew {
+/// Invented cells as a work.
+inline crew::Work invented_work(const Study& study) {
+    crew::Work work = sweep::work_of(study);
+    work.worker = [&study] {
+        return [&study](const crew::Task& task, const std::stop_token&) -> std::optional<std::string> {
+            const std::size_t stride = sweep::cell_count(study) / study.directions.size();
+            std::vector<Cell> cells;
+            for (std::size_t k = 0; k < sweep::directions_per_run(study); ++k)
+                cells.push_back(invented_cell(study, task.number + k * stride));
+            return sweep::packed(cells);
+        };
+    };
+    return work;
+}
+
+/// Computes in its owner's thread: a few tasks at each look, in any order.
+class OwnersCrew final : public crew::Crew {
 public:
     /// `turn` is called at each look: what else happens meanwhile.
-    InventedCrew(const Study& study, std::stop_token stop, std::mt19937_64& random, std::function<void()> turn)
-        : study_(study),
+    OwnersCrew(const crew::Work& work, std::stop_token stop, std::mt19937_64& random, std::function<void()> turn)
+        : worker_(work.worker()),
           stop_(std::move(stop)),
           random_(random),
           turn_(std::move(turn)) {}
@@ -61,34 +77,30 @@ public:
         return stop_.stop_requested() || queue_.size() > 4 ? 0 : std::min<std::size_t>(left, 8);
     }
 
-    void give(std::vector<std::size_t> runs) override { queue_.insert(queue_.end(), runs.begin(), runs.end()); }
+    void give(std::vector<crew::Task> tasks) override { queue_.insert(queue_.end(), tasks.begin(), tasks.end()); }
 
-    std::vector<IndexedCell> take(std::size_t, Clock::time_point) override {
+    std::vector<crew::Result> take(std::size_t, Clock::time_point) override {
         if (turn_) turn_();
-        std::vector<IndexedCell> cells;
-        const std::size_t stride = sweep::cell_count(study_) / study_.directions.size();
+        std::vector<crew::Result> results;
         for (std::size_t left = random_() % 4; left > 0 && !queue_.empty() && !stop_.stop_requested(); --left) {
             std::swap(queue_.front(), queue_[random_() % queue_.size()]);
-            for (std::size_t k = 0; k < sweep::directions_per_run(study_); ++k) {
-                const std::size_t index = queue_.front() + k * stride;
-                cells.push_back({index, invented_cell(study_, index)});
-            }
+            results.push_back({queue_.front().number, worker_(queue_.front(), stop_).value()});
             queue_.pop_front();
         }
-        return cells;
+        return results;
     }
 
     bool is_idle() override { return queue_.empty() || stop_.stop_requested(); }
     bool has_stopped() override { return stop_.stop_requested(); }
     void rethrow() override {}
-    double seconds_per_run() override { return 0.01; }
+    double seconds_per_task() override { return 0.01; }
 
 private:
-    const Study& study_;
+    crew::Worker worker_;
     std::stop_token stop_;
     std::mt19937_64& random_;
     std::function<void()> turn_;
-    std::deque<std::size_t> queue_;
+    std::deque<crew::Task> queue_;
 };
 
 }  // namespace stridor::cluster

@@ -2,11 +2,9 @@
 
 #include "support/error_text.hpp"
 #include "support/property.hpp"
-#include "unit/cluster/invented_crew.hpp"
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <string>
 
 namespace stridor::cluster {
@@ -15,17 +13,10 @@ namespace {
 using support::thrown_by;
 
 std::vector<Message> one_of_each() {
-    const Study study = invented_study(9, 0);
-    std::vector<IndexedCell> cells;
-    for (const std::size_t index : {0U, 17U, 62U})
-        cells.push_back({index, invented_cell(study, index)});
-    sweep::set_figure(cells[0].cell, sweep::cell_figures()[2], -0.0);
-    sweep::set_figure(cells[0].cell, sweep::cell_figures()[3], std::numeric_limits<double>::quiet_NaN());
-    cells[1].cell.starts = {{sweep::Status::done, classification::Category::creak}, {sweep::Status::failed, {}}};
-    cells[1].cell.agreement = sweep::Agreement::differ;
-    return {Hello{"stridor 1", "abc", "n1", 3},
-            Batch{{5, 6, std::size_t{1} << 31U}},
-            Cells{cells, 0.25},
+    return {Begin{"stridor 1", "abc", "n0"},
+            Hello{"n1", 3},
+            Batch{{{5, ""}, {std::size_t{1} << 31U, "of two"}}},
+            Delivery{{{5, std::string("\0\1", 2)}, {7, ""}}, 0.25},
             Alive{},
             Stop{},
             Stopped{},
@@ -34,28 +25,21 @@ std::vector<Message> one_of_each() {
             Bye{}};
 }
 
-TEST(Message, CellsComeBackBitForBit) {
-    const Message sent = one_of_each()[2];
-    const auto received = std::get<Cells>(unpack(pack(sent)));
-    const auto& cells = std::get<Cells>(sent).cells;
-    ASSERT_EQ(received.cells.size(), cells.size());
-    EXPECT_EQ(received.seconds_per_run, 0.25);
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-        EXPECT_EQ(received.cells[k].index, cells[k].index);
-        EXPECT_TRUE(sweep::same_cell(received.cells[k].cell, cells[k].cell)) << k;
-    }
-}
-
 TEST(Message, EachComesBackAsWhatItWas) {
     for (const Message& message : one_of_each()) {
         const Message received = unpack(pack(message));
         EXPECT_EQ(received.index(), message.index());
         EXPECT_EQ(pack(received), pack(message));
     }
-    const auto failure = std::get<Failure>(unpack(pack(one_of_each()[6])));
+    const auto failure = std::get<Failure>(unpack(pack(one_of_each()[7])));
     EXPECT_EQ(failure.kind, ErrorKind::numerical);
     EXPECT_EQ(failure.problem.suggestion, "and now?");
-    EXPECT_EQ(std::get<Batch>(unpack(pack(one_of_each()[1]))).runs.back(), std::size_t{1} << 31U);
+    const auto batch = std::get<Batch>(unpack(pack(one_of_each()[2])));
+    EXPECT_EQ(batch.tasks.back().number, std::size_t{1} << 31U);
+    EXPECT_EQ(batch.tasks.back().bytes, "of two");
+    const auto results = std::get<Delivery>(unpack(pack(one_of_each()[3])));
+    EXPECT_EQ(results.seconds_per_task, 0.25);
+    EXPECT_EQ(results.results.front().bytes, std::string("\0\1", 2));
 }
 
 TEST(Message, IsRefusedWhereItIsTornOrTooLong) {

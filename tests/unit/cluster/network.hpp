@@ -1,7 +1,6 @@
 #pragma once
 
 #include "stridor/cluster/hand.hpp"
-#include "stridor/cluster/hello.hpp"
 #include "stridor/cluster/post.hpp"
 #include "stridor/cluster/timing.hpp"
 #include "unit/cluster/invented_crew.hpp"
@@ -22,26 +21,33 @@ class Network {
 public:
     using Clock = Timing::Clock;
 
-    Network(const Study& study, int ranks, std::uint64_t seed) : study_(study), random_(seed) {
+    /// The works are those of the command that all ranks run.
+    Network(std::vector<crew::Work> works, int ranks, std::uint64_t seed) : works_(std::move(works)), random_(seed) {
         for (int rank = 0; rank < ranks; ++rank)
             posts_.push_back(std::make_unique<MemoryPost>(*this, rank, ranks));
-        for (int rank = 1; rank < ranks; ++rank)
-            hands_.push_back(std::make_unique<Hand>(post(rank), study, hand_options()));
+        for (int rank = 1; rank < ranks; ++rank) {
+            others_.push_back({std::make_unique<Hand>(post(rank), timing(nullptr))});
+            go_on(others_.back());
+        }
     }
 
     Post& post(int rank) { return *posts_[static_cast<std::size_t>(rank)]; }
     std::mt19937_64& random() { return random_; }
     Clock::time_point now() const { return now_; }
-    std::size_t hands() const { return hands_.size(); }
+    std::size_t hands() const { return others_.size(); }
 
     /// Rank 0 has waited a moment: time goes on, and so do some of the others, in any order.
     void turn() {
         now_ += std::chrono::microseconds(random_() % 20000);
-        for (std::size_t left = random_() % (2 * hands_.size() + 1); left > 0; --left) {
-            const std::size_t chosen = random_() % hands_.size();
-            if (!dead_.contains(chosen)) hands_[chosen]->step();
+        for (std::size_t left = random_() % (2 * others_.size() + 1); left > 0; --left) {
+            const std::size_t chosen = random_() % others_.size();
+            Other& other = others_[chosen];
+            if (!dead_.contains(chosen) && other.works <= works_.size() && !other.hand->step()) go_on(other);
         }
     }
+
+    /// How many results others than rank 0 have handed over.
+    std::size_t results_of_others() const { return results_of_others_; }
 
     /// A rank does nothing any more.
     void kill(std::size_t hand) { dead_.insert(hand); }
@@ -74,16 +80,22 @@ private:
         int ranks_;
     };
 
-    HandOptions hand_options() {
-        HandOptions options;
-        options.crew = [this](const Study& study, const std::stop_token& stop) {
-            return std::make_unique<InventedCrew>(study, stop, random_, nullptr);
+    // another rank, and how many works it has come upon
+    struct Other {
+        std::unique_ptr<Hand> hand;
+        std::size_t works = 0;
+    };
+
+    void go_on(Other& other) {
+        const auto crew = [this](const crew::Work& work, const std::stop_token& stop) {
+            return std::make_unique<OwnersCrew>(work, stop, random_, nullptr);
         };
-        options.timing = timing(nullptr);
-        return options;
+        if (++other.works <= works_.size()) other.hand->take_up(works_[other.works - 1], {1, crew});
     }
 
     void send(int from, int to, std::string bytes) {
+        if (const Message message = unpack(bytes); const Delivery* results = std::get_if<Delivery>(&message))
+            results_of_others_ += results->results.size();
         std::deque<Sent>& wire = wires_[{from, to}];
         Clock::time_point arrives = now_ + std::chrono::microseconds(random_() % 20000);
         // none overtakes another of its sender
@@ -103,13 +115,14 @@ private:
         return letter;
     }
 
-    const Study& study_;
+    std::vector<crew::Work> works_;
     std::mt19937_64 random_;
     Clock::time_point now_ = Clock::now();
     std::map<std::pair<int, int>, std::deque<Sent>> wires_;
     std::vector<std::unique_ptr<MemoryPost>> posts_;
-    std::vector<std::unique_ptr<Hand>> hands_;
+    std::vector<Other> others_;
     std::set<std::size_t> dead_;
+    std::size_t results_of_others_ = 0;
 };
 
 }  // namespace stridor::cluster

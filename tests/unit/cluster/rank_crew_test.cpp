@@ -1,13 +1,11 @@
 #include "stridor/cluster/rank_crew.hpp"
 
-#include "stridor/sweep/run.hpp"
-#include "stridor/sweep/store/keeper.hpp"
+#include "stridor/cluster/hello.hpp"
+#include "stridor/crew/compute.hpp"
 #include "support/error_text.hpp"
 #include "unit/cluster/network.hpp"
 
 #include <gtest/gtest.h>
-
-#include <numeric>
 
 namespace stridor::cluster {
 namespace {
@@ -30,11 +28,11 @@ protected:
 
     RankCrew crew() {
         RankCrewOptions options;
-        options.crew = [this](const Study& study, const std::stop_token& stop) {
-            return std::make_unique<InventedCrew>(study, stop, random_, nullptr);
+        options.crew = [this](const crew::Work& work, const std::stop_token& stop) {
+            return std::make_unique<OwnersCrew>(work, stop, random_, nullptr);
         };
         options.timing = {[this] { return now_; }, [this](Timing::Clock::duration time) { now_ += time; }};
-        return {*this, study_, stop_.get_token(), std::move(options)};
+        return {*this, work_, stop_.get_token(), std::move(options)};
     }
 
     template <typename Kind>
@@ -46,11 +44,12 @@ protected:
     }
 
     // all that comes while the clock runs for so long
-    std::vector<IndexedCell> taken(RankCrew& crew, std::chrono::milliseconds time) {
+    std::vector<crew::Result> taken(RankCrew& crew, std::chrono::milliseconds time) {
         return crew.take(1U << 20U, now_ += time);
     }
 
     Study study_ = invented_study(9, 0);
+    crew::Work work_ = invented_work(study_);
     std::mt19937_64 random_{1};
     Timing::Clock::time_point now_ = Timing::Clock::now();
     std::stop_source stop_;
@@ -58,69 +57,61 @@ protected:
     std::vector<Message> sent_;
 };
 
-TEST_F(Led, ARankThatRunsAnotherProgramIsRefused) {
-    RankCrew led = crew();
-    Hello hello = hello_of(study_, 1);
-    hello.build = "stridor of last year";
-    said_.push_back(hello);
-    taken(led, std::chrono::milliseconds(1));
-    const Thrown thrown = thrown_by([&] { led.rethrow(); });
-    EXPECT_EQ(thrown.kind, ErrorKind::input);
-    EXPECT_TRUE(thrown.says("rank 1 on")) << thrown.message;
-    EXPECT_TRUE(thrown.says("stridor of last year there")) << thrown.message;
-    EXPECT_TRUE(led.has_stopped());
+TEST_F(Led, SaysWhatItBegins) {
+    const RankCrew led = crew();
+    ASSERT_EQ(sent<Begin>().size(), 1U);
+    EXPECT_EQ(sent<Begin>()[0].work, begin_of(work_).work);
 }
 
-TEST_F(Led, ARankThatReadsAnotherChartIsRefused) {
+TEST_F(Led, DoesNotListenToWhatIsOfTheWorkBefore) {
     RankCrew led = crew();
-    Study other = study_;
-    other.x.points += 1;
-    said_.push_back(hello_of(other, 1));
-    taken(led, std::chrono::milliseconds(1));
-    EXPECT_TRUE(thrown_by([&] { led.rethrow(); }).says("reads another chart"));
+    said_.push_back(Delivery{{{3, "of the work before"}}, 0.01});
+    said_.push_back(Stopped{});
+    said_.push_back(Hello{"n1", 1});
+    EXPECT_TRUE(taken(led, std::chrono::milliseconds(1)).empty());
+    EXPECT_GT(led.appetite(1000), 8U) << "the rank has not stopped";
 }
 
 TEST_F(Led, GivesNothingToWhoHasNotSaidHello) {
     RankCrew led = crew();
-    led.give({0, 1, 2, 3, 4, 5, 6, 7});
+    led.give(crew::numbered_tasks(8));
     EXPECT_TRUE(sent<Batch>().empty());
-    said_.push_back(hello_of(study_, 3));
+    said_.push_back(Hello{"n1", 3});
     taken(led, std::chrono::milliseconds(1));
     EXPECT_GE(led.appetite(1000), 6U);
 }
 
 TEST_F(Led, GivesNeighboursInBatchesOfATenthOfASecond) {
     RankCrew led = crew();
-    said_.push_back(hello_of(study_, 2));
-    said_.push_back(Cells{{}, 0.01});
+    said_.push_back(Hello{"n1", 2});
+    said_.push_back(Delivery{{}, 0.01});
     taken(led, std::chrono::milliseconds(1));
-    std::vector<std::size_t> runs(led.appetite(10000));
-    std::iota(runs.begin(), runs.end(), std::size_t{0});
-    led.give(runs);
+    led.give(crew::numbered_tasks(led.appetite(10000)));
     ASSERT_EQ(sent<Batch>().size(), 1U);
-    // two threads at 10 ms a run
-    runs.resize(20);
-    EXPECT_EQ(sent<Batch>()[0].runs, runs);
+    // two threads at 10 ms a task
+    ASSERT_EQ(sent<Batch>()[0].tasks.size(), 20U);
+    for (std::size_t k = 0; k < 20; ++k)
+        EXPECT_EQ(sent<Batch>()[0].tasks[k].number, k);
     // a second batch ahead, and then none
-    led.give(std::vector<std::size_t>(led.appetite(10000), 7));
+    led.give(crew::numbered_tasks(led.appetite(10000)));
     EXPECT_EQ(sent<Batch>().size(), 2U);
-    led.give(std::vector<std::size_t>(led.appetite(10000), 7));
+    led.give(crew::numbered_tasks(led.appetite(10000)));
     EXPECT_EQ(sent<Batch>().size(), 2U);
 }
 
 TEST_F(Led, GivesSmallerBatchesTowardsTheEnd) {
     RankCrew led = crew();
-    said_.push_back(hello_of(study_, 8));
-    said_.push_back(Cells{{}, 0.001});
+    said_.push_back(Hello{"n1", 8});
+    said_.push_back(Delivery{{}, 0.001});
     taken(led, std::chrono::milliseconds(1));
     // two ranks, four batches for each
-    led.give(std::vector<std::size_t>(led.appetite(80), 3));
-    EXPECT_EQ(sent<Batch>()[0].runs.size(), 10U);
+    led.give(crew::numbered_tasks(led.appetite(80)));
+    EXPECT_EQ(sent<Batch>()[0].tasks.size(), 10U);
 }
 
 TEST_F(Led, WhatARankFailsWithComesOut) {
     RankCrew led = crew();
-    said_.push_back(hello_of(study_, 1));
+    said_.push_back(Hello{"n1", 1});
     said_.push_back(Failure{ErrorKind::numerical, {"no roots", "the matrix is empty", ""}});
     taken(led, std::chrono::milliseconds(1));
     EXPECT_EQ(thrown_by([&] { led.rethrow(); }).kind, ErrorKind::numerical);
@@ -130,14 +121,14 @@ TEST_F(Led, WhatARankFailsWithComesOut) {
 
 TEST_F(Led, KeepsWhatARankHandsOverAfterAStop) {
     RankCrew led = crew();
-    said_.push_back(hello_of(study_, 1));
+    said_.push_back(Hello{"n1", 1});
     taken(led, std::chrono::milliseconds(1));
-    led.give(std::vector<std::size_t>(led.appetite(100), 3));
+    led.give(crew::numbered_tasks(led.appetite(100)));
     stop_.request_stop();
     taken(led, std::chrono::milliseconds(1));
     EXPECT_EQ(sent<Stop>().size(), 1U);
     EXPECT_FALSE(led.is_idle()) << "it may have finished some";
-    said_.push_back(Cells{{{3, invented_cell(study_, 3)}}, 0.01});
+    said_.push_back(Delivery{{{3, "result"}}, 0.01});
     said_.push_back(Stopped{});
     EXPECT_EQ(taken(led, std::chrono::milliseconds(1)).size(), 1U);
     EXPECT_TRUE(led.is_idle());
@@ -145,9 +136,9 @@ TEST_F(Led, KeepsWhatARankHandsOverAfterAStop) {
 
 TEST_F(Led, DoesNotWaitForEverForWhoDoesNotStop) {
     RankCrew led = crew();
-    said_.push_back(hello_of(study_, 1));
+    said_.push_back(Hello{"n1", 1});
     taken(led, std::chrono::milliseconds(1));
-    led.give(std::vector<std::size_t>(led.appetite(100), 3));
+    led.give(crew::numbered_tasks(led.appetite(100)));
     stop_.request_stop();
     taken(led, std::chrono::milliseconds(1));
     now_ += std::chrono::milliseconds(500);
@@ -156,9 +147,9 @@ TEST_F(Led, DoesNotWaitForEverForWhoDoesNotStop) {
 
 TEST_F(Led, SaysWhichRankIsSilent) {
     RankCrew led = crew();
-    said_.push_back(hello_of(study_, 1));
+    said_.push_back(Hello{"n1", 1});
     taken(led, std::chrono::milliseconds(1));
-    led.give(std::vector<std::size_t>(led.appetite(100), 3));
+    led.give(crew::numbered_tasks(led.appetite(100)));
     now_ += std::chrono::seconds(59);
     said_.push_back(Alive{});
     taken(led, std::chrono::milliseconds(1));

@@ -76,10 +76,10 @@ TEST(Hearing, IsTheSameForEveryNumberOfThreads) {
     const sweep::Study study = audible_study();
     HearingOptions options;
     options.perturb_every = 11;
-    options.threads = 1;
+    options.crew = crew::thread_crews(1);
     const std::vector<HeardSound> one = hear(study, options);
     ASSERT_EQ(one.size(), sweep::cell_count(study));
-    options.threads = 3;
+    options.crew = crew::thread_crews(3);
     const std::vector<HeardSound> three = hear(study, options);
     ASSERT_EQ(three.size(), one.size());
     std::size_t perturbed_sounds = 0;
@@ -241,7 +241,7 @@ TEST(Hearing, IsKeptUnderAllThatDecidesIt) {
         EXPECT_TRUE(is_another(changed)) << threshold.name;
     }
     changed = options;
-    changed.threads = 3;
+    changed.crew = crew::thread_crews(3);
     EXPECT_EQ(heard_text(study, changed), plain);
 }
 

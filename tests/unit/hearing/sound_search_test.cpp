@@ -115,9 +115,9 @@ TEST(SoundSearch, GivesTheSameForAnyNumberOfThreads) {
     const Signal sound = recording_of(noises().begin()->second);
     SoundSearch options;
     options.first_grid = 4;
-    options.threads = 1;
+    options.crew = crew::thread_crews(1);
     const SoundSearchResult one = found(sound, options);
-    options.threads = 3;
+    options.crew = crew::thread_crews(3);
     const SoundSearchResult three = found(sound, options);
     EXPECT_EQ(one.heard, three.heard);
     ASSERT_EQ(one.best.size(), three.best.size());

@@ -84,8 +84,8 @@ TEST(Diagram, ASquealMovesFarAndBeatsASteadySlideDoesNeither) {
 
 TEST(Diagram, IsTheSameForAnyNumberOfThreadsAndAsText) {
     const SweepResult result = swept(over_friction());
-    const std::vector<DiagramCell> one = diagram(result, {.threads = 1});
-    const std::vector<DiagramCell> three = diagram(result, {.threads = 3});
+    const std::vector<DiagramCell> one = diagram(result, {.crew = crew::thread_crews(1)});
+    const std::vector<DiagramCell> three = diagram(result, {.crew = crew::thread_crews(3)});
     for (std::size_t k = 0; k < one.size(); ++k) {
         EXPECT_EQ(one[k].extremes, three[k].extremes);
         EXPECT_EQ(one[k].intervals, three[k].intervals);

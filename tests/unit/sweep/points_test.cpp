@@ -68,7 +68,7 @@ TEST(DesignPoints, HaveWhatTheCellsOfAChartHave) {
                     cells[index_of(study, {direction, iy, ix})] = here[direction];
             }
         for (const int threads : {1, 2, 3})
-            expect_same_cells(evaluate(points_of(study), {.threads = threads}), cells);
+            expect_same_cells(evaluate(points_of(study), {.crew = crew::thread_crews(threads)}), cells);
     }
 }
 
@@ -113,7 +113,9 @@ TEST(DesignPoints, AreRefusedWithWrongKeysOrDirections) {
 TEST(DesignPoints, EndWhenTheyAreStopped) {
     std::stop_source source;
     source.request_stop();
-    EXPECT_EQ(error_of([&] { evaluate(two_points(30.0), {.threads = 1, .stop = source.get_token()}); })->kind(),
+    EXPECT_EQ(error_of([&] {
+                  evaluate(two_points(30.0), {.crew = crew::thread_crews(1), .stop = source.get_token()});
+              })->kind(),
               ErrorKind::interrupted);
 }
 

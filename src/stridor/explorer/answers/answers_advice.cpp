@@ -33,7 +33,7 @@ std::optional<double> optional_in(const Json& object, const std::string& name) {
 advice::AdviceOptions options_in(const World& world, const Json& body, const std::stop_token& stop) {
     constexpr int most_samples = 16384;
     advice::AdviceOptions options;
-    options.threads = world.threads;
+    options.crew = crew::thread_crews(world.threads);
     options.stop = stop;
     for (const Json& range : list_in(body, "over"))
         options.over.push_back({text_in(range, "key"), optional_in(range, "from"), optional_in(range, "to")});

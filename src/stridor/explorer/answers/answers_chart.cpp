@@ -103,7 +103,7 @@ Response chart(const World& world, const Json& body, const std::stop_token&) {
             const auto keeper = std::make_shared<sweep::MemoryKeeper>(study);
             Frames frames(study.quantities.front(), send);
             sweep::RunOptions options;
-            options.threads = threads;
+            options.crew = crew::thread_crews(threads);
             options.stop = stop;
             options.round = [&] { frames.show(sweep::provisional(study, keeper), false); };
             const sweep::RunReport report = sweep::run(study, *keeper, options);

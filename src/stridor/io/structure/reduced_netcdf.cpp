@@ -2,7 +2,7 @@
 
 #include "stridor/base/confined_process.hpp"
 #include "stridor/base/error.hpp"
-#include "stridor/base/packed_text.hpp"
+#include "stridor/base/packed_bytes.hpp"
 #include "stridor/io/netcdf_dataset.hpp"
 #include "stridor/io/netcdf_library.hpp"
 #include "stridor/recordings/bytes.hpp"

@@ -1,44 +1,50 @@
-#include "stridor/sweep/thread_crew.hpp"
+#include "stridor/crew/thread_crew.hpp"
 
 #include "stridor/base/check.hpp"
-#include "stridor/sweep/evaluate.hpp"
 
-#include <oneapi/tbb/info.h>
+#include <sched.h>
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
-namespace stridor::sweep {
+namespace stridor::crew {
 
 namespace {
 
 // what waits in the queue lasts so long: the owner, who writes to a disk, comes back sooner
 constexpr double queued_seconds = 0.1;
-constexpr std::size_t most_queued = 4096;  // [1] runs
+constexpr std::size_t most_queued = 4096;  // [1] tasks
+
+// those that this process may use, which may be fewer than the machine has
+int usable_processors() {
+    cpu_set_t usable;
+    if (sched_getaffinity(0, sizeof usable, &usable) == 0) return CPU_COUNT(&usable);
+    // more than a set of the usual size can name
+    return static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
+}
 
 }  // namespace
 
-ThreadCrew::ThreadCrew(const Study& study, int threads, std::stop_token stop)
-    : study_(study),
-      stride_(cell_count(study) / study.directions.size()),
-      relay_(std::move(stop), [this] { halt_.request_stop(); }) {
+ThreadCrew::ThreadCrew(const Work& work, int threads, std::stop_token stop)
+    : relay_(std::move(stop), [this] { halt_.request_stop(); }) {
     for (std::size_t count = thread_count(threads); count > 0; --count)
-        threads_.emplace_back([this] { work(); });
+        threads_.emplace_back([this, worker = work.worker()] { labour(worker); });
 }
 
 ThreadCrew::~ThreadCrew() {
     halt_.request_stop();
 }
 
-void ThreadCrew::work() {
-    integration::Workspace workspace;
+void ThreadCrew::labour(const Worker& worker) {
     std::unique_lock lock(mutex_);
     while (given_.wait(lock, halt_.get_token(), [&] { return !queue_.empty(); }) && !halt_.stop_requested()) {
-        const std::size_t first = queue_.front();
+        const Task task = std::move(queue_.front());
         queue_.pop_front();
         ++running_;
         lock.unlock();
-        compute(first, workspace);
+        compute(task, worker);
         lock.lock();
         --running_;
         if (is_news(enough_)) changed_.notify_one();
@@ -46,23 +52,21 @@ void ThreadCrew::work() {
     changed_.notify_one();
 }
 
-void ThreadCrew::compute(std::size_t first, integration::Workspace& workspace) {
+void ThreadCrew::compute(const Task& task, const Worker& worker) {
     const Clock::time_point begin = Clock::now();
-    std::vector<Cell> cells;
+    std::optional<std::string> bytes;
     try {
-        cells = evaluate_run(study_, first, halt_.get_token(), workspace);
+        bytes = worker(task, halt_.get_token());
     } catch (...) {
         keep_failure(std::current_exception());
         // the others need not finish what will not be used
         halt_.request_stop();
-        return;
     }
+    if (!bytes) return;
     const std::lock_guard lock(mutex_);
     seconds_ += std::chrono::duration<double>(Clock::now() - begin).count();
     ++finished_;
-    // the same place in one direction after the other
-    for (std::size_t k = 0; k < cells.size(); ++k)
-        arrived_.push_back({first + k * stride_, std::move(cells[k])});
+    arrived_.push_back({task.number, std::move(*bytes)});
 }
 
 void ThreadCrew::keep_failure(std::exception_ptr failure) {
@@ -75,8 +79,8 @@ std::size_t ThreadCrew::hunger() const {
     std::size_t wanted = 2 * threads_.size();
     if (finished_ > 0) {
         const double mean = std::max(seconds_ / static_cast<double>(finished_), 1e-9);
-        const double runs = queued_seconds * static_cast<double>(threads_.size()) / mean;
-        wanted = std::max(wanted, static_cast<std::size_t>(std::min(runs, static_cast<double>(most_queued))));
+        const double tasks = queued_seconds * static_cast<double>(threads_.size()) / mean;
+        wanted = std::max(wanted, static_cast<std::size_t>(std::min(tasks, static_cast<double>(most_queued))));
     }
     return 2 * queue_.size() > wanted ? 0 : wanted - queue_.size();
 }
@@ -86,9 +90,9 @@ std::size_t ThreadCrew::appetite(std::size_t left) {
     return halt_.stop_requested() ? 0 : std::min(hunger(), left);
 }
 
-void ThreadCrew::give(std::vector<std::size_t> runs) {
+void ThreadCrew::give(std::vector<Task> tasks) {
     const std::lock_guard lock(mutex_);
-    queue_.insert(queue_.end(), runs.begin(), runs.end());
+    std::move(tasks.begin(), tasks.end(), std::back_inserter(queue_));
     was_fed_ = true;
     given_.notify_all();
 }
@@ -101,7 +105,7 @@ bool ThreadCrew::is_news(std::size_t enough) {
     return is_done() || arrived_.size() >= enough || (was_fed_ && hunger() > 0);
 }
 
-std::vector<IndexedCell> ThreadCrew::take(std::size_t enough, Clock::time_point deadline) {
+std::vector<Result> ThreadCrew::take(std::size_t enough, Clock::time_point deadline) {
     std::unique_lock lock(mutex_);
     enough_ = enough;
     changed_.wait_until(lock, deadline, [&] { return is_news(enough); });
@@ -124,20 +128,21 @@ void ThreadCrew::rethrow() {
     if (failure_) std::rethrow_exception(failure_);
 }
 
-double ThreadCrew::seconds_per_run() {
+double ThreadCrew::seconds_per_task() {
     const std::lock_guard lock(mutex_);
     return finished_ > 0 ? seconds_ / static_cast<double>(finished_) : 0.0;
 }
 
 std::size_t thread_count(int asked) {
     STRIDOR_EXPECT(asked >= 0);
-    return static_cast<std::size_t>(asked > 0 ? asked : tbb::info::default_concurrency());
+    return static_cast<std::size_t>(asked > 0 ? asked : usable_processors());
 }
 
 CrewMaker thread_crews(int threads) {
-    return [threads](const Study& study, const std::stop_token& stop) {
-        return std::make_unique<ThreadCrew>(study, threads, stop);
+    STRIDOR_EXPECT(threads >= 0);
+    return [threads](const Work& work, const std::stop_token& stop) {
+        return std::make_unique<ThreadCrew>(work, threads, stop);
     };
 }
 
-}  // namespace stridor::sweep
+}  // namespace stridor::crew

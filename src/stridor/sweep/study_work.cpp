@@ -1,0 +1,91 @@
+#include "stridor/sweep/study_work.hpp"
+
+#include "stridor/base/packed_bytes.hpp"
+#include "stridor/crew/compute.hpp"
+#include "stridor/sweep/evaluate.hpp"
+#include "stridor/sweep/store/store_layout.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace stridor::sweep {
+
+namespace {
+
+using base::Packing;
+using base::Unpacking;
+using classification::Category;
+
+void add(Packing& packing, const Cell& cell) {
+    packing.add(cell.status);
+    packing.add(cell.category);
+    packing.add(cell.quiet);
+    packing.add(cell.agreement);
+    packing.add(cell.message);
+    packing.add(static_cast<std::uint64_t>(cell.starts.size()));
+    for (const StartVerdict& start : cell.starts) {
+        packing.add(start.status);
+        packing.add(start.category);
+    }
+    packing.add(static_cast<std::uint64_t>(cell.figures.size()));
+    for (const double figure : cell.figures)
+        packing.add(figure);
+}
+
+Cell cell_in(Unpacking& unpacking) {
+    constexpr std::size_t categories = classification::category_names.size();
+    Cell cell;
+    cell.status = unpacking.kind<Status>(status_names.size());
+    cell.category = unpacking.kind<Category>(categories);
+    cell.quiet = unpacking.kind<classification::Quiet>(classification::quiet_names.size());
+    cell.agreement = unpacking.kind<Agreement>(agreement_names.size());
+    cell.message = unpacking.words();
+    for (std::uint64_t left = unpacking.count(); left > 0 && unpacking.is_good(); --left) {
+        const auto status = unpacking.kind<Status>(status_names.size());
+        cell.starts.push_back({status, unpacking.kind<Category>(categories)});
+    }
+    const std::uint64_t figures = unpacking.count();
+    if (figures == cell_figures().size()) cell.figures.reserve(figures);
+    for (std::uint64_t left = figures; left > 0 && unpacking.is_good(); --left)
+        cell.figures.push_back(unpacking.number());
+    return cell;
+}
+
+}  // namespace
+
+crew::Work work_of(const Study& study) {
+    crew::Work work;
+    work.text = "chart\n" + canonical_text(study) + "results = " + std::to_string(results_version) + "\n";
+    work.worker = [&study] {
+        return [&study, workspace = std::make_shared<integration::Workspace>()](
+                   const crew::Task& task, const std::stop_token& stop) -> std::optional<std::string> {
+            const std::vector<Cell> cells = evaluate_run(study, task.number, stop, *workspace);
+            return cells.empty() ? std::nullopt : std::optional(packed(cells));
+        };
+    };
+    return work;
+}
+
+std::string packed(std::span<const Cell> cells) {
+    Packing packing;
+    packing.add(static_cast<std::uint64_t>(cells.size()));
+    for (const Cell& cell : cells)
+        add(packing, cell);
+    return packing.take();
+}
+
+std::vector<Cell> unpacked_cells(std::string_view bytes) {
+    Unpacking unpacking(bytes);
+    std::vector<Cell> cells;
+    for (std::uint64_t left = unpacking.count(); left > 0 && unpacking.is_good(); --left)
+        cells.push_back(cell_in(unpacking));
+    const bool has_all_figures = std::all_of(cells.begin(), cells.end(), [](const Cell& cell) {
+        return cell.figures.empty() || cell.figures.size() == cell_figures().size();
+    });
+    if (!unpacking.is_complete() || !has_all_figures) throw crew::damaged_result();
+    return cells;
+}
+
+}  // namespace stridor::sweep
