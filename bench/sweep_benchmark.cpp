@@ -2,6 +2,7 @@
 
 #include "stridor/sweep/paper_charts.hpp"
 #include "stridor/sweep/run.hpp"
+#include "stridor/sweep/store/store.hpp"
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
