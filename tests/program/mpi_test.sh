@@ -1,13 +1,15 @@
 #!/bin/sh
 # Charts on the ranks of an MPI job: mpi_test.sh MPIRUN STRIDOR STRIDOR_MPI
 #
-# The bytes of chart.csv are those of one process, for every number of ranks and threads, and however often the job, or
-# one of its ranks, was killed or stopped. STRIDOR_MPI_KILLS=20 kills more often.
+# The bytes of every file are those of one process, for every number of ranks and threads, and however often the job, or
+# one of its ranks, was killed or stopped at random. STRIDOR_MPI_KILLS=20 does so twenty times to each kind of chart,
+# STRIDOR_MPI_SEED=2 at other moments.
 set -eu
 mpirun=$1
 stridor=$2
 stridor_mpi=$3
-kills=${STRIDOR_MPI_KILLS:-4}
+kills=${STRIDOR_MPI_KILLS:-1}
+seed=${STRIDOR_MPI_SEED:-1}
 # a test machine is a bare one, with few processors, where all is done by root
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 folder=$(mktemp -d)
@@ -19,85 +21,135 @@ fail() {
     exit 1
 }
 
-# on_ranks RANKS ARGUMENTS...: what mpirun itself says goes to mpirun.txt
+# random COUNT: sets `drawn`, at least 0 and below COUNT
+random() {
+    seed=$(((seed * 1103515245 + 12345) % 2147483648))
+    drawn=$((seed / 65536 % $1))
+}
+
+# on_ranks RANKS ARGUMENTS...
 on_ranks() {
     ranks=$1
     shift
     "$mpirun" --oversubscribe --bind-to none -n "$ranks" "$stridor_mpi" "$@" </dev/null
 }
 
+# begin RANKS ARGUMENTS...: the same beside the test; what mpirun itself says goes to err.txt
+begin() {
+    ranks=$1
+    shift
+    # exec: the process is mpirun, not a shell
+    (exec "$mpirun" --oversubscribe --bind-to none -n "$ranks" "$stridor_mpi" "$@" </dev/null >out.txt 2>err.txt) &
+    job=$!
+}
+
+# same WHOLE OTHER WHEN: the folders hold the same, but for the stores
+same() {
+    diff -r -q -x chart.sqlite "$1" "$2" >differences.txt || fail "$3: $(cat differences.txt)"
+}
+
+# a random one of the job's ranks; mpirun itself where they are not there yet
+random_rank() {
+    set -- $(pgrep -P "$job" || true) # this machine's, one a line
+    if [ $# = 0 ]; then victim=$job; else random $# && shift "$drawn" && victim=$1; fi
+}
+
+# waits for the job, and for ranks whose mpirun was killed: they end by themselves
+wait_for_end() {
+    wait "$job" && status=0 || status=$?
+    waited=0
+    while pgrep -f "$folder" >/dev/null 2>&1; do
+        waited=$((waited + 1))
+        [ "$waited" -lt 200 ] || fail "ranks outlive their mpirun"
+        sleep 0.1
+    done
+}
+
 "$stridor" init noise-chart -o pair.toml
+
+echo "the same bytes for every number of ranks and threads"
 small="--set chart.x.points=24 --set chart.y.points=20 --set run.duration=0.3 --set run.window=0.1"
 plain="$small"
 refined="$small --set chart.refine=2"
 starts="$small --set chart.x.points=9 --set chart.starts=rest,sliding"
-
 for kind in plain refined starts; do
     eval "options=\$$kind"
     "$stridor" chart pair.toml --out "$kind" --threads 2 $options >/dev/null 2>&1
 done
-
-echo "the same bytes for every number of ranks and threads"
 for shape in "1 3 plain" "2 1 plain" "3 2 refined" "5 1 refined" "4 1 starts"; do
     set -- $shape
     eval "options=\$$3"
     on_ranks "$1" chart pair.toml --out "ranks-$1-$3" --threads "$2" $options >out.txt 2>err.txt ||
         fail "$1 ranks: $(cat err.txt)"
-    for file in chart.csv boundaries.csv chart.nc chart.svg; do
-        cmp "$3/$file" "ranks-$1-$3/$file" || fail "$file of $1 ranks with $2 threads differs"
-    done
+    same "$3" "ranks-$1-$3" "$1 ranks with $2 threads"
     [ "$(grep -c 'chart.csv' out.txt)" = 1 ] || fail "one rank alone speaks: $(cat out.txt)"
 done
 
-# long enough to be caught at work: some seconds
-slow="--set chart.x.points=20 --set chart.y.points=20 --set chart.refine=2 --set run.early_ending=never
-    --set run.duration=50 --set run.window=1"
-"$stridor" chart pair.toml --out slow --threads 2 $slow >/dev/null 2>&1
+# long enough to be caught at work: cells of some 10 ms, two seconds of them
+all_files="--files png,svg,pdf,csv,boundaries,nc,zarr"
+slow="--set run.early_ending=never --set run.duration=25 --set run.window=1"
+slow_plain="$slow --set chart.x.points=12 --set chart.y.points=9"
+slow_refined="$slow --set chart.x.points=15 --set chart.y.points=11 --set chart.refine=2"
+slow_starts="$slow --set chart.x.points=9 --set chart.y.points=6 --set chart.starts=rest,sliding"
 
-echo "killed $kills times: ranks and mpirun itself"
-kill_number=0
-at_work=0 # kills that came before all was done
-while [ "$kill_number" -lt "$kills" ]; do
-    # done in spite of the kills: once more from the start
-    [ ! -e killed/chart.csv ] || rm -r killed
-    ranks=$((1 + kill_number % 5))
-    # exec: the process is mpirun, not a shell
-    (exec "$mpirun" --oversubscribe --bind-to none -n "$ranks" "$stridor_mpi" chart pair.toml --out killed --threads 1 \
-        $slow </dev/null >out.txt 2>err.txt) &
-    job=$!
-    sleep "0.$((3 + 7 * kill_number % 6))"
-    if [ $((kill_number % 2)) = 0 ]; then
-        # the rank that was begun last; mpirun ends the others
-        pkill -KILL -n -P "$job" 2>/dev/null || true
-    else
-        kill -KILL "$job" 2>/dev/null || true
-    fi
-    wait "$job" || true
-    # ranks whose mpirun was killed end by themselves
-    waited=0
-    while pgrep -f "$folder" >/dev/null 2>&1 || pgrep -f "$stridor_mpi chart pair.toml --out killed" >/dev/null 2>&1; do
-        waited=$((waited + 1))
-        [ "$waited" -lt 200 ] || fail "ranks outlive their mpirun"
-        sleep 0.1
+# killed KIND OPTIONS...: at random moments in random ways, each time resumed on another count
+killed() {
+    whole=$1
+    shift
+    "$stridor" chart pair.toml --out "$whole" --threads 2 $all_files "$@" >/dev/null 2>&1
+    out="$folder/killed-$whole"
+    kill_number=0
+    while [ "$kill_number" -lt "$kills" ]; do
+        random 5 && ranks=$((1 + drawn))
+        random 3 && threads=$((1 + drawn))
+        # how long mpirun waits before it kills what has not ended [s]
+        random 2 && export OMPI_MCA_odls_base_sigkill_timeout="$drawn"
+        begin "$ranks" chart pair.toml --out "$out" --threads "$threads" $all_files "$@"
+        random 8
+        sleep "0.$((drawn + 2))"
+        random 4
+        case $drawn in
+            0) random_rank && signal=KILL ;;
+            1) victim=$job && signal=KILL ;;
+            2) random_rank && signal=TERM ;;
+            3) victim=$job && signal=TERM ;;
+        esac
+        kill -"$signal" "$victim" 2>/dev/null || true
+        wait_for_end
+        kill_number=$((kill_number + 1))
+        [ -e "$out/chart.csv" ] || at_work=$((at_work + 1))
+        [ "$status" = 0 ] || continue
+        # done in spite of the kills: once more from the start
+        same "$whole" "$out" "after $kill_number kills"
+        rm -r "$out"
     done
-    [ -e killed/chart.csv ] || at_work=$((at_work + 1))
-    kill_number=$((kill_number + 1))
-done
-[ "$at_work" -gt $((kills / 3)) ] || fail "only $at_work of $kills kills came while it was at work"
-on_ranks 3 chart pair.toml --out killed --threads 1 $slow >out.txt 2>err.txt || fail "after the kills: $(cat err.txt)"
-cmp slow/chart.csv killed/chart.csv || fail "chart.csv differs after $kills kills"
+    unset OMPI_MCA_odls_base_sigkill_timeout
+    random 5
+    on_ranks $((1 + drawn)) chart pair.toml --out "$out" --threads 1 $all_files "$@" >out.txt 2>err.txt ||
+        fail "after the kills: $(cat err.txt)"
+    same "$whole" "$out" "after $kills kills"
+}
 
-echo "stopped by signals"
+echo "killed $kills time(s) each: ranks and mpirun itself, by SIGKILL and SIGTERM"
+at_work=0 # kills that came before all was done
+killed slow_plain $slow_plain
+killed slow_refined $slow_refined
+killed slow_starts $slow_starts
+echo "$at_work of $((3 * kills)) kills came while it was at work"
+[ "$at_work" -ge "$kills" ] || fail "too few"
+
+echo "stopped by signals, and nothing is lost"
+out="$folder/signalled"
 for signal in TERM USR1; do
-    (exec "$mpirun" --oversubscribe --bind-to none -n 2 "$stridor_mpi" chart pair.toml --out "on-$signal" --threads 1 \
-        $slow </dev/null >out.txt 2>err.txt) &
-    job=$!
-    sleep 1.2
+    # it would take a minute
+    begin 2 chart pair.toml --out "$out" --threads 1 $slow_plain --set run.duration=400
+    sleep 0.8
     kill -"$signal" "$job"
-    wait "$job" && status=0 || status=$?
-    grep -q 'all of them are kept' err.txt || fail "$signal (exit code $status): $(cat err.txt)"
-    on_ranks 2 chart pair.toml --out "on-$signal" --threads 1 $slow >out.txt 2>err.txt || fail "$(cat err.txt)"
-    cmp slow/chart.csv "on-$signal/chart.csv" || fail "chart.csv differs after $signal"
+    wait_for_end
+    kept=$(sed -n 's/^.*stopped with \([0-9]*\) of .*all of them are kept in .*$/\1/p' err.txt)
+    [ -n "$kept" ] || fail "$signal (exit code $status): $(cat err.txt)"
+    "$stridor" chart-status "$out" >status.txt || true
+    grep -q "^$kept of " status.txt || fail "$kept cells were to be kept: $(cat status.txt)"
 done
 
 echo "what is wrong is said once, and by its exit code"

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <initializer_list>
 
 using stridor::support::effort;
 using stridor::support::Finished;
@@ -14,6 +15,7 @@ using stridor::support::Launch;
 using stridor::support::Process;
 using stridor::support::read_text;
 using stridor::support::run;
+using stridor::support::run_and_kill;
 using stridor::support::ScratchFolder;
 using stridor::support::wait_until;
 using stridor::support::write_text;
@@ -39,6 +41,19 @@ protected:
 
     std::string csv(const std::string& out) const { return read_text(folder_.path() / out / "chart.csv"); }
 
+    // arguments(OUT, THREADS) compute a chart that is there as a whole in "whole": killed after so many ms each, on one
+    // thread and on two in turn, and done at last, it ends with the same bytes
+    template <typename Arguments>
+    void expect_same_after_kills(const Arguments& arguments, std::initializer_list<int> waits) {
+        int kills = 0;
+        for (const int wait : waits)
+            run_and_kill(arguments("killed", kills++ % 2 == 0 ? "1" : "2"), folder_.path(),
+                         std::chrono::milliseconds(wait));
+        const Finished last = run(arguments("killed", "1"), folder_.path());
+        ASSERT_EQ(last.exit_code, 0) << last.err;
+        EXPECT_EQ(csv("killed"), csv("whole"));
+    }
+
     ScratchFolder folder_;
 };
 
@@ -57,15 +72,7 @@ TEST_F(Resume, AKilledChartOfAnOwnStructureEndsWithTheSameBytes) {
     };
     ASSERT_EQ(run(chart("whole", "2"), folder_.path()).exit_code, 0);
     ASSERT_FALSE(csv("whole").empty());
-    for (const int wait : {60, 120, 200}) {
-        Process process(Launch{chart("killed", "1"), folder_.path(), {}, std::nullopt, {}});
-        process.ends_within(std::chrono::milliseconds(wait));
-        process.send(SIGKILL);
-        process.wait();
-    }
-    const Finished last = run(chart("killed", "1"), folder_.path());
-    ASSERT_EQ(last.exit_code, 0) << last.err;
-    EXPECT_EQ(csv("killed"), csv("whole"));
+    expect_same_after_kills(chart, {60, 120, 200});
 }
 
 TEST_F(Resume, AKilledSweepEndsWithTheSameBytesAsAnUninterruptedOne) {
@@ -73,17 +80,7 @@ TEST_F(Resume, AKilledSweepEndsWithTheSameBytesAsAnUninterruptedOne) {
     ASSERT_FALSE(csv("whole").empty());
     // ten kills after fixed, irregular waits: start-up, first cells, late cells,
     // whatever the machine's speed makes of them
-    int kills = 0;
-    for (const int wait : {3, 11, 23, 37, 61, 83, 127, 151, 197, 251}) {
-        Process process(Launch{sweep("killed", kills % 2 == 0 ? "1" : "2"), folder_.path(), {}, std::nullopt, {}});
-        process.ends_within(std::chrono::milliseconds(wait));
-        process.send(SIGKILL);
-        process.wait();
-        ++kills;
-    }
-    const Finished last = run(sweep("killed", "1"), folder_.path());
-    ASSERT_EQ(last.exit_code, 0) << last.err;
-    EXPECT_EQ(csv("killed"), csv("whole"));
+    expect_same_after_kills(sweep, {3, 11, 23, 37, 61, 83, 127, 151, 197, 251});
 }
 
 TEST_F(Resume, AKilledRefinedSweepFromSeveralStartsEndsWithTheSameBytes) {
@@ -101,15 +98,7 @@ TEST_F(Resume, AKilledRefinedSweepFromSeveralStartsEndsWithTheSameBytes) {
     EXPECT_NE(whole.out.find(" of them computed"), std::string::npos) << whole.out;
     EXPECT_NE(whole.out.find("from 2 starts: agree "), std::string::npos) << whole.out;
     EXPECT_NE(csv("whole").find(",inferred,"), std::string::npos);
-    for (const int wait : {40, 90, 160, 250, 350}) {
-        Process process(Launch{refined("killed", wait % 20 == 0 ? "1" : "2"), folder_.path(), {}, std::nullopt, {}});
-        process.ends_within(std::chrono::milliseconds(wait));
-        process.send(SIGKILL);
-        process.wait();
-    }
-    const Finished last = run(refined("killed", "1"), folder_.path());
-    ASSERT_EQ(last.exit_code, 0) << last.err;
-    EXPECT_EQ(csv("killed"), csv("whole"));
+    expect_same_after_kills(refined, {40, 90, 160, 250, 350});
     EXPECT_EQ(read_text(folder_.path() / "killed" / "boundaries.csv"),
               read_text(folder_.path() / "whole" / "boundaries.csv"));
 }

@@ -1,3 +1,4 @@
+#include "support/counter_random.hpp"
 #include "support/json_of.hpp"
 #include "support/process.hpp"
 #include "support/scratch_folder.hpp"
@@ -5,15 +6,20 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 
+using stridor::support::CounterRandom;
 using stridor::support::Finished;
 using stridor::support::json_of;
 using stridor::support::Launch;
 using stridor::support::Process;
 using stridor::support::read_text;
 using stridor::support::run;
+using stridor::support::run_and_kill;
 using stridor::support::ScratchFolder;
 using stridor::support::wait_until;
 using stridor::support::write_text;
@@ -39,9 +45,30 @@ protected:
                               "run.duration=4", "--no-early"});
     }
 
+    // a share that is being filled
+    std::unique_ptr<Process> at_work(const std::vector<std::string>& share) const {
+        auto process = std::make_unique<Process>(Launch{share, folder_.path(), {}, std::nullopt, {}});
+        EXPECT_TRUE(wait_until([&] { return process->handles(SIGTERM); }));
+        return process;
+    }
+
     Finished done(const std::vector<std::string>& arguments) const { return run(arguments, folder_.path()); }
 
     std::string text(const std::string& file) const { return read_text(folder_.path() / file); }
+
+    void expect_same_files(const std::string& out, const std::string& other) const {
+        for (const char* file : {"/chart.csv", "/boundaries.csv", "/chart.nc", "/chart.svg", "/chart.png"})
+            EXPECT_EQ(text(out + file), text(other + file)) << out << file;
+    }
+
+    // "1/3" and so on in a random order, all of them
+    static std::vector<std::string> shuffled_shares(std::size_t count, CounterRandom& random) {
+        std::vector<std::string> shares;
+        for (std::size_t index = 0; index < count; ++index)
+            shares.insert(shares.begin() + static_cast<std::ptrdiff_t>(random.below(index + 1)),
+                          std::to_string(index) + "/" + std::to_string(count));
+        return shares;
+    }
 
     ScratchFolder folder_;
 };
@@ -74,8 +101,7 @@ TEST_F(SharesOfAChart, AreMergedIntoTheBytesOfASingleRun) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "pair/chart.sqlite.owner"));
     const Finished drawn = done({"chart", "pair/chart.toml", "--out", "pair"});
     ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
-    for (const char* file : {"chart.csv", "boundaries.csv", "chart.svg"})
-        EXPECT_EQ(text(std::string("pair/") + file), text(std::string("single/") + file)) << file;
+    expect_same_files("pair", "single");
 }
 
 TEST_F(SharesOfAChart, OfARefinedOneAreRepeatedUntilTheMergeIsComplete) {
@@ -102,14 +128,44 @@ TEST_F(SharesOfAChart, OfARefinedOneAreRepeatedUntilTheMergeIsComplete) {
     ASSERT_EQ(code, 0);
     EXPECT_GT(rounds, 1);
     ASSERT_EQ(done({"chart", "pair/chart.toml", "--out", "pair"}).exit_code, 0);
-    EXPECT_EQ(text("pair/chart.csv"), text("single/chart.csv"));
-    EXPECT_EQ(text("pair/boundaries.csv"), text("single/boundaries.csv"));
+    expect_same_files("pair", "single");
+}
+
+// STRIDOR_KILLS=20 kills more often
+TEST_F(SharesOfAChart, KilledAtRandomInAnyOrderAreMergedIntoTheBytesOfASingleRun) {
+    const char* const asked = std::getenv("STRIDOR_KILLS");
+    const int kills = asked == nullptr ? 3 : std::atoi(asked);
+    const std::vector<std::vector<std::string>> kinds{
+        {}, {"--set", "chart.refine=3"}, {"--set", "chart.starts=rest,stuck", "--set", "chart.x.points=32"}};
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        CounterRandom random(kind);
+        const std::string whole = "single-" + std::to_string(kind);
+        const std::string pair = "pair-" + std::to_string(kind);
+        ASSERT_EQ(done(chart(whole, kinds[kind])).exit_code, 0);
+        int left = kills;
+        const auto after_kills = [&](const std::vector<std::string>& arguments) {
+            for (; left > 0 && random.one_in(2); --left)
+                run_and_kill(arguments, folder_.path(), std::chrono::milliseconds(10 + random.below(90)));
+            return done(arguments).exit_code;
+        };
+        for (int code = 4, rounds = 0; code == 4; ++rounds) {
+            ASSERT_LT(rounds, 10);
+            // a refined one goes on in another number of shares
+            for (const std::string& share : shuffled_shares(1 + random.below(16), random)) {
+                std::vector<std::string> more{"--shard", share};
+                more.insert(more.end(), kinds[kind].begin(), kinds[kind].end());
+                ASSERT_EQ(after_kills(chart(pair, more)), 0) << share;
+            }
+            code = after_kills({"merge", pair});
+        }
+        ASSERT_EQ(after_kills({"chart", pair + "/chart.toml", "--out", pair}), 0);
+        expect_same_files(pair, whole);
+    }
 }
 
 TEST_F(SharesOfAChart, AreShownWhileTheyAreFilledAndGoOnAfterASignal) {
     const std::vector<std::string> slow = endless("1/2");
-    Process process(Launch{slow, folder_.path(), {}, std::nullopt, {}});
-    ASSERT_TRUE(wait_until([&] { return process.handles(SIGTERM); }));
+    const std::unique_ptr<Process> process = at_work(slow);
     const Finished status = done({"chart-status", "pair"});
     EXPECT_EQ(status.exit_code, 0) << status.err;
     EXPECT_NE(status.out.find("cells so far, filled by process "), std::string::npos) << status.out;
@@ -125,8 +181,8 @@ TEST_F(SharesOfAChart, AreShownWhileTheyAreFilledAndGoOnAfterASignal) {
     const Finished second = done(slow);
     EXPECT_EQ(second.exit_code, 5) << "two at one share";
     EXPECT_NE(second.err.find("is in use"), std::string::npos) << second.err;
-    process.send(SIGTERM);
-    const Finished stopped = process.wait();
+    process->send(SIGTERM);
+    const Finished stopped = process->wait();
     EXPECT_EQ(stopped.exit_code, 4);
     EXPECT_NE(stopped.err.find("Run the same command again to go on"), std::string::npos) << stopped.err;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "pair/shards/0001-of-0002.sqlite.owner"));
@@ -134,16 +190,12 @@ TEST_F(SharesOfAChart, AreShownWhileTheyAreFilledAndGoOnAfterASignal) {
 
 TEST_F(SharesOfAChart, OfADeadProcessAreTakenOverAndItIsSaid) {
     const std::vector<std::string> slow = endless("0/2");
-    {
-        Process process(Launch{slow, folder_.path(), {}, std::nullopt, {}});
-        ASSERT_TRUE(wait_until([&] { return process.handles(SIGTERM); }));
-        process.send(SIGKILL);
-        process.wait();
-    }
-    Process process(Launch{slow, folder_.path(), {}, std::nullopt, {}});
-    ASSERT_TRUE(wait_until([&] { return process.handles(SIGTERM); }));
-    process.send(SIGTERM);
-    const Finished again = process.wait();
+    const std::unique_ptr<Process> first = at_work(slow);
+    first->send(SIGKILL);
+    first->wait();
+    const std::unique_ptr<Process> second = at_work(slow);
+    second->send(SIGTERM);
+    const Finished again = second->wait();
     EXPECT_NE(again.err.find("note: took over the store pair/shards/0000-of-0002.sqlite from process "),
               std::string::npos)
         << again.err;

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -104,6 +105,14 @@ Finished run(const Launch& launch) {
 
 Finished run(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const std::string& input) {
     return run(Launch{arguments, folder, input, std::nullopt, {}});
+}
+
+bool run_and_kill(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                  std::chrono::milliseconds after) {
+    Process process(Launch{arguments, folder, {}, std::nullopt, {}});
+    process.ends_within(after);
+    process.send(SIGKILL);
+    return process.wait().signal == SIGKILL;
 }
 
 std::string program() {

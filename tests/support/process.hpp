@@ -61,6 +61,10 @@ Finished run(const std::vector<std::string>& arguments, const std::filesystem::p
              const std::string& input = {});
 Finished run(const Launch& launch);
 
+/// Starts it and kills it after so long, wherever in its work that is; false if it had ended before.
+bool run_and_kill(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                  std::chrono::milliseconds after);
+
 /// The program's path.
 std::string program();
 
