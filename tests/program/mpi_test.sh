@@ -48,10 +48,11 @@ same() {
     diff -r -q -x chart.sqlite "$1" "$2" >differences.txt || fail "$3: $(cat differences.txt)"
 }
 
-# a random one of the job's ranks; mpirun itself where they are not there yet
-random_rank() {
-    set -- $(pgrep -P "$job" || true) # this machine's, one a line
-    if [ $# = 0 ]; then victim=$job; else random $# && shift "$drawn" && victim=$1; fi
+# one_rank COUNT: a random one of the job's first ranks; mpirun itself where they are not there yet
+one_rank() {
+    random "$1"
+    victim=$(pgrep -P "$job" | sort -n | sed -n "$((1 + drawn))p")
+    [ -n "$victim" ] || victim=$job
 }
 
 # waits for the job, and for ranks whose mpirun was killed: they end by themselves
@@ -109,9 +110,9 @@ killed() {
         sleep "0.$((drawn + 2))"
         random 4
         case $drawn in
-            0) random_rank && signal=KILL ;;
+            0) one_rank "$ranks" && signal=KILL ;;
             1) victim=$job && signal=KILL ;;
-            2) random_rank && signal=TERM ;;
+            2) one_rank 1 && signal=TERM ;; # the others leave it to rank 0
             3) victim=$job && signal=TERM ;;
         esac
         kill -"$signal" "$victim" 2>/dev/null || true
