@@ -1,11 +1,11 @@
 #include "stridor/storage/owner_file.hpp"
 
 #include "stridor/base/error.hpp"
+#include "stridor/storage/owner_draft.hpp"
 #include "stridor/storage/owner_text.hpp"
 #include "stridor/storage/system_io.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
@@ -14,7 +14,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
-#include <random>
 #include <utility>
 
 namespace stridor::storage {
@@ -30,95 +29,15 @@ std::int64_t now_ms() {
     return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
 }
 
-double seconds(const timespec& time) {
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 std::string this_host() {
     std::array<char, 256> host{};
     if (::gethostname(host.data(), host.size() - 1) != 0) return "unknown";
     return host.data();
 }
 
-std::string new_mark() {
-    std::random_device device;
-    return fmt::format("{:08x}{:08x}", device(), device());
-}
-
-// a signal may come between; what cannot be removed stays, and grows old
-void remove_name(const fs::path& name) {
-    while (::unlink(name.c_str()) != 0 && errno == EINTR) {
-    }
-}
-
-int open_new(const fs::path& name) {
-    int number = -1;
-    do
-        number = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    while (number < 0 && errno == EINTR);
-    return number;
-}
-
-// a file of its own beside the owner's, gone with it: its time is that of the file system, whose clock may be another
-class Draft {
-public:
-    Draft(const fs::path& owner, std::string_view text, const std::string& shown)
-        : name_(owner.string() + "." + new_mark()),
-          file_(open_new(name_)) {
-        code_ = file_.is_open() ? 0 : errno;
-        if (!file_.is_open()) return;
-        try {
-            write_all(file_.number(), text, shown);
-        } catch (const Error&) {
-            remove_name(name_);
-            throw;
-        }
-    }
-    ~Draft() {
-        if (file_.is_open()) remove_name(name_);
-    }
-    Draft(const Draft&) = delete;
-    Draft& operator=(const Draft&) = delete;
-
-    // the number of what kept it from being made; zero if it was
-    int failure() const { return code_; }
-    const fs::path& name() const { return name_; }
-
-    double time() const {
-        struct stat status {};
-        return ::fstat(file_.number(), &status) == 0 ? seconds(status.st_mtim) : 0.0;
-    }
-
-private:
-    fs::path name_;
-    Descriptor file_;
-    int code_ = 0;
-};
-
-// a second name for a file; false if the name is taken
-bool link_to(const fs::path& from, const fs::path& name, const std::string& shown) {
-    if (::link(from.c_str(), name.c_str()) == 0) return true;
-    const int code = errno;
-    struct stat status {};
-    // the link may be there all the same, and the answer have been lost on its way
-    if (code == EEXIST) return ::stat(from.c_str(), &status) == 0 && status.st_nlink == 2;
-    const bool knows_no_links = code == EPERM || code == EOPNOTSUPP || code == ENOSYS || code == EMLINK;
-    if (!knows_no_links) throw system_failure("write", shown, code);
-    // such a file system is none that machines share; of two copies one is made
-    std::error_code exists;
-    return fs::copy_file(from, name, exists);
-}
-
-// opened, for then NFS asks the server for the time instead of remembering one
-std::optional<SeenOwner> seen_at(const fs::path& name, double now) {
-    const Descriptor opened(::open(name.c_str(), O_RDONLY | O_CLOEXEC));
-    struct stat status {};
-    std::array<char, longest_owner_text> text{};
-    if (!opened.is_open() || ::fstat(opened.number(), &status) != 0) return std::nullopt;
-    const ssize_t size = ::read(opened.number(), text.data(), text.size());
-    if (size < 0) return std::nullopt;
-    const Owner owner = read_owner({text.data(), static_cast<std::size_t>(size)});
-    return SeenOwner{owner, now - seconds(status.st_mtim)};
+Owner this_process(const OwnerOptions& options) {
+    const char* job = std::getenv("SLURM_JOB_ID");
+    return {options.host.empty() ? this_host() : options.host, ::getpid(), job == nullptr ? "" : job, new_mark(), 0};
 }
 
 bool is_silent(const SeenOwner& seen, const OwnerOptions& options) {
@@ -130,7 +49,7 @@ class Turn {
 public:
     Turn(const fs::path& owner, const Draft& draft, const Owner& self, const OwnerOptions& options)
         : name_(owner.string() + ".lock"),
-          is_mine_(link_to(draft.name(), name_, options.shown)) {
+          is_mine_(link_to(draft, name_, options.shown)) {
         if (is_mine_) return;
         const std::optional<SeenOwner> other = seen_at(name_, draft.time());
         // an own one could not be removed
@@ -169,11 +88,10 @@ fs::path owner_file_of(const fs::path& file) {
 std::optional<SeenOwner> owner_of(const fs::path& file) {
     const fs::path name = owner_file_of(file);
     if (!fs::exists(name)) return std::nullopt;
-    const Draft draft(name, "", name.string());
-    timespec now{};
-    ::clock_gettime(CLOCK_REALTIME, &now);
+    const Draft draft(name, owner_text(this_process({})), name.string());
     // in a folder where nothing can be made the own clock must do
-    return seen_at(name, draft.failure() == 0 ? draft.time() : seconds(now));
+    const std::chrono::duration<double> now = std::chrono::system_clock::now().time_since_epoch();
+    return seen_at(name, draft.failure() == 0 ? draft.time() : now.count());
 }
 
 bool may_be_alive(const SeenOwner& seen, const OwnerOptions& options) {
@@ -192,8 +110,7 @@ OwnerFile::OwnerFile(fs::path file, OwnerOptions options)
     : file_(std::move(file)),
       name_(owner_file_of(file_)),
       options_(std::move(options)) {
-    const char* job = std::getenv("SLURM_JOB_ID");
-    self_ = {options_.host.empty() ? this_host() : options_.host, ::getpid(), job == nullptr ? "" : job, new_mark(), 0};
+    self_ = this_process(options_);
     claim(Neighbour::left_to_the_lock);
 }
 
@@ -233,7 +150,7 @@ void OwnerFile::claim(Neighbour neighbour) {
             if (is_only_read && fs::exists(file_)) return;
             throw system_failure("write", options_.shown, failure);
         }
-        if (link_to(draft.name(), name_, options_.shown)) break;
+        if (link_to(draft, name_, options_.shown)) break;
         const std::optional<SeenOwner> seen = seen_at(name_, draft.time());
         if (!seen) continue;
         const bool is_neighbour = seen->owner.host == self_.host;
@@ -246,14 +163,17 @@ void OwnerFile::claim(Neighbour neighbour) {
         const std::optional<SeenOwner> still = seen_at(name_, draft.time());
         if (turn.is_mine() && still && still->owner.mark == seen->owner.mark &&
             (is_neighbour || is_silent(*still, options_))) {
-            if (::rename(draft.name().c_str(), name_.c_str()) != 0)
+            if (::rename(draft.name().c_str(), name_.c_str()) != 0) {
+                if (errno == ENOENT) continue;  // it stood still until somebody removed the draft
                 throw system_failure("write", options_.shown, errno);
+            }
             replaced_ = still;
             break;
         }
         pause();
     }
     if (heart_.joinable()) return;
+    if (const std::optional<SeenOwner> own = seen_at(name_, 0.0)) remove_left_drafts(name_, self_.host, -own->silence);
     is_own_ = true;
     last_beat_ = now_ms();
     heart_ = std::jthread([this](const std::stop_token& stop) { live(stop); });

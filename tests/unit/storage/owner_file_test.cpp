@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <ctime>
 #include <latch>
 #include <memory>
 #include <thread>
@@ -217,6 +218,35 @@ TEST_F(OwnerOf, AFileWhoseTakerOfThisHostDiedAmidIsNotWaitedFor) {
     const OwnerFile owner(file_, options("n1"));
     EXPECT_TRUE(owner.replaced());
     EXPECT_EQ(folder_.files(), 1);
+}
+
+// what a kill leaves that comes while an owner's file is made
+TEST_F(OwnerOf, WhatKillsHaveLeftBesideItIsRemovedByTheNextAndOfTheLivingNothing) {
+    const auto draft = [&](const std::string& digits, const Owner& owner, long age) {
+        const std::filesystem::path name = name_.string() + "." + digits;
+        write_file(name.string(), owner.mark.empty() ? "" : owner_text(owner));
+        const std::time_t then = std::time(nullptr) - age;
+        const timespec times[2] = {{then, 0}, {then, 0}};
+        EXPECT_EQ(::utimensat(AT_FDCWD, name.c_str(), times, 0), 0);
+        return name;
+    };
+    constexpr long hour = 3600;
+    const Owner unknown;
+    const auto dead = draft("00000000000000aa", {"n1", dead_process(), "", "a", 0}, 1);
+    const auto far = draft("00000000000000bb", {"n2", 1, "", "b", 0}, hour + 60);
+    const auto unwritten = draft("00000000000000cc", unknown, hour + 60);
+    const auto living = draft("00000000000000dd", {"n1", ::getpid(), "", "d", 0}, 10 * hour);
+    const auto far_and_young = draft("00000000000000ee", {"n2", 1, "", "e", 0}, hour - 60);
+    const auto unwritten_yet = draft("00000000000000ff", unknown, 1);
+    const auto other = draft("notes", {"n1", dead_process(), "", "f", 0}, 10 * hour);
+    {
+        const OwnerFile owner(file_, options("n1"));
+        for (const auto& name : {dead, far, unwritten})
+            EXPECT_FALSE(std::filesystem::exists(name)) << name;
+        for (const auto& name : {living, far_and_young, unwritten_yet, other})
+            EXPECT_TRUE(std::filesystem::exists(name)) << name;
+    }
+    EXPECT_EQ(folder_.files(), 4);
 }
 
 TEST_F(OwnerOf, AProcessOfThisHostThatIsNoMoreIsNotAlive) {
