@@ -1,4 +1,4 @@
-"""xarray opens stores of charts: finished ones, and those that were stopped before.
+"""xarray opens stores of charts: finished ones, those that were stopped before, and those that are being filled.
 
 ``xarray.open_dataset("pair/chart.sqlite", engine="stridor")``; where the package is not installed but lies in the
 search path, `engine=stridor.xarray_backend.StoreBackend`.
@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import os
 import pathlib
+import socket
 import sqlite3
-from typing import Any, Dict, Iterable, List, Tuple, Union
+import time
+from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Tuple, Union
 
 import numpy
 import xarray
@@ -24,13 +26,19 @@ __all__ = ["StoreBackend"]
 _mark = (b"SQLite format 3\x00", b"STRD")  # at 0 and at 68: SQLite's application_id
 _words = ("status", "category", "quiet_because")
 _texts = ("message", "starts")
+_longest_silence = 60.0  # [s] of an owner, who is dead then
+_patience = 10.0  # [s] for a moment in which the store does not change
+_pause = 0.002  # [s] between looks
+_at_once = 4096  # rows, which take less time than there is between two commits
 
 
 class StoreBackend(BackendEntrypoint):
     """Opens chart.sqlite with the chart.toml beside it.
 
     A finished store gives what chart.nc holds. One with cells missing gives those that are there: `status` is -1 where
-    a cell is not yet computed, figures are nan. One that a program is filling at this moment is refused: it is locked.
+    a cell is not yet computed, figures are nan. So does one that another program of this machine is filling, which is
+    not kept waiting: all cells that it had kept when reading began, and perhaps some that came since. One that is
+    filled on another machine is refused.
 
     Examples
     --------
@@ -52,7 +60,8 @@ class StoreBackend(BackendEntrypoint):
         if not self.guess_can_open(path):
             raise InputError(f"{path} is no store of a chart")
         try:
-            data = open_chart(path.parent).to_xarray() if path.name == "chart.sqlite" else _unfinished(path)
+            is_being_filled = path.name != "chart.sqlite" or _filler(path) is not None
+            data = _unfinished(path) if is_being_filled else open_chart(path.parent).to_xarray()
         except Interrupted:
             data = _unfinished(path)
         return data.drop_vars([drop_variables] if isinstance(drop_variables, str) else drop_variables or [])
@@ -108,13 +117,80 @@ def _dimension(axis: Tuple[str, str, str, str, Any]) -> Tuple[str, Any, Dict[str
     return key.split(".")[-1], values, {"units": unit, "long_name": sentence, "key": key}
 
 
-def _rows(path: pathlib.Path) -> Tuple[List[str], List[Tuple[Any, ...]]]:
+class _Filler(NamedTuple):
+    """Who fills a store, as its owner's file says (src/stridor/storage/owner_file.hpp)."""
+
+    mark: str
+    changes: int  # odd while the file changes
+
+    def is_still(self) -> bool:
+        """Whether the file may be looked at."""
+        return self.changes % 2 == 0
+
+
+def _filler(path: pathlib.Path) -> Optional[_Filler]:
+    """Nothing where nobody does. Throws `FileError` where one does whose changes are not to be seen from here."""
+    owner = path.with_name(path.name + ".owner")
     try:
-        store = sqlite3.connect(path.absolute().as_uri() + "?mode=ro", uri=True, timeout=10)
-        try:
-            cursor = store.execute("SELECT * FROM cell ORDER BY id")
-            return [column[0] for column in cursor.description], cursor.fetchall()
-        finally:
-            store.close()
-    except sqlite3.Error as error:
-        raise FileError(f"cannot read {path} ({error})") from None
+        lines = owner.read_text(encoding="utf-8").splitlines()
+        silence = time.time() - owner.stat().st_mtime
+    except FileNotFoundError:
+        return None
+    said = {key.strip(): value.strip() for key, _, value in (line.partition("=") for line in lines)}
+    process = int(said.get("process") or 0)
+    if silence > _longest_silence or (said.get("host") == socket.gethostname() and not _is_there(process)):
+        return None
+    # with a descriptor of its own closed, a process gives back its locks
+    if said.get("host") != socket.gethostname() or process == os.getpid():
+        raise FileError(f"{path} is in use (process {process} of host {said.get('host')} fills it)")
+    return _Filler(said.get("mark", ""), int(said.get("changes") or 1))
+
+
+def _is_there(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except PermissionError:
+        pass
+    return True
+
+
+def _rows(path: pathlib.Path) -> Tuple[List[str], List[Tuple[Any, ...]]]:
+    names, rows, last = [], [], -1
+    while True:
+        names, more = _some_rows(path, last)
+        rows += more
+        if len(more) < _at_once:
+            return names, rows
+        last = more[-1][0]
+
+
+def _some_rows(path: pathlib.Path, last: int) -> Tuple[List[str], List[Tuple[Any, ...]]]:
+    """The rows behind the last one, at most so many; of a store that is being filled as they were at one moment."""
+    deadline = time.monotonic() + _patience
+    while True:
+        filler = _filler(path)
+        if filler is None or filler.is_still():
+            failure = None
+            try:
+                found = _query(path, "ro" if filler is None else "ro&immutable=1", last)
+            except sqlite3.Error as error:
+                failure = error
+            # what was read while it changed is not what was there, whatever came of it
+            if filler is None or _filler(path) == filler:
+                if failure is None:
+                    return found
+                raise FileError(f"cannot read {path} ({failure})") from None
+        if time.monotonic() > deadline:
+            raise FileError(f"{path} is in use (it changed whenever it was read). Try again.")
+        time.sleep(_pause)
+
+
+def _query(path: pathlib.Path, mode: str, last: int) -> Tuple[List[str], List[Tuple[Any, ...]]]:
+    store = sqlite3.connect(f"{path.absolute().as_uri()}?mode={mode}", uri=True, timeout=_patience)
+    try:
+        cursor = store.execute("SELECT * FROM cell WHERE id > ? ORDER BY id LIMIT ?", (last, _at_once))
+        return [column[0] for column in cursor.description], cursor.fetchall()
+    finally:
+        store.close()

@@ -188,21 +188,27 @@ void OwnerFile::live(const std::stop_token& stop) {
     }
 }
 
-// Called with the mutex held.
-void OwnerFile::beat() {
+// Called with the mutex held: tells how far it is; false, with the system's number of why, if that failed.
+bool OwnerFile::beat() {
     const Descriptor opened(::open(name_.c_str(), O_RDWR | O_CLOEXEC));
-    if (!opened.is_open() && errno != ENOENT) return;  // the disk may come back; silence is noticed by others
+    if (!opened.is_open() && errno != ENOENT) return false;  // the disk may come back; silence is noticed by others
     std::array<char, longest_owner_text> text{};
     const ssize_t size = opened.is_open() ? ::read(opened.number(), text.data(), text.size()) : 0;
-    if (size < 0) return;
+    if (size < 0) return false;
     is_lost_ = read_owner({text.data(), static_cast<std::size_t>(size)}).mark != self_.mark;
-    if (is_lost_) return;
+    if (is_lost_) return false;
     // of the same length, so that nobody finds half of it; another file that has the name by now is not touched
     Owner owner = self_;
     owner.count = count_;
+    owner.changes = changes_;
     const std::string told = owner_text(owner);
-    const bool is_told = ::pwrite(opened.number(), told.data(), told.size(), 0) == static_cast<ssize_t>(told.size());
+    const ssize_t written = ::pwrite(opened.number(), told.data(), told.size(), 0);
+    const bool is_told = written == static_cast<ssize_t>(told.size());
+    const int code = written < 0 ? errno : ENOSPC;
+    // a full disk may still know the time
     if (is_told || ::futimens(opened.number(), nullptr) == 0) last_beat_ = now_ms();
+    errno = code;
+    return is_told;
 }
 
 void OwnerFile::expect_own() {
@@ -219,6 +225,20 @@ void OwnerFile::expect_own() {
 void OwnerFile::tell(std::uint64_t count) {
     const std::scoped_lock lock(mutex_);
     count_ = count;
+}
+
+void OwnerFile::begin_change() {
+    const std::scoped_lock lock(mutex_);
+    changes_ |= 1U;
+    // one that was lost is nobody's to look at, as `expect_own` will say
+    if (is_own_ && !beat() && !is_lost_) throw system_failure("write", name_.string(), errno);
+}
+
+void OwnerFile::end_change() {
+    const std::scoped_lock lock(mutex_);
+    changes_ += changes_ & 1U;
+    // where it cannot be told others wait for the next one
+    if (is_own_) beat();
 }
 
 }  // namespace stridor::storage

@@ -21,15 +21,20 @@
 /// It appears by `link`, which is atomic on NFS, too. Only one who holds STORE.owner.lock replaces or removes it,
 /// made likewise, after a look at it: so of several who would take over one does. Every owner has a mark of his
 /// own, by which he notices that he is one no longer: a machine may stand still for minutes and go on.
+///
+/// On the same machine the file may be read meanwhile, without a lock and without keeping the owner waiting: he tells
+/// when he begins to change it and when he has ended. What was read while `changes` was even and stayed the same is
+/// what was there.
 namespace stridor::storage {
 
 /// One who fills a file.
 struct Owner {
     std::string host;
-    long process = 0;         // its id there
-    std::string job;          // SLURM_JOB_ID; may be empty
-    std::string mark;         // unlike that of any other
-    std::uint64_t count = 0;  // [1] what he has done: of a store its cells
+    long process = 0;           // its id there
+    std::string job;            // SLURM_JOB_ID; may be empty
+    std::string mark;           // unlike that of any other
+    std::uint64_t count = 0;    // [1] what he has done: of a store its cells
+    std::uint64_t changes = 1;  // [1] twice the changes of the file that have ended; odd while one is going on
 };
 
 /// An owner as others see him.
@@ -89,6 +94,12 @@ public:
     /// Tells others how far this one is, with the next sign of life.
     void tell(std::uint64_t count);
 
+    /// The file changes from now on, as it may do from the beginning. Throws `Error` (io) if that cannot be told.
+    void begin_change();
+
+    /// It does not until the next `begin_change`; tells how far this one is, too.
+    void end_change();
+
     /// Whose claim was taken over, if any.
     const std::optional<SeenOwner>& replaced() const { return replaced_; }
 
@@ -96,7 +107,7 @@ private:
     enum class Neighbour { left_to_the_lock, replaced };
 
     void claim(Neighbour neighbour);
-    void beat();
+    bool beat();
     void live(const std::stop_token& stop);
 
     std::filesystem::path file_;
@@ -110,6 +121,7 @@ private:
     bool is_own_ = false;
     bool is_lost_ = false;
     std::uint64_t count_ = 0;
+    std::uint64_t changes_ = 1;
     std::int64_t last_beat_ = 0;  // [ms] by a clock that goes on while the machine sleeps
 
     std::jthread heart_;  // last, so that it ends before what it uses

@@ -21,8 +21,9 @@ Number number_in(std::string_view text) {
 }  // namespace
 
 std::string owner_text(const Owner& owner) {
-    return fmt::format("host = {}\nprocess = {}\njob = {}\nmark = {}\ncount = {:<20}\n", owner.host.substr(0, 255),
-                       owner.process, owner.job.substr(0, 255), owner.mark, owner.count);
+    return fmt::format("host = {}\nprocess = {}\njob = {}\nmark = {}\ncount = {:<20}\nchanges = {:<20}\n",
+                       owner.host.substr(0, 255), owner.process, owner.job.substr(0, 255), owner.mark, owner.count,
+                       owner.changes);
 }
 
 Owner read_owner(std::string_view text) {
@@ -39,6 +40,7 @@ Owner read_owner(std::string_view text) {
         if (key == "job") owner.job = value;
         if (key == "mark") owner.mark = value;
         if (key == "count") owner.count = number_in<std::uint64_t>(value);
+        if (key == "changes") owner.changes = number_in<std::uint64_t>(value);
     }
     return owner;
 }

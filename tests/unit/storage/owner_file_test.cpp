@@ -249,6 +249,25 @@ TEST_F(OwnerOf, WhatKillsHaveLeftBesideItIsRemovedByTheNextAndOfTheLivingNothing
     EXPECT_EQ(folder_.files(), 4);
 }
 
+TEST_F(OwnerOf, TellsAtOnceWhenTheFileChangesAndWhenItDoesNot) {
+    OwnerFile owner(file_, options("n1"));
+    const auto changes = [&] { return owner_of(file_)->owner.changes; };
+    EXPECT_EQ(changes(), 1) << "nobody may look before it says so";
+    owner.tell(7);
+    owner.end_change();
+    EXPECT_EQ(changes(), 2);
+    EXPECT_EQ(owner_of(file_)->owner.count, 7);
+    owner.begin_change();
+    EXPECT_EQ(changes(), 3);
+    owner.begin_change();
+    EXPECT_EQ(changes(), 3) << "a change that failed goes on";
+    owner.end_change();
+    EXPECT_EQ(changes(), 4);
+    leave({"n2", 17, "", "another", 0}, 0);
+    EXPECT_NO_THROW(owner.begin_change());
+    EXPECT_EQ(owner_of(file_)->owner.mark, "another") << "its file is not touched";
+}
+
 TEST_F(OwnerOf, AProcessOfThisHostThatIsNoMoreIsNotAlive) {
     EXPECT_FALSE(may_be_alive({{"n1", dead_process(), "", "", 0}, 1.0}, options("n1")));
     EXPECT_TRUE(may_be_alive({{"n1", ::getpid(), "", "", 0}, 1.0}, options("n1")));
@@ -257,13 +276,14 @@ TEST_F(OwnerOf, AProcessOfThisHostThatIsNoMoreIsNotAlive) {
 }
 
 TEST(OwnerText, IsReadAsWrittenAndHasOneLength) {
-    const Owner owner{"n1", 17, "4711", "0123", 18'446'744'073'709'551'615U};
+    const Owner owner{"n1", 17, "4711", "0123", 18'446'744'073'709'551'615U, 12};
     const Owner back = read_owner(owner_text(owner));
     EXPECT_EQ(back.host, owner.host);
     EXPECT_EQ(back.process, owner.process);
     EXPECT_EQ(back.job, owner.job);
     EXPECT_EQ(back.mark, owner.mark);
     EXPECT_EQ(back.count, owner.count);
+    EXPECT_EQ(back.changes, owner.changes);
     Owner other = owner;
     other.count = 0;
     EXPECT_EQ(owner_text(other).size(), owner_text(owner).size());

@@ -205,6 +205,7 @@ MergeReport merge(const Study& study, const fs::path& folder, const MergeOptions
     storage::OwnerOptions claim = owner_options(merged);
     claim.has_lock = false;  // the merged store is another file than the one that is there
     storage::OwnerFile owner(merged, claim);
+    owner.end_change();  // the one that is there stays as it is until another takes its name
     MergeReport report;
     report.shares = share_stores(folder);
     const std::size_t cells = cell_count(study);

@@ -39,6 +39,8 @@ Store::Store(const std::filesystem::path& file, const Study& study, StoreUse use
     const std::string text = canonical_text(study);
     // it is read from one end to the other, perhaps beside a thousand others
     if (use == StoreUse::read) database_.execute("PRAGMA cache_size = -256");
+    // the file changes by commits alone, for those who look on
+    if (use == StoreUse::fill) database_.execute("PRAGMA cache_spill = OFF");
     Transaction transaction(database_,
                             use == StoreUse::fill ? Transaction::Purpose::write : Transaction::Purpose::read);
     if (owner_) {
@@ -52,6 +54,7 @@ Store::Store(const std::filesystem::path& file, const Study& study, StoreUse use
         create_tables(database_, text);
     is_blank_ = is_blank_ && use == StoreUse::read;
     transaction.commit();
+    if (owner_) owner_->end_change();
 }
 
 // who comes next on this machine finds no owner before the lock is free
@@ -94,9 +97,11 @@ void Store::write(std::span<const IndexedCell> cells) {
         STRIDOR_EXPECT(cell.index < cells_);
         insert(row, cell);
     }
+    owner_->begin_change();
     transaction.commit();
     known_ += cells.size();
     owner_->tell(known_);
+    owner_->end_change();
 }
 
 void Store::visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) {
