@@ -16,7 +16,6 @@
 #include "stridor/noise_library/library.hpp"
 #include "stridor/recordings/audio/wav.hpp"
 #include "stridor/recordings/open_signal.hpp"
-#include "texts.hpp"
 #include "work.hpp"
 
 #include <pybind11/stl.h>

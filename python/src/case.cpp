@@ -12,7 +12,6 @@
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/sweep/cell_figures.hpp"
-#include "texts.hpp"
 
 #include <pybind11/stl.h>
 
@@ -33,9 +32,14 @@ CaseHandle handle(Case c) {
     return {std::make_shared<const Case>(std::move(c))};
 }
 
-CaseHandle ready_case(const std::string& name) {
+std::vector<std::string> ready_names() {
     std::vector<std::string> names = io::ready_file_names();
     std::erase(names, "schema");
+    return names;
+}
+
+CaseHandle ready_case(const std::string& name) {
+    const std::vector<std::string> names = ready_names();
     if (std::find(names.begin(), names.end(), name) == names.end())
         base::refuse("there is no case \"" + name + "\"", "", base::did_you_mean(name, names));
     return handle(io::read_case({io::ready_file(name), name, {}}));
@@ -167,11 +171,7 @@ void bind_case(py::module_& module) {
         .def("json", [](const CaseHandle& c) { return python_text(io::case_json(*c.of)); })
         .def("equals", &are_equal, py::arg("other"));
     module.def("ready_case", &ready_case, py::arg("name"));
-    module.def("ready_names", [] {
-        std::vector<std::string> names = io::ready_file_names();
-        std::erase(names, "schema");
-        return names;
-    });
+    module.def("ready_names", &ready_names);
     module.def("read", &read, py::arg("path"));
     module.def("warnings", &warnings, py::arg("path"));
     module.def("from_toml", &from_toml, py::arg("text"), py::arg("name"), py::arg("times"), py::arg("velocities"));

@@ -17,7 +17,6 @@
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/starts.hpp"
 #include "stridor/sweep/store/store.hpp"
-#include "texts.hpp"
 #include "work.hpp"
 
 #include <pybind11/stl.h>
@@ -57,21 +56,26 @@ py::dict python_counts(const sweep::Counts& counts) {
     return numbers;
 }
 
+// number(cell) of all cells
+template <typename Cells, typename Number>
+py::array_t<signed char> numbers_of(const Cells& cells, const std::vector<py::ssize_t>& shape, Number number) {
+    Bytes numbers;
+    for (const auto& cell : cells)
+        numbers.push_back(static_cast<signed char>(number(cell)));
+    return array_of(std::move(numbers), shape);
+}
+
 // status, category and why it is quiet of all cells; -1 where a cell is not done
 py::dict python_verdicts(const std::vector<sweep::CellVerdict>& cells, const std::vector<py::ssize_t>& shape) {
-    Bytes status, category, quiet, agreement;
-    for (const sweep::CellVerdict& cell : cells) {
-        const bool is_done = cell.status == sweep::Status::done;
-        status.push_back(static_cast<signed char>(cell.status));
-        category.push_back(is_done ? static_cast<signed char>(cell.category) : Bytes::value_type{-1});
-        quiet.push_back(is_done ? static_cast<signed char>(cell.quiet) : Bytes::value_type{-1});
-        agreement.push_back(static_cast<signed char>(cell.agreement));
-    }
+    using sweep::CellVerdict;
+    const auto where_done = [](const CellVerdict& cell, auto of) {
+        return cell.status == sweep::Status::done ? static_cast<int>(of) : -1;
+    };
     py::dict verdicts;
-    verdicts["status"] = array_of(std::move(status), shape);
-    verdicts["category"] = array_of(std::move(category), shape);
-    verdicts["quiet_because"] = array_of(std::move(quiet), shape);
-    verdicts["agreement"] = array_of(std::move(agreement), shape);
+    verdicts["status"] = numbers_of(cells, shape, [](const CellVerdict& cell) { return cell.status; });
+    verdicts["category"] = numbers_of(cells, shape, [&](auto& cell) { return where_done(cell, cell.category); });
+    verdicts["quiet_because"] = numbers_of(cells, shape, [&](auto& cell) { return where_done(cell, cell.quiet); });
+    verdicts["agreement"] = numbers_of(cells, shape, [](const CellVerdict& cell) { return cell.agreement; });
     return verdicts;
 }
 
@@ -97,10 +101,16 @@ py::dict python_points(const std::vector<sweep::Cell>& cells, const std::vector<
     return result;
 }
 
-py::dict evaluate(const CaseHandle& c, const std::vector<std::string>& keys, const Doubles& values,
-                  const std::vector<std::string>& directions, int threads, const py::object& progress) {
-    sweep::DesignPoints points{*c.of, keys, {values.data(), values.data() + values.size()}, {}};
-    points.directions = chosen<parameters::Direction>("directions", directions, parameters::direction_names);
+// number of the verdict from each start, an index into `words["verdict"]`; shape [start][direction][point]
+Bytes start_verdicts(const std::vector<sweep::Cell>& cells, std::size_t starts) {
+    Bytes numbers;
+    for (std::size_t start = 0; start < starts; ++start)
+        for (const sweep::Cell& cell : cells)
+            numbers.push_back(static_cast<signed char>(sweep::number_of(cell.starts[start])));
+    return numbers;
+}
+
+py::dict evaluate(const sweep::DesignPoints& points, int threads, const py::object& progress) {
     sweep::PointOptions options;
     options.crew = crew::thread_crews(threads);
     options.progress = [&](std::size_t done) {
@@ -110,8 +120,12 @@ py::dict evaluate(const CaseHandle& c, const std::vector<std::string>& keys, con
         options.stop = stop;
         return sweep::evaluate(points, options);
     });
-    return python_points(
-        cells, {static_cast<py::ssize_t>(directions.size()), static_cast<py::ssize_t>(sweep::point_count(points))});
+    const auto ways = static_cast<py::ssize_t>(points.directions.size());
+    const auto count = static_cast<py::ssize_t>(sweep::point_count(points));
+    const auto starts = static_cast<py::ssize_t>(points.starts.size());
+    py::dict result = python_points(cells, {ways, count});
+    result["start_verdict"] = array_of(start_verdicts(cells, points.starts.size()), {starts, ways, count});
+    return result;
 }
 
 /// A study to be computed.
@@ -154,9 +168,10 @@ public:
         return {static_cast<py::ssize_t>(of.directions.size()), of.y.points, of.x.points};
     }
 
-    // use(result) with the figures of the cells at hand
+    // use(result) with the figures of the cells at hand, while other Python threads go on
     template <typename Use>
     auto with_cells(Use use) {
+        const py::gil_scoped_release released;
         sweep::SweepResult whole = sweep::load(result_.study, std::make_shared<sweep::Store>(store_, result_.study));
         auto made = use(whole);
         whole.computed.reset();
@@ -191,7 +206,6 @@ ChartHandle compute(const StudyHandle& handle, const std::string& store_file, in
                                                  "all of them are kept in " + store_file, "Run it again to go on."});
         return 0;
     });
-    const py::gil_scoped_release released;
     return {study, store_file};
 }
 
@@ -203,11 +217,8 @@ py::array_t<double> figure(ChartHandle& chart, const std::string& name) {
             names.push_back(each.name);
         base::refuse("a chart has no figure \"" + name + "\"", "", base::did_you_mean(name, names));
     }
-    std::vector<double> values = [&] {
-        const py::gil_scoped_release released;
-        return chart.with_cells([&](const sweep::SweepResult& result) { return sweep::figure_values(result, *found); });
-    }();
-    return array_of(std::move(values), chart.shape());
+    return array_of(chart.with_cells([&](const auto& result) { return sweep::figure_values(result, *found); }),
+                    chart.shape());
 }
 
 py::dict verdicts(const ChartHandle& chart) {
@@ -257,17 +268,12 @@ CaseHandle case_at(const ChartHandle& chart, const std::string& x, const std::st
 }
 
 py::str svg(ChartHandle& chart, const std::string& quantity) {
-    const std::string text = [&] {
-        const py::gil_scoped_release released;
-        return chart.with_cells([&](const sweep::SweepResult& result) {
-            return drawing::render(pictures::quantity_chart(result, quantity), drawing::Format::svg);
-        });
-    }();
-    return python_text(text);
+    return python_text(chart.with_cells([&](const sweep::SweepResult& result) {
+        return drawing::render(pictures::quantity_chart(result, quantity), drawing::Format::svg);
+    }));
 }
 
 void write_netcdf(ChartHandle& chart, const std::string& path) {
-    const py::gil_scoped_release released;
     chart.with_cells([&](const sweep::SweepResult& result) {
         io::write_chart_netcdf(path, result);
         return 0;
@@ -276,7 +282,6 @@ void write_netcdf(ChartHandle& chart, const std::string& path) {
 
 // the tables and the chart's own file, as `stridor chart` writes them
 void write_tables(ChartHandle& chart, const std::string& folder) {
-    const py::gil_scoped_release released;
     storage::write_file((std::filesystem::path(folder) / "chart.toml").string(), io::study_toml(chart.study()));
     chart.with_cells([&](const sweep::SweepResult& result) {
         io::write_chart_tables(result, folder, io::chart_exports(chart.study(), {}));
@@ -298,6 +303,7 @@ void bind_words(py::module_& module) {
     all["status"] = words(sweep::status_names);
     all["source"] = words(sweep::source_names);
     all["agreement"] = words(sweep::agreement_names);
+    all["start_verdict"] = words(sweep::verdict_words);
     module.attr("words") = all;
 }
 
@@ -305,8 +311,22 @@ void bind_words(py::module_& module) {
 
 void bind_charts(py::module_& module) {
     bind_words(module);
-    module.def("evaluate", &evaluate, py::arg("case"), py::arg("keys"), py::arg("values"), py::arg("directions"),
-               py::arg("threads"), py::arg("progress"));
+    py::class_<sweep::DesignPoints>(module, "PointsHandle", "Points that are to be computed.");
+    module.def(
+        "points",
+        [](const std::vector<CaseHandle>& bases, std::vector<std::size_t> base_of, const std::vector<std::string>& keys,
+           const Doubles& values, const std::vector<std::string>& directions, const std::vector<std::string>& starts) {
+            sweep::DesignPoints points{{}, keys, {values.data(), values.data() + values.size()}};
+            for (const CaseHandle& base : bases)
+                points.bases.push_back(*base.of);
+            points.base_of = std::move(base_of);
+            points.directions = chosen<parameters::Direction>("directions", directions, parameters::direction_names);
+            points.starts = chosen<parameters::Initial>("starts", starts, sweep::start_names());
+            return points;
+        },
+        py::arg("bases"), py::arg("base_of"), py::arg("keys"), py::arg("values"), py::arg("directions"),
+        py::arg("starts"));
+    module.def("evaluate", &evaluate, py::arg("points"), py::arg("threads"), py::arg("progress"));
     py::class_<StudyHandle>(module, "StudyHandle", "A chart that is to be computed.")
         .def("directions", [](const StudyHandle& c) { return directions(c.study); })
         .def("axes", [](const StudyHandle& c) { return axes(c.study); })

@@ -1,6 +1,6 @@
 #include "bindings.hpp"
+#include "handles.hpp"
 #include "stridor/base/error.hpp"
-#include "texts.hpp"
 
 #include <exception>
 #include <filesystem>

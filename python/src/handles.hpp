@@ -6,6 +6,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,13 @@ namespace stridor::binding {
 struct CaseHandle {
     std::shared_ptr<const parameters::Case> of;
 };
+
+/// Text of the library as a Python string; bytes that are no UTF-8 become replacement characters.
+inline pybind11::str python_text(std::string_view text) {
+    PyObject* object = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace");
+    if (object == nullptr) throw pybind11::error_already_set();
+    return pybind11::reinterpret_steal<pybind11::str>(object);
+}
 
 /// Numbers as an array that nobody may write, without a copy: the array owns them.
 template <typename Number>

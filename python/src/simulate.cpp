@@ -9,7 +9,6 @@
 #include "stridor/io/simulation/json_simulation.hpp"
 #include "stridor/io/simulation/trace_texts.hpp"
 #include "stridor/record/columns.hpp"
-#include "texts.hpp"
 #include "work.hpp"
 
 #include <pybind11/stl.h>

@@ -9,6 +9,7 @@ import numpy
 from . import _stridor
 from ._case import Case
 from ._optional import needed, progress_bar
+from ._points import Points, field_of, points_of
 from .errors import InputError
 
 __all__ = ["evaluate", "words"]
@@ -44,52 +45,32 @@ def _named(numbers: Any, names: Sequence[str], missing: str) -> Any:
     return table[numbers]
 
 
-def _columns(case: Case, values: Mapping[str, object]) -> Tuple[List[str], List[Any], Tuple[int, ...]]:
-    keys, arrays = [], []
-    for name, column in values.items():
-        key = _stridor.key_called(str(name))
-        array = numpy.asarray(column)
-        if array.dtype.kind in "US":  # text with units
-            texts = [case.replace({key: str(text)})[key] for text in array.ravel()]
-            array = numpy.array(texts, dtype=float).reshape(array.shape)
-        try:
-            if array.dtype.kind in "cO":
-                raise TypeError
-            array = array.astype(float)
-        except (TypeError, ValueError):
-            raise InputError(f"the values of {key} are no numbers") from None
-        keys.append(key)
-        arrays.append(array)
-    if not arrays:
-        raise InputError("there are no points (no quantity changes). Give one quantity at least.")
-    try:
-        arrays = numpy.broadcast_arrays(*arrays)
-    except ValueError as error:
-        raise InputError(f"the arrays do not fit together: {error}") from None
-    return keys, arrays, arrays[0].shape
-
-
 def evaluate(
     case: Case,
     values: Mapping[str, object],
     *,
     directions: Union[str, Sequence[str]] = ("going", "coming"),
+    starts: Sequence[str] = (),
     threads: int = 0,
     progress: Progress = False,
 ) -> Any:
     """Simulates a case at many points, on all processors: a design of experiments, or a sample of tolerances.
 
-    Each point has what a chart's cell at these values has, bit for bit.
+    Each point has what a cell at these values has in a chart with the same starts, bit for bit.
 
     Parameters
     ----------
     case : Case
         All that does not change.
     values : mapping
-        For each quantity (key, last part of it or symbol) its values: numbers in its unit, or text with units. The
-        arrays are broadcast against each other; the result has their shape.
+        By key, last part of it or symbol. Of a quantity numbers in its unit, or text with units; of what is chosen
+        words: ``{"run.engine": ["exact", "taylor"]}``. The arrays are broadcast against each other; the result has
+        their shape. Where words leave something out (a constant drive its velocity), another array says it; what means
+        nothing for a point's words changes nothing there.
     directions : "going", "coming", or both
         A constant drive is run once for each, with V = +-abs(velocity).
+    starts : sequence of {"rest", "stuck", "sliding"}
+        Each point is run from all of them and shows the loudest; without them from the case's own.
     threads : int
         [1] 0: one per processor this process may use.
     progress : bool or callable
@@ -100,13 +81,15 @@ def evaluate(
     -------
     xarray.Dataset
         Over direction and the arrays' dimensions ("point", or "dim_0", "dim_1", ...): category, quiet_because and
-        status as words, message, and all figures with their units; NaN where there is none. The values are
-        coordinates.
+        status as words, message, and all figures with their units; NaN where there is none. With starts the
+        `agreement` of all, and by start (dimension "start") the `start_verdict`: the category, or the status without
+        one. The values are coordinates.
 
     Raises
     ------
     InputError
-        For what is no quantity, and values out of range. Values that contradict each other make a point "invalid".
+        For wrong names, words and units, and values out of range, with the number of the point. Values that contradict
+        each other make a point "invalid".
     Interrupted
         When it was stopped. Nothing is kept then.
 
@@ -117,34 +100,52 @@ def evaluate(
     ...                        directions="going")
     >>> list(doe.category.sel(direction="going").values)
     ['squeal', 'squeal', 'squeal', 'creak']
+    >>> laws = stridor.evaluate(stridor.case("squeal"), {"contact.impact": ["plastic", "restitution"],
+    ...                                                  "contact.restitution": 0.3}, directions="going")
+    >>> [f"{law}: {share:.3f}" for law, share in zip(laws.impact.values, laws.separation.values[0])]
+    ['plastic: 0.679', 'restitution: 0.715']
     """
     xarray = needed("xarray", "an evaluation")
-    keys, arrays, shape = _columns(case, values)
-    ways = _directions(directions)
+    points = points_of(case, values)
+    ways, starts = _directions(directions), list(starts)
+    if starts and "run.initial" in points.columns:
+        raise InputError("starts and run.initial both say where a run begins. Leave one of them out.")
+    asked = _stridor.points([base._handle for base in points.bases], points.base_of, points.keys, points.values, ways,
+                            starts)
     show, close = _shown(progress, "run")
-    points = numpy.stack([array.ravel() for array in arrays], axis=-1)
     try:
-        result = _stridor.evaluate(case._handle, keys, points, ways, int(threads), show)
+        result = _stridor.evaluate(asked, int(threads), show)
     finally:
         close()
+    return xarray.Dataset(*_dataset_parts(points, ways, starts, result))
+
+
+def _dataset_parts(points: Points, ways: List[str], starts: List[str],
+                   result: Dict[str, Any]) -> Tuple[Dict[str, Any], Dict[str, Any]]:
+    """Variables and coordinates."""
+    shape = points.shape
     inner = ("point",) if len(shape) == 1 else tuple(f"dim_{k}" for k in range(len(shape)))
     dimensions = ("direction", *inner)
     whole = (len(ways), *shape)
     units = {name: {"units": unit, "long_name": sentence} for name, unit, sentence in _stridor.cell_figures()}
     variables: Dict[str, Any] = {
         name: (dimensions, _named(result[name], _stridor.words[name], "not_done").reshape(whole))
-        for name in ("category", "quiet_because", "status")
+        for name in ("category", "quiet_because", "status", *(["agreement"] if starts else []))
     }
     variables["message"] = (dimensions, numpy.array(result["messages"], dtype=object).reshape(whole))
     for name, array in result["figures"].items():
         variables[name] = (dimensions, array.reshape(whole), units[name])
     coordinates: Dict[str, Any] = {"direction": ways}
-    about = {field["key"]: field for field in _stridor.fields()}
-    for key, array in zip(keys, arrays):
-        field = about.get(key, {})
+    if starts:
+        coordinates["start"] = starts
+        verdicts = _named(result["start_verdict"], _stridor.words["start_verdict"], "")
+        variables["start_verdict"] = (("start", *dimensions), verdicts.reshape(len(starts), *whole))
+    for key, array in points.columns.items():
+        field = field_of(key)
+        about = {"units": field["unit"]} if field["unit"] is not None else {}
         coordinates[_coordinate(key, variables)] = (
-            inner, array, {"units": field.get("unit", ""), "long_name": field.get("sentence", ""), "parameter": key})
-    return xarray.Dataset(variables, coordinates)
+            inner, array, {**about, "long_name": field["sentence"], "parameter": key})
+    return variables, coordinates
 
 
 def _coordinate(key: str, taken: Mapping[str, object]) -> str:

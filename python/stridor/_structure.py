@@ -12,7 +12,7 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
 from . import _stridor
 from ._case import Case, _plain, _text
 from ._optional import needed
-from .errors import Complaint, Error, InputError
+from .errors import Error, InputError
 
 __all__ = ["structure"]
 
@@ -204,7 +204,4 @@ def _without_point(number: float) -> str:
 
 def _without_place(error: Error) -> Error:
     """The same of a file that is gone."""
-    complaints: List[Complaint] = [(what, why, suggestion, None) for what, why, suggestion, _ in error.complaints]
-    texts = [what + (f" ({why})." if why and suggestion else f" ({why})" if why else "." if suggestion else "") +
-             (f" {suggestion}" if suggestion else "") for what, why, suggestion, _ in complaints]
-    return type(error)("\n".join(texts), complaints)
+    return error._saying([(what, why, suggestion, None) for what, why, suggestion, _ in error.complaints])

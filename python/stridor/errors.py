@@ -78,6 +78,13 @@ class Error(Exception):
     def _of(cls, message: str, complaints: Sequence[Complaint]) -> Error:
         return cls(message, complaints)
 
+    @classmethod
+    def _saying(cls, complaints: Sequence[Complaint]) -> Error:
+        """One whose message says these, as the library puts it; their places are left out of it."""
+        texts = [what + (f" ({why})." if why and suggestion else f" ({why})" if why else "." if suggestion else "") +
+                 (f" {suggestion}" if suggestion else "") for what, why, suggestion, _ in complaints]
+        return cls._of("\n".join(texts), complaints)
+
     def __reduce__(self) -> Tuple[object, ...]:
         return type(self), (str(self), self.complaints)
 

@@ -39,7 +39,7 @@ double shortest_run(const parameters::Case& c) {
 int main() {
     const parameters::Case c = parameters::paper_case(parameters::PaperCase::squeal);
     std::printf("%.9f\n", shortest_run(c));
-    sweep::DesignPoints points{c, {"contact.preload"}, {}};
+    sweep::DesignPoints points{{c}, {"contact.preload"}, {}};
     for (int k = 0; k < 10000; ++k)
         points.values.push_back(5.0 + 0.05 * k);
     const double start = seconds();

@@ -62,6 +62,94 @@ def test_contradictions_are_points_and_ranges_are_errors(squeal):
         stridor.evaluate(squeal, {"preload": [20.0, -1.0]})
 
 
+@pytest.mark.parametrize("drive", ["constant", "sinusoidal"])
+@pytest.mark.parametrize("starts", [["sliding"], ["stuck", "rest"], ["sliding", "rest", "stuck"]], ids="-".join)
+def test_with_starts_each_is_a_cell_of_such_a_chart(drive, starts, squeal):
+    needed("netCDF4")
+    case = short(stridor.case("noise-chart") if drive == "constant" else squeal, 0.3)
+    axes = {"x": stridor.axis("preload", 2, 4000, 6), "y": stridor.axis("mu_d", 0.0, 0.8, 5)}
+    chart = stridor.words(stridor.chart(case, **axes, starts=starts).to_xarray())
+    values = {"preload": chart.preload.values[None, :], "mu_d": chart.kinetic_friction.values[:, None]}
+    points = stridor.evaluate(case, values, starts=starts, threads=2)
+    for name in points.data_vars:
+        if name != "message":
+            there = chart[name]
+            assert there.shape == points[name].shape and there.dims[:-2] == points[name].dims[:-2]
+            assert there.values.astype(points[name].dtype).tobytes() == points[name].values.tobytes(), name
+    assert list(points.start.values) == starts
+
+
+def test_starts_that_disagree_are_told_and_the_loudest_is_shown(squeal):
+    case = stridor.case("noise-chart")
+    grid = {"preload": numpy.geomspace(5, 2000, 6)[None, :], "mu_d": numpy.linspace(0.1, 0.75, 6)[:, None]}
+    both = stridor.evaluate(case, grid, starts=["rest", "sliding"], directions="going")
+    single = [stridor.evaluate(case.replace({"run.initial": start}), grid, directions="going")
+              for start in ("rest", "sliding")]
+    for start, alone in zip(both.start_verdict.values, single):
+        assert (start == numpy.where(alone.status == "done", alone.category, alone.status)).all()
+    differ = both.start_verdict.values[0] != both.start_verdict.values[1]
+    assert differ.any() and ((both.agreement.values == "agree") == ~differ).all()
+    order = ["none", "undecided", "creak", "squeak", "squeal"]
+    loudest = numpy.maximum(*(numpy.vectorize(order.index)(alone.category.values) for alone in single))
+    assert (numpy.array(order)[loudest] == both.category.values).all()
+    assert "agreement" not in single[0] and "start" not in single[0].dims
+
+
+@pytest.mark.parametrize("starts, said", [(["rest", "rest"], "twice"), (["rset"], 'Did you mean "rest"'), ([1], "")])
+def test_wrong_starts_are_refused(squeal, starts, said):
+    with pytest.raises((stridor.InputError, TypeError), match=said):
+        stridor.evaluate(squeal, {"preload": [20.0]}, starts=starts)
+    with pytest.raises(stridor.InputError, match="run.initial"):
+        stridor.evaluate(squeal, {"run.initial": ["rest"]}, starts=["rest"])
+
+
+def test_words_are_what_their_cases_give(squeal):
+    case = short(squeal)
+    words = {"run.engine": ["exact", "beta_2", "moreau"], "run.step": "1 us", "contact.impact": "plastic",
+             "preload": [20.0, 30.0, 40.0]}
+    points = stridor.evaluate(case, words, threads=2)
+    assert list(points.engine.values) == words["run.engine"] and points.engine.attrs["parameter"] == "run.engine"
+    assert "units" not in points.engine.attrs and points.step.units == "s"
+    for k, engine in enumerate(words["run.engine"]):
+        step = {} if engine == "exact" else {"run.step": "1 us"}
+        phases = stridor.simulate(case.replace({"run.engine": engine, **step, "preload": words["preload"][k]})).phases
+        assert [phase.category for phase in phases] == list(points.category.values[:, k])
+        assert [phase.slip for phase in phases] == list(points.slip.values[:, k])
+    # words alone, and words of a grid
+    alone = stridor.evaluate(case, {"run.initial": numpy.array([["rest", "stuck"], ["sliding", "rest"]])})
+    assert alone.slip.shape == (2, 2, 2) and alone.slip.values[0, 0, 0] == alone.slip.values[0, 1, 1]
+
+
+def test_words_that_need_numbers_take_them_and_others_leave_them(squeal):
+    values = {"drive.kind": ["sinusoidal", "constant", "constant"], "drive.velocity": ["1 m/s", "5 cm/s", "0.1 m/s"],
+              "drive.amplitude": [0.005, 0.001, 0.002]}
+    case = short(squeal)
+    points = stridor.evaluate(case, values, directions="going")
+    assert points.slip.values[0, 0] == stridor.evaluate(case, {"drive.amplitude": [0.005]}).slip.values[0, 0]
+    even = case.replace({"drive.kind": "constant", "drive.velocity": 0.05})
+    assert points.slip.values[0, 1] == stridor.simulate(even).whole.slip
+    # a contradiction in one of the points that say what is missing is that point's own
+    friction = {"contact.friction": "directional", "mu_sc": 0.5, "mu_dc": [0.9, 0.2]}
+    assert list(stridor.evaluate(case, friction, directions="going").status.values[0]) == ["invalid", "done"]
+
+
+@pytest.mark.parametrize("values, point", [
+    ({"run.engine": ["exact", "exakt"]}, 1), ({"run.engine": ["exakt"]}, 0), ({"run.engine": [1.0]}, 0),
+    ({"drive.kind": ["sinusoidal", "constant"]}, 1), ({"preload": ["2 N", "2 kg"]}, 1), ({"F": ["1 N", "x"]}, 1),
+    ({"preload": [1.0, 2.0, -1.0]}, 2), ({"contact.friction": ["coulomb", "directional"], "mu_sc": 0.5}, 1),
+    ({"run.engine": ["exact", "beta_2"], "preload": [20.0, -3.0]}, 1), ({"title": ["a", "b\nc"]}, 1)], ids=str)
+def test_wrong_points_say_what_a_case_says_and_their_number(squeal, values, point):
+    alone = {key: numpy.broadcast_arrays(*map(numpy.asarray, values.values()))[k][point].item()
+             for k, key in enumerate(values)}
+    with pytest.raises(stridor.InputError) as of_case:
+        squeal.replace(alone)
+    with pytest.raises(stridor.InputError) as of_point:
+        stridor.evaluate(squeal, values)
+    for said, wanted in zip(of_point.value.complaints, of_case.value.complaints):
+        assert said == (f"point {point}: {wanted[0]}", *wanted[1:])
+    assert all(text in str(of_point.value) for text in of_point.value.complaints[0][:3])
+
+
 def test_no_points_give_an_empty_dataset(squeal):
     assert stridor.evaluate(squeal, {"preload": []}).category.shape == (2, 0)
 

@@ -31,7 +31,7 @@ Study small_chart() {
 }
 
 DesignPoints points_of(const Study& study) {
-    DesignPoints points{study.base, {study.x.parameter, study.y.parameter}, {}};
+    DesignPoints points{{study.base}, {study.x.parameter, study.y.parameter}, {}};
     for (int iy = 0; iy < study.y.points; ++iy)
         for (int ix = 0; ix < study.x.points; ++ix) {
             points.values.push_back(value_at(study.x, ix));
@@ -41,7 +41,7 @@ DesignPoints points_of(const Study& study) {
 }
 
 DesignPoints two_points(double second) {
-    return {parameters::paper_case(parameters::PaperCase::squeal), {"contact.preload"}, {20.0, second}};
+    return {{parameters::paper_case(parameters::PaperCase::squeal)}, {"contact.preload"}, {20.0, second}};
 }
 
 void expect_same_cells(const std::vector<Cell>& a, const std::vector<Cell>& b) {
@@ -49,6 +49,8 @@ void expect_same_cells(const std::vector<Cell>& a, const std::vector<Cell>& b) {
     for (std::size_t k = 0; k < a.size(); ++k) {
         EXPECT_EQ(a[k].status, b[k].status);
         EXPECT_EQ(a[k].category, b[k].category);
+        EXPECT_EQ(a[k].agreement, b[k].agreement);
+        EXPECT_EQ(a[k].starts, b[k].starts);
         ASSERT_EQ(a[k].figures.size(), b[k].figures.size());
         for (std::size_t figure = 0; figure < a[k].figures.size(); ++figure)
             EXPECT_EQ(std::bit_cast<std::uint64_t>(a[k].figures[figure]),
@@ -56,20 +58,71 @@ void expect_same_cells(const std::vector<Cell>& a, const std::vector<Cell>& b) {
     }
 }
 
+std::vector<Cell> cells_of(const Study& study) {
+    std::vector<Cell> cells(cell_count(study));
+    for (int iy = 0; iy < study.y.points; ++iy)
+        for (int ix = 0; ix < study.x.points; ++ix) {
+            const std::vector<Cell> here = evaluate(study, ix, iy);
+            for (std::size_t direction = 0; direction < here.size(); ++direction)
+                cells[index_of(study, {direction, iy, ix})] = here[direction];
+        }
+    return cells;
+}
+
 TEST(DesignPoints, HaveWhatTheCellsOfAChartHave) {
     for (const bool is_constant : {true, false}) {
         Study study = small_chart();
         if (!is_constant) study.base.drive = parameters::paper_case(parameters::PaperCase::squeal).drive;
-        std::vector<Cell> cells(cell_count(study));
-        for (int iy = 0; iy < study.y.points; ++iy)
-            for (int ix = 0; ix < study.x.points; ++ix) {
-                const std::vector<Cell> here = evaluate(study, ix, iy);
-                for (std::size_t direction = 0; direction < here.size(); ++direction)
-                    cells[index_of(study, {direction, iy, ix})] = here[direction];
-            }
+        const std::vector<Cell> cells = cells_of(study);
         for (const int threads : {1, 2, 3})
             expect_same_cells(evaluate(points_of(study), {.crew = crew::thread_crews(threads)}), cells);
     }
+}
+
+TEST(DesignPoints, HaveWhatTheCellsOfAChartWithTheSameStartsHave) {
+    using parameters::Initial;
+    for (const bool is_constant : {true, false})
+        for (const std::vector<Initial>& starts :
+             {std::vector{Initial::sliding}, {Initial::stuck, Initial::sliding}, {Initial::sliding, Initial::rest}}) {
+            Study study = small_chart();
+            if (!is_constant) study.base.drive = parameters::paper_case(parameters::PaperCase::squeal).drive;
+            study.starts = starts;
+            const std::vector<Cell> cells = cells_of(study);
+            DesignPoints points = points_of(study);
+            points.starts = starts;
+            for (const int threads : {1, 3})
+                expect_same_cells(evaluate(points, {.crew = crew::thread_crews(threads)}), cells);
+            ASSERT_EQ(cells.front().starts.size(), starts.size());
+        }
+}
+
+// the bases differ in what drives them: one is run once for each direction, the other gives both in one run
+TEST(DesignPoints, OfSeveralBasesAreThoseOfEachAlone) {
+    const Study constant = small_chart();
+    Study sinusoidal = small_chart();
+    sinusoidal.base.drive = parameters::paper_case(parameters::PaperCase::squeal).drive;
+    DesignPoints points = points_of(constant);
+    points.bases = {constant.base, sinusoidal.base};
+    points.base_of = {0, 1, 1, 0, 1, 0};
+    const std::vector<Cell> cells = evaluate(points, {.crew = crew::thread_crews(2)});
+    const std::vector<Cell> alone[] = {cells_of(constant), cells_of(sinusoidal)};
+    std::vector<Cell> wanted;
+    for (std::size_t index = 0; index < 12; ++index)
+        wanted.push_back(alone[points.base_of[index % 6]][index]);
+    expect_same_cells(cells, wanted);
+    EXPECT_EQ(run_count(points), 9U);  // 3 points with 2 runs, 3 with 1
+
+    // what means something for one of them alone changes its points alone
+    points.keys = {"drive.velocity"};
+    points.values.assign(6, 0.05);
+    const std::vector<Cell> driven = evaluate(points);
+    EXPECT_EQ(driven[1].figures, driven[2].figures);
+    EXPECT_NE(driven[0].figures, driven[1].figures);
+
+    // a base may be all that changes
+    points.keys.clear();
+    points.values.clear();
+    EXPECT_EQ(evaluate(points)[4].figures, driven[1].figures);
 }
 
 TEST(DesignPoints, ThatContradictThemselvesAreInvalidAndTheOthersAreNot) {
@@ -104,6 +157,12 @@ TEST(DesignPoints, AreRefusedWithWrongKeysOrDirections) {
     EXPECT_TRUE(has(refusal([](DesignPoints& p) { p.keys.clear(); }), "no points"));
     EXPECT_TRUE(has(refusal([](DesignPoints& p) { p.keys = {"joint.lip9.contact.preload"}; }), "no joint"));
     EXPECT_TRUE(has(refusal([](DesignPoints& p) { p.directions.clear(); }), "directions"));
+    EXPECT_TRUE(has(refusal([](DesignPoints& p) { p.base_of = {0}; }), "not complete"));
+    EXPECT_TRUE(has(refusal([](DesignPoints& p) { p.keys = {"run.perturbation"}; }), "means nothing"));
+    EXPECT_TRUE(has(refusal([](DesignPoints& p) {
+                        p.starts = {parameters::Initial::rest, parameters::Initial::rest};
+                    }),
+                    "\"rest\" twice"));
     EXPECT_TRUE(has(refusal([](DesignPoints& p) {
                         p.directions = {Direction::going, Direction::going};
                     }),
