@@ -20,7 +20,7 @@
 
 #include <pybind11/stl.h>
 
-#include <map>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -60,21 +60,12 @@ py::str advise(const CaseHandle& c, const Texts& over, const Texts& tolerances, 
     }));
 }
 
-io::ListeningTexts listening_texts(const std::map<std::string, std::string>& options) {
-    io::ListeningTexts texts;
-    const std::map<std::string, std::string io::ListeningTexts::*> members{
-        {"direction", &io::ListeningTexts::direction}, {"of", &io::ListeningTexts::of},
-        {"quantity", &io::ListeningTexts::quantity},   {"component", &io::ListeningTexts::component},
-        {"rate", &io::ListeningTexts::rate},           {"seconds", &io::ListeningTexts::seconds}};
-    for (const auto& [name, text] : options)
-        texts.*(members.at(name)) = text;
-    return texts;
-}
-
 // writes the sound of a case into a WAV file; what was made of it, as JSON
-py::str listen(const CaseHandle& c, const std::map<std::string, std::string>& asked, const std::string& file) {
+py::str listen(const CaseHandle& c, const std::array<std::string, 6>& asked, const std::string& file) {
     return python_text(unlocked([&](const std::stop_token& stop) {
-        io::ListeningTexts texts = listening_texts(asked);
+        io::ListeningTexts texts;
+        texts.direction = asked[0], texts.of = asked[1], texts.quantity = asked[2];
+        texts.component = asked[3], texts.rate = asked[4], texts.seconds = asked[5];
         const std::string text = io::case_toml(*c.of, {.comments = io::Comments::none, .heading = ""});
         const io::ListeningChoice choice = io::chosen_case(texts, {text, "the case", {}});
         const hearing::HeardMotion motion = hearing::heard_motion(choice.c, io::asked_motion(texts), stop);
@@ -129,7 +120,7 @@ void bind_answers(py::module_& module) {
     module.def("stability", &stability, py::arg("case"), py::arg("over"));
     module.def("advise", &advise, py::arg("case"), py::arg("over"), py::arg("tolerances"), py::arg("samples"),
                py::arg("threads"), py::arg("progress"));
-    module.def("listen", &listen, py::arg("case"), py::arg("options"), py::arg("file"));
+    module.def("listen", &listen, py::arg("case"), py::arg("asked"), py::arg("file"));
     module.def("classify", &classify, py::arg("path"), py::arg("full_scales"), py::arg("channel"));
     module.def("find", &find, py::arg("library"), py::arg("conditions"), py::arg("words"), py::arg("sort"));
 }

@@ -4,15 +4,20 @@
 #include "stridor/drawing/picture.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/axis_text.hpp"
+#include "stridor/io/chart/chart_csv.hpp"
 #include "stridor/io/chart/chart_exports.hpp"
 #include "stridor/io/chart/chart_netcdf.hpp"
 #include "stridor/io/chart/chart_tables.hpp"
 #include "stridor/io/chart/toml_study.hpp"
 #include "stridor/parameters/case_key.hpp"
+#include "stridor/pictures/diagram.hpp"
 #include "stridor/pictures/noise_chart.hpp"
+#include "stridor/pictures/parts/design_mark.hpp"
 #include "stridor/storage/atomic_file.hpp"
+#include "stridor/storage/kept_results.hpp"
 #include "stridor/sweep/boundaries.hpp"
 #include "stridor/sweep/cell_choice.hpp"
+#include "stridor/sweep/diagram.hpp"
 #include "stridor/sweep/points.hpp"
 #include "stridor/sweep/run.hpp"
 #include "stridor/sweep/starts.hpp"
@@ -101,15 +106,6 @@ py::dict python_points(const std::vector<sweep::Cell>& cells, const std::vector<
     return result;
 }
 
-// number of the verdict from each start, an index into `words["verdict"]`; shape [start][direction][point]
-Bytes start_verdicts(const std::vector<sweep::Cell>& cells, std::size_t starts) {
-    Bytes numbers;
-    for (std::size_t start = 0; start < starts; ++start)
-        for (const sweep::Cell& cell : cells)
-            numbers.push_back(static_cast<signed char>(sweep::number_of(cell.starts[start])));
-    return numbers;
-}
-
 py::dict evaluate(const sweep::DesignPoints& points, int threads, const py::object& progress) {
     sweep::PointOptions options;
     options.crew = crew::thread_crews(threads);
@@ -122,39 +118,13 @@ py::dict evaluate(const sweep::DesignPoints& points, int threads, const py::obje
     });
     const auto ways = static_cast<py::ssize_t>(points.directions.size());
     const auto count = static_cast<py::ssize_t>(sweep::point_count(points));
-    const auto starts = static_cast<py::ssize_t>(points.starts.size());
     py::dict result = python_points(cells, {ways, count});
-    result["start_verdict"] = array_of(start_verdicts(cells, points.starts.size()), {starts, ways, count});
+    py::list by_start;  // numbers of `words["start_verdict"]`
+    for (std::size_t start = 0; start < points.starts.size(); ++start)
+        by_start.append(
+            numbers_of(cells, {ways, count}, [&](auto& cell) { return sweep::number_of(cell.starts[start]); }));
+    result["start_verdict"] = by_start;
     return result;
-}
-
-/// A study to be computed.
-struct StudyHandle {
-    sweep::Study study;
-};
-
-struct StudyOptions {
-    std::vector<std::string> directions;
-    std::vector<std::string> starts;
-    std::vector<std::string> quantities;
-    int refine = 0;
-};
-
-StudyHandle make_study(const CaseHandle& c, const std::string& x, const std::string& y, const StudyOptions& options) {
-    sweep::Study study;
-    study.base = *c.of;
-    study.x = io::read_axis_text(study.base, x, io::usual_points, "x");
-    study.y = io::read_axis_text(study.base, y, io::usual_points, "y");
-    study.directions = chosen<parameters::Direction>("directions", options.directions, parameters::direction_names);
-    study.starts = chosen<parameters::Initial>("starts", options.starts, sweep::start_names());
-    study.quantities = options.quantities;
-    study.refine = options.refine;
-    sweep::check(study);
-    return {study};
-}
-
-StudyHandle read_study(const std::string& path) {
-    return {io::read_study(path)};
 }
 
 /// A finished chart. Its cells lie in the store, which is opened for as long as they are read: others may have it then.
@@ -165,7 +135,9 @@ public:
 
     std::vector<py::ssize_t> shape() const {
         const sweep::Study& of = result_.study;
-        return {static_cast<py::ssize_t>(of.directions.size()), of.y.points, of.x.points};
+        const auto ways = static_cast<py::ssize_t>(of.directions.size());
+        return sweep::has_one_axis(of) ? std::vector<py::ssize_t>{ways, of.x.points}
+                                       : std::vector<py::ssize_t>{ways, of.y.points, of.x.points};
     }
 
     // use(result) with the figures of the cells at hand, while other Python threads go on
@@ -179,6 +151,17 @@ public:
         return made;
     }
 
+    // of a chart over one axis; kept beside the store
+    const std::vector<sweep::DiagramCell>& diagram(int threads) {
+        if (diagram_.empty())
+            diagram_ = unlocked([&](const std::stop_token& stop) {
+                const std::filesystem::path file = std::filesystem::path(store_).replace_filename("diagram.sqlite");
+                storage::KeptResults kept(file, sweep::diagram_text(study()), "diagram");
+                return sweep::diagram(result_, {.threads = threads, .stop = stop, .kept = &kept});
+            });
+        return diagram_;
+    }
+
     ChartHandle(sweep::Study study, std::filesystem::path store) : store_(std::move(store)) {
         result_.study = std::move(study);
         with_cells([](const sweep::SweepResult&) { return 0; });
@@ -187,10 +170,10 @@ public:
 private:
     std::filesystem::path store_;
     sweep::SweepResult result_;  // without its figures
+    std::vector<sweep::DiagramCell> diagram_{};
 };
 
-ChartHandle compute(const StudyHandle& handle, const std::string& store_file, int threads, const py::object& progress) {
-    const sweep::Study& study = handle.study;
+ChartHandle compute(const sweep::Study& study, const std::string& store_file, int threads, const py::object& progress) {
     unlocked([&](const std::stop_token& stop) {
         sweep::Store store(store_file, study);
         sweep::RunOptions options;
@@ -209,16 +192,26 @@ ChartHandle compute(const StudyHandle& handle, const std::string& store_file, in
     return {study, store_file};
 }
 
+const sweep::CellFigure& figure_called(const std::string& name) {
+    if (const sweep::CellFigure* found = sweep::find_cell_figure(name)) return *found;
+    std::vector<std::string_view> names;
+    for (const sweep::CellFigure& each : sweep::cell_figures())
+        names.push_back(each.name);
+    base::refuse("a chart has no figure \"" + name + "\"", "", base::did_you_mean(name, names));
+}
+
 py::array_t<double> figure(ChartHandle& chart, const std::string& name) {
-    const sweep::CellFigure* found = sweep::find_cell_figure(name);
-    if (found == nullptr) {
-        std::vector<std::string_view> names;
-        for (const sweep::CellFigure& each : sweep::cell_figures())
-            names.push_back(each.name);
-        base::refuse("a chart has no figure \"" + name + "\"", "", base::did_you_mean(name, names));
-    }
-    return array_of(chart.with_cells([&](const auto& result) { return sweep::figure_values(result, *found); }),
+    const sweep::CellFigure& figure = figure_called(name);
+    return array_of(chart.with_cells([&](const auto& result) { return sweep::figure_values(result, figure); }),
                     chart.shape());
+}
+
+// of each cell the extremes [m] and the times between beats [s]
+py::list diagram(ChartHandle& chart, int threads) {
+    py::list list;
+    for (const sweep::DiagramCell& cell : chart.diagram(threads))
+        list.append(py::make_tuple(cell.extremes, cell.intervals));
+    return list;
 }
 
 py::dict verdicts(const ChartHandle& chart) {
@@ -268,8 +261,14 @@ CaseHandle case_at(const ChartHandle& chart, const std::string& x, const std::st
 }
 
 py::str svg(ChartHandle& chart, const std::string& quantity) {
-    return python_text(chart.with_cells([&](const sweep::SweepResult& result) {
-        return drawing::render(pictures::quantity_chart(result, quantity), drawing::Format::svg);
+    const bool is_diagram = sweep::has_one_axis(chart.study());
+    if (is_diagram && quantity != "category") figure_called(quantity);
+    const std::vector<sweep::DiagramCell> cells = is_diagram ? chart.diagram(0) : std::vector<sweep::DiagramCell>();
+    return python_text(chart.with_cells([&](sweep::SweepResult shown) {
+        shown.study.quantities = {quantity};
+        drawing::Scene scene = is_diagram ? pictures::diagram(shown, cells) : pictures::quantity_chart(shown, quantity);
+        pictures::mark_design(scene, shown.study);
+        return drawing::render(scene, drawing::Format::svg);
     }));
 }
 
@@ -282,9 +281,12 @@ void write_netcdf(ChartHandle& chart, const std::string& path) {
 
 // the tables and the chart's own file, as `stridor chart` writes them
 void write_tables(ChartHandle& chart, const std::string& folder) {
-    storage::write_file((std::filesystem::path(folder) / "chart.toml").string(), io::study_toml(chart.study()));
+    const std::filesystem::path out = folder;
+    storage::write_file((out / "chart.toml").string(), io::study_toml(chart.study()));
+    if (sweep::has_one_axis(chart.study()))
+        storage::write_file((out / "diagram.csv").string(), io::diagram_csv(chart.study(), chart.diagram(0)));
     chart.with_cells([&](const sweep::SweepResult& result) {
-        io::write_chart_tables(result, folder, io::chart_exports(chart.study(), {}));
+        io::write_chart_tables(result, out, io::chart_exports(chart.study(), {}));
         return 0;
     });
 }
@@ -327,30 +329,41 @@ void bind_charts(py::module_& module) {
         py::arg("bases"), py::arg("base_of"), py::arg("keys"), py::arg("values"), py::arg("directions"),
         py::arg("starts"));
     module.def("evaluate", &evaluate, py::arg("points"), py::arg("threads"), py::arg("progress"));
-    py::class_<StudyHandle>(module, "StudyHandle", "A chart that is to be computed.")
-        .def("directions", [](const StudyHandle& c) { return directions(c.study); })
-        .def("axes", [](const StudyHandle& c) { return axes(c.study); })
-        .def("starts", [](const StudyHandle& c) { return c.study.starts.size(); })
-        .def("toml", [](const StudyHandle& c) { return python_text(io::study_toml(c.study)); });
+    py::class_<sweep::Study>(module, "StudyHandle", "A chart that is to be computed.")
+        .def("directions", &directions)
+        .def("axes", &axes)
+        .def("starts", [](const sweep::Study& study) { return study.starts.size(); })
+        .def("toml", [](const sweep::Study& study) { return python_text(io::study_toml(study)); });
     module.def(
         "study",
-        [](const CaseHandle& c, const std::string& x, const std::string& y, std::vector<std::string> directions,
-           std::vector<std::string> starts, std::vector<std::string> quantities, int refine) {
-            return make_study(c, x, y, {std::move(directions), std::move(starts), std::move(quantities), refine});
+        [](const CaseHandle& c, const std::string& x, const std::string& y, const std::vector<std::string>& directions,
+           const std::vector<std::string>& starts, const std::vector<std::string>& quantities, int refine) {
+            sweep::Study study;
+            study.base = *c.of;
+            study.x = io::read_axis_text(*c.of, x, io::usual_points, "x");
+            study.y =
+                y.empty() ? sweep::resting_axis(*c.of, study.x) : io::read_axis_text(*c.of, y, io::usual_points, "y");
+            study.directions = chosen<parameters::Direction>("directions", directions, parameters::direction_names);
+            study.starts = chosen<parameters::Initial>("starts", starts, sweep::start_names());
+            study.quantities = quantities;
+            study.refine = refine;
+            sweep::check(study);
+            return study;
         },
         py::arg("case"), py::arg("x"), py::arg("y"), py::arg("directions"), py::arg("starts"), py::arg("quantities"),
         py::arg("refine"));
-    module.def("read_study", &read_study, py::arg("path"));
+    module.def(
+        "read_study", [](const std::string& path) { return io::read_study(path); }, py::arg("path"));
     module.def("compute", &compute, py::arg("study"), py::arg("store"), py::arg("threads"), py::arg("progress"));
     module.def(
-        "open_chart",
-        [](const StudyHandle& study, const std::string& store) { return ChartHandle(study.study, store); },
+        "open_chart", [](const sweep::Study& study, const std::string& store) { return ChartHandle(study, store); },
         py::arg("study"), py::arg("store"));
     py::class_<ChartHandle>(module, "ChartHandle", "A finished chart.")
         .def("directions", [](const ChartHandle& chart) { return directions(chart.study()); })
         .def("axes", [](const ChartHandle& chart) { return axes(chart.study()); })
         .def("verdicts", &verdicts)
         .def("figure", &figure, py::arg("name"))
+        .def("diagram", &diagram, py::arg("threads"))
         .def("boundaries", &boundaries)
         .def("case_at", &case_at, py::arg("x"), py::arg("y"), py::arg("direction"))
         .def("base",

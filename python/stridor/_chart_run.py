@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import pathlib
-from typing import Sequence, Union
+from typing import Optional, Sequence, Union
 
 from . import _stridor
 from ._axis import Axis
@@ -21,7 +21,7 @@ def chart(
     case: Case,
     *,
     x: Axis,
-    y: Axis,
+    y: Optional[Axis] = None,
     directions: Union[str, Sequence[str]] = ("going", "coming"),
     refine: int = 0,
     starts: Sequence[str] = (),
@@ -30,16 +30,18 @@ def chart(
     progress: Progress = False,
     launcher: Sequence[str] = (),
 ) -> Chart:
-    """Computes a chart over two quantities, on all processors, as `stridor chart` does.
+    """Computes a chart over two quantities, on all processors, as `stridor chart` does; over one it is a diagram.
 
     With a folder it goes on where it was stopped, be it by Ctrl-C, by a kill or by the program; another chart's folder
-    is refused. In the end chart.toml, chart.csv, boundaries.csv and chart.nc stand there, too.
+    is refused. In the end chart.toml, chart.csv, boundaries.csv and chart.nc stand there, too, and of a diagram
+    diagram.csv.
 
     Parameters
     ----------
     case : Case
     x, y : Axis
-        What `axis` makes.
+        What `axis` makes. Without y each cell of the diagram also has the turns of the joint's motion and the times
+        between its beats: `Chart.to_xarray`.
     directions : "going", "coming", or both
         A constant drive is run once for each, with V = +-abs(velocity).
     refine : int
@@ -76,9 +78,11 @@ def chart(
     ...                       y=stridor.axis("contact.kinetic_friction", 0, 0.8, 8), refine=2, out="pair")
     >>> chart.counts("going")["creak"] > 0
     True
+    >>> stridor.chart(stridor.case("squeal"), x=stridor.axis("mu_d", 0.2, 0.8, 4)).to_xarray().extremes.dims
+    ('direction', 'kinetic_friction', 'extreme')
     """
-    study = _stridor.study(case._handle, _axis_text(x), _axis_text(y), _directions(directions), list(starts),
-                           ["category"], int(refine))
+    study = _stridor.study(case._handle, _axis_text(x), "" if y is None else _axis_text(y), _directions(directions),
+                           list(starts), ["category"], int(refine))
     if launcher:
         return _of_launcher(launcher, study, out, int(threads), progress)
     kept, folder = (None, pathlib.Path(out)) if out is not None else temporary_folder()

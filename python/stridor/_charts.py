@@ -30,6 +30,7 @@ class Chart:
     folder : pathlib.Path
     directions : list of str
     x, y : ChartAxis
+        Of a diagram over one quantity y is None.
 
     Examples
     --------
@@ -45,7 +46,9 @@ class Chart:
         self.folder = folder
         self._kept = kept  # the temporary folder, which is removed with it
         self.directions: List[str] = handle.directions()
-        self.x, self.y = (ChartAxis(*axis) for axis in handle.axes())
+        x, y = handle.axes()
+        self.x = ChartAxis(*x)
+        self.y = ChartAxis(*y) if len(y[-1]) > 1 else None
 
     @property
     def case(self) -> Case:
@@ -58,7 +61,7 @@ class Chart:
         Returns
         -------
         numpy.ndarray
-            Shape (direction, y, x).
+            Shape (direction, y, x), of a diagram (direction, x); likewise of all that follows.
 
         Examples
         --------
@@ -149,7 +152,8 @@ class Chart:
         direction : str, optional
             The first one of the chart without it.
         **values
-            One for each axis, by the last part of its key: ``preload=900``, in its unit or as text with one.
+            One for each axis, by the last part of its key: ``preload=900``, in its unit or as text with one. A diagram
+            has one.
 
         Returns
         -------
@@ -164,16 +168,19 @@ class Chart:
         >>> chart.case_at(direction="going", preload="3.9 kN", kinetic_friction=0.41).text("contact.kinetic_friction")
         '0.4'
         """
-        names = {self.x.name: "x", self.y.name: "y", self.x.parameter: "x", self.y.parameter: "y", "x": "x", "y": "y"}
-        if self.x.name == self.y.name:
+        axes = {"x": self.x, **({} if self.y is None else {"y": self.y})}
+        names = {spelling: place for place, axis in axes.items() for spelling in (axis.name, axis.parameter, place)}
+        if self.y is not None and self.x.name == self.y.name:
             del names[self.x.name]
-        texts: Dict[str, str] = {}
+        both = " and ".join(axis.name for axis in axes.values())
+        # the y of a diagram has one value
+        texts = {} if self.y is not None else {"y": repr(float(self._handle.axes()[1][-1][0]))}
         for name, value in values.items():
             if name not in names:
-                raise InputError(f'the chart has no axis "{name}". Its axes are {self.x.name} and {self.y.name}.')
+                raise InputError(f'the chart has no axis "{name}". {"Its axes are" if self.y else "It has"} {both}.')
             texts[names[name]] = value if isinstance(value, str) else repr(float(value))
         if len(texts) != 2:
-            raise InputError(f"a cell has two values. Give {self.x.name} and {self.y.name}.")
+            raise InputError(f"a cell has {'two values' if self.y else 'one value'}. Give {both}.")
         return Case._of(self._handle.case_at(texts["x"], texts["y"], direction or ""))
 
     def boundaries(self) -> List[Boundary]:
@@ -186,7 +193,9 @@ class Chart:
         Returns
         -------
         xarray.Dataset
-            Over (direction, y, x), the axes being named after their quantities; loaded into memory.
+            Over (direction, y, x), the axes being named after their quantities; loaded into memory. A diagram is over
+            (direction, x) and has what `plot` draws, too: `extremes` [m], the displacements x1 at which the joint
+            turns, and `beat_intervals` [s], the times between its beats; rising along one dimension more, then NaN.
 
         Examples
         --------
@@ -201,7 +210,8 @@ class Chart:
         with tempfile.TemporaryDirectory(prefix="stridor-") as folder:
             path = os.path.join(folder, "chart.nc")
             self._handle.write_netcdf(path)
-            return xarray.load_dataset(path)
+            data = xarray.load_dataset(path)
+        return data if self.y is not None else _chart_parts.with_diagram(self, data)
 
     def to_pandas(self) -> Any:
         """A row for each cell: direction, the axes' values, category and all figures.
@@ -219,21 +229,24 @@ class Chart:
         18
         """
         needed("pandas", "a table")
-        return words(self.to_xarray()).to_dataframe().reset_index()
+        return words(self.to_xarray().drop_dims(["extreme", "beat"], errors="ignore")).to_dataframe().reset_index()
 
     def plot(self, figure: str = "category", *, direction: Optional[str] = None, ax: Any = None, **style: Any) -> Any:
         """Draws the categories, or one figure, with matplotlib.
 
+        A diagram has the categories as a strip along x, and above it as points the `extremes` or the `beat_intervals`
+        of each cell, or a figure.
+
         Parameters
         ----------
         figure : str
-            "category" or the name of a figure.
+            "category" or the name of a figure. Of a diagram "category" draws "extremes".
         direction : str, optional
             The first one of the chart without it.
         ax : matplotlib.axes.Axes, optional
             Where to draw; the current ones without it.
         **style
-            Goes to `Axes.pcolormesh`.
+            Goes to `Axes.pcolormesh`, of a diagram to `Axes.plot`.
 
         Returns
         -------
@@ -250,7 +263,9 @@ class Chart:
         """
         ax = _chart_parts.prepared(self, ax)
         way = self._direction(direction)
-        if figure == "category":
+        if self.y is None:
+            _chart_parts.draw_diagram(self, figure, way, ax, style)
+        elif figure == "category":
             _chart_parts.draw_categories(self, way, ax, style)
         else:
             _chart_parts.draw_figure(self, figure, way, ax, style)
@@ -306,7 +321,10 @@ class Chart:
         return f'<div style="max-width:60em">{svg}</div>{_html.table(rows)}'
 
     def __repr__(self) -> str:
-        size = f"{len(self.x.values)} by {len(self.y.values)} cells, {' and '.join(self.directions)}"
+        ways = " and ".join(self.directions)
+        if self.y is None:
+            return f"<diagram over {self.x.parameter}: {len(self.x.values)} cells, {ways}, in {self.folder}>"
+        size = f"{len(self.x.values)} by {len(self.y.values)} cells, {ways}"
         return f"<chart over {self.x.parameter} and {self.y.parameter}: {size}, in {self.folder}>"
 
     def __reduce__(self) -> Tuple[object, ...]:

@@ -138,7 +138,7 @@ def _dataset_parts(points: Points, ways: List[str], starts: List[str],
     coordinates: Dict[str, Any] = {"direction": ways}
     if starts:
         coordinates["start"] = starts
-        verdicts = _named(result["start_verdict"], _stridor.words["start_verdict"], "")
+        verdicts = _named(numpy.array(result["start_verdict"]), _stridor.words["start_verdict"], "")
         variables["start_verdict"] = (("start", *dimensions), verdicts.reshape(len(starts), *whole))
     for key, array in points.columns.items():
         field = field_of(key)

@@ -110,17 +110,17 @@ def listen(
     >>> stridor.listen(stridor.case("squeal"), direction="going").about["quantity"]
     'velocity'
     """
-    options = {
-        "of": of,
-        "quantity": _chosen("quantity", quantity, ("velocity", "acceleration")),
-        "component": _chosen("component", component, ("", "x", "y")),
-        "direction": _chosen("direction", direction, ("", "going", "coming")),
-        "seconds": seconds if isinstance(seconds, str) else f"{float(seconds)!r} s",
-        "rate": rate if isinstance(rate, str) else f"{float(rate)!r} Hz",
-    }
+    asked = [
+        _chosen("direction", direction, ("", "going", "coming")),
+        of,
+        _chosen("quantity", quantity, ("velocity", "acceleration")),
+        _chosen("component", component, ("", "x", "y")),
+        rate if isinstance(rate, str) else f"{float(rate)!r} Hz",
+        seconds if isinstance(seconds, str) else f"{float(seconds)!r} s",
+    ]
     with tempfile.TemporaryDirectory(prefix="stridor-") as folder:
         path = pathlib.Path(folder) / "sound.wav"
-        document = _stridor.listen(case._handle, options, str(path))
+        document = _stridor.listen(case._handle, asked, str(path))
         return Sound(document, path.read_bytes())
 
 

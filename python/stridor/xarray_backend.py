@@ -80,13 +80,17 @@ def _unfinished(path: pathlib.Path) -> xarray.Dataset:
     """What is there of a chart, read as it is at this moment."""
     study = _stridor.read_study(str(path.parent / "chart.toml"))
     axes, directions = study.axes(), study.directions()
-    shape = (len(directions), len(axes[1][4]), len(axes[0][4]))
+    is_diagram = len(axes[1][4]) == 1
+    shape = (len(directions), len(axes[0][4])) if is_diagram else (len(directions), len(axes[1][4]), len(axes[0][4]))
     names, rows = _rows(path)
     cells = numpy.prod(shape)
     ids = numpy.array([row[0] for row in rows], dtype=numpy.int64)
     if ids.size and not (0 <= ids.min() and ids.max() < cells):
         raise InputError(f"{path} is the store of another chart than {path.parent / 'chart.toml'}")
     y, x = _dimension(axes[1]), _dimension(axes[0])
+    dimensions = ("direction", x[0]) if is_diagram else ("direction", y[0], x[0])
+    # the one value of a diagram's y
+    resting = ((), y[1][0], y[2]) if is_diagram else y
     variables: Dict[str, Any] = {}
     for k, name in enumerate(names[1:], start=1):
         if name in _texts:
@@ -102,11 +106,11 @@ def _unfinished(path: pathlib.Path) -> xarray.Dataset:
                           "flag_meanings": " ".join([*(word or "none" for word in words), missing])}
         else:
             whole[ids] = numpy.array([numpy.nan if number is None else number for number in column], dtype=float)
-        variables[name] = (("direction", y[0], x[0]), whole.reshape(shape), attributes)
+        variables[name] = (dimensions, whole.reshape(shape), attributes)
     for name, unit, sentence in _stridor.cell_figures():
         if name in variables:
             variables[name][2].update({"units": unit, "long_name": sentence})
-    coordinates: Dict[str, Any] = {"direction": numpy.array(directions, dtype=object), y[0]: y, x[0]: x}
+    coordinates: Dict[str, Any] = {"direction": numpy.array(directions, dtype=object), y[0]: resting, x[0]: x}
     about = {"title": "a chart that lacks cells", "y": axes[1][0], "x": axes[0][0], "cells": int(cells),
              "cells_computed": int(ids.size)}
     return xarray.Dataset(variables, coordinates, about)

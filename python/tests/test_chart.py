@@ -140,3 +140,102 @@ def test_its_card_is_its_picture(small_chart):
 def test_wrong_charts_are_refused(small_chart, wrong):
     with pytest.raises(stridor.InputError):
         small_chart(**wrong)
+
+
+@pytest.fixture
+def diagram(squeal):
+    """How a diagram of few cells is made."""
+    squeal.set({"run.duration": 0.3, "run.window": 0.3})
+    return lambda **more: stridor.chart(squeal, x=stridor.axis("mu_d", 0.2, 0.8, 12), **more)
+
+
+def test_a_diagram_is_the_programs(diagram, program):
+    chart = diagram(out="mine", threads=2)
+    pathlib.Path("again.toml").write_text(pathlib.Path("mine/chart.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    program("chart", "again.toml", "--out", "theirs")
+    for name in ("chart.csv", "diagram.csv", "chart.toml"):
+        assert pathlib.Path("mine", name).read_bytes() == pathlib.Path("theirs", name).read_bytes()
+    opened = stridor.open_chart("theirs")
+    assert opened.to_xarray().identical(chart.to_xarray())
+    assert chart.svg() == opened.svg() == pathlib.Path("theirs/chart.svg").read_text(encoding="utf-8")
+    assert "frequency" in chart.svg("frequency") and "frequency" not in chart.svg()
+    # the program goes on with what Python has kept of it, and the other way round
+    assert "diagram:" not in program("chart", "mine/chart.toml", "--out", "mine")
+    assert "diagram over contact.kinetic_friction: 12 cells" in repr(chart) and chart.y is None
+
+
+def test_a_diagram_is_a_dataset_with_its_columns(diagram, squeal):
+    needed("xarray"), needed("netCDF4"), needed("pandas")
+    chart = diagram()
+    data = chart.to_xarray()
+    assert chart.categories().shape == chart.figure("slip").shape == (2, 12) == data.category.shape
+    assert data.category.dims == ("direction", "kinetic_friction") and float(data.preload) == 20.0
+    assert data.extremes.units == "m" and data.beat_intervals.units == "s"
+    noisy = (stridor.words(data).category == "squeal").values
+    for values in (data.extremes.values, data.beat_intervals.values):
+        rising = numpy.diff(values, axis=-1)
+        assert (rising[numpy.isfinite(rising)] > 0).all() and numpy.isfinite(values[noisy][:, 0]).all()
+    # what is told of a cell is what its motion does: where it turns, and how long a beat is
+    way, k = numpy.argwhere(noisy)[0]
+    case = chart.case_at(direction=chart.directions[way], x=data.kinetic_friction.values[k])
+    assert case.contact.kinetic_friction == data.kinetic_friction.values[k]
+    moved = stridor.simulate(case).trace(0, 0.3).displacement.sel(dof="x1").values
+    assert moved.min() <= data.extremes.values[way, k, 0] and numpy.nanmax(data.extremes.values[way, k]) <= moved.max()
+    stays = stridor.simulate(case).history()
+    changes = list(zip(stays.state.values[:-1], stays.state.values[1:], stays["from"].values[1:]))
+    between = numpy.concatenate([numpy.diff([time for *states, time in changes if states == list(kind)])
+                                 for kind in {change[:2] for change in changes}])
+    beats = data.beat_intervals.values[way, k]
+    assert numpy.isin(beats[numpy.isfinite(beats)], between).all()
+    assert len(chart.to_pandas()) == 24 and "extremes" not in chart.to_pandas()
+    assert pickle.loads(pickle.dumps(chart)).to_xarray().identical(data)
+
+
+def test_a_diagram_is_drawn(diagram):
+    needed("matplotlib").use("agg")
+    from matplotlib import pyplot
+
+    chart = diagram(directions="going")
+    for name, label in (("category", "extremes [m]"), ("beat_intervals", "beat intervals [s]"), ("slip", "slip"),
+                        ("frequency", "frequency [Hz]")):
+        _, own = pyplot.subplots()
+        ax = chart.plot(name, ax=own, color="r")
+        assert ax is own and ax.get_ylabel() == label and ax.get_xlabel() == "kinetic friction"
+        drawn = ax.lines[0].get_xydata()
+        assert len(drawn) and numpy.isfinite(drawn).all() and ax.lines[0].get_color() == "r"
+        strip = ax.child_axes[0].collections[0].get_array().reshape(2, -1)
+        assert (strip[0] == chart.numbers("category")[0]).all()
+        ax.figure.canvas.draw()
+        pyplot.close()
+    lines = chart.plot_boundaries(ax=pyplot.subplots()[1]).lines
+    assert len(lines) == len(chart.boundaries()) > 0
+    assert "<svg" in chart._repr_html_()
+    with pytest.raises(stridor.InputError, match='Did you mean "frequency"'):
+        chart.plot("frequncy")
+
+
+def test_a_stopped_diagram_is_kept_and_goes_on(diagram):
+    def stop(done, total, counts):
+        raise RuntimeError("mine")
+
+    with pytest.raises(RuntimeError, match="mine"):
+        diagram(out="pair", progress=stop)
+    whole = diagram()
+    assert diagram(out="pair").to_xarray().equals(whole.to_xarray())
+    from stridor.xarray_backend import StoreBackend
+
+    xarray = needed("xarray")
+    assert xarray.open_dataset("pair/chart.sqlite", engine=StoreBackend).equals(whole.to_xarray())
+
+
+@pytest.mark.parametrize("more, said", [
+    ({"refine": 1}, "one axis"), ({"y": stridor.axis("mu_d", 0.2, 0.8)}, "two different"), ({"y": "mu_s"}, "no axis"),
+    ({"x": stridor.axis("joint.lip9.mass", 1, 2)}, "lip9"), ({"x": stridor.axis("run.engine", 1, 2)}, "no quantity"),
+    ({"x": stridor.axis("drive.velocity", 1, 2)}, "changes nothing"), ({"x": None}, "no axis")])
+def test_wrong_diagrams_are_refused(diagram, squeal, more, said):
+    with pytest.raises(stridor.InputError, match=said):
+        stridor.chart(squeal, **{"x": stridor.axis("mu_d", 0.2, 0.8, 12), **more})
+    with pytest.raises(stridor.InputError, match="one value. Give kinetic_friction"):
+        diagram().case_at()
+    with pytest.raises(stridor.InputError, match="It has kinetic_friction"):
+        diagram().case_at(preload=3)
