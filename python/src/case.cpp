@@ -4,6 +4,7 @@
 #include "stridor/base/field_table.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/case_changes.hpp"
+#include "stridor/io/case/packed_case.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
@@ -53,13 +54,8 @@ CaseHandle read(const std::string& path) {
     return handle(std::move(c));
 }
 
-// samples: times and velocities of a drive whose file need not be there any more
-CaseHandle from_toml(const std::string& text, const std::string& name, const std::vector<double>& times,
-                     const std::vector<double>& velocities) {
-    io::CaseReaders readers;
-    if (!times.empty() && times.size() == velocities.size())
-        readers.samples = [&](const std::string&) { return recordings::SampledMotion{times, velocities}; };
-    return handle(io::read_case(io::parse_toml({text, name, {}}), readers));
+CaseHandle from_toml(const std::string& text, const std::string& name) {
+    return handle(io::read_case({text, name, {}}));
 }
 
 std::string to_toml(const CaseHandle& c, bool comments) {
@@ -167,14 +163,16 @@ void bind_case(py::module_& module) {
         .def("changed", &changed, py::arg("changes"))
         .def("keys", [](const CaseHandle& c) { return parameters::keys_of(*c.of); })
         .def("joints", &joint_names)
-        .def("samples", [](const CaseHandle& c) { return std::pair(c.of->drive.times, c.of->drive.velocities); })
+        .def("packed", [](const CaseHandle& c) { return py::bytes(io::packed_case(*c.of)); })
         .def("json", [](const CaseHandle& c) { return python_text(io::case_json(*c.of)); })
         .def("equals", &are_equal, py::arg("other"));
     module.def("ready_case", &ready_case, py::arg("name"));
     module.def("ready_names", &ready_names);
     module.def("read", &read, py::arg("path"));
     module.def("warnings", &warnings, py::arg("path"));
-    module.def("from_toml", &from_toml, py::arg("text"), py::arg("name"), py::arg("times"), py::arg("velocities"));
+    module.def("from_toml", &from_toml, py::arg("text"), py::arg("name"));
+    module.def(
+        "unpacked", [](const std::string& bytes) { return handle(io::unpacked_case(bytes)); }, py::arg("bytes"));
     module.def("fields", &python_fields);
     module.def(
         "key_called", [](const std::string& name) { return parameters::key_called(name); }, py::arg("name"));

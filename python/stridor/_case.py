@@ -14,6 +14,8 @@ __all__ = ["Case", "case", "case_names", "from_toml", "read"]
 
 Value = Union[float, str]
 
+_longest_text = 65536  # [bytes] of a case file
+
 
 def _text(text: str) -> str:
     try:
@@ -67,7 +69,7 @@ class Case:
     _handle: _stridor.CaseHandle
 
     def __init__(self, text: str) -> None:
-        self._handle = _stridor.from_toml(text, "<text>", [], [])
+        self._handle = _stridor.from_toml(text, "<text>")
 
     @classmethod
     def _of(cls, handle: _stridor.CaseHandle) -> Case:
@@ -271,10 +273,12 @@ class Case:
         return self.copy()
 
     def __reduce__(self) -> Tuple[object, ...]:
-        return _unpickled, (self.to_toml(), *self._handle.samples())
+        return _unpickled, (self._handle.packed(),)
 
     def __repr__(self) -> str:
         text = self.to_toml()
+        if len(text) > _longest_text:
+            return f"<case with a structure of {len(self.to_dict()['structure']['rows'])} rows: {self.title}>"
         if "\\" in text or '"""' in text or "\r" in text:
             return f"stridor.Case({text!r})"
         return f'stridor.Case("""\n{text}""")'
@@ -291,8 +295,8 @@ class Case:
         return _html.folding(summary, _html.table(rows))
 
 
-def _unpickled(text: str, times: List[float], velocities: List[float]) -> Case:
-    return Case._of(_stridor.from_toml(text, "<pickle>", times, velocities))
+def _unpickled(packed: bytes) -> Case:
+    return Case._of(_stridor.unpacked(packed))
 
 
 def case(name: str) -> Case:
@@ -383,4 +387,4 @@ def from_toml(text: str, *, name: str = "<text>") -> Case:
     >>> stridor.from_toml(stridor.case("squeal").to_toml()) == stridor.case("squeal")
     True
     """
-    return Case._of(_stridor.from_toml(text, name, [], []))
+    return Case._of(_stridor.from_toml(text, name))

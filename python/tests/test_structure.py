@@ -109,3 +109,64 @@ def test_a_huge_one_is_refused_before_it_takes_memory():
     sparse = needed("scipy.sparse").sparse
     with pytest.raises(stridor.InputError, match="2000 rows"):
         stridor.structure(**{**BLOCK, "mass": sparse.identity(10 ** 6)})
+
+
+def big_structure(rows=500, seed=7):
+    """One whose matrices make 6 MB of text."""
+    random = numpy.random.default_rng(seed)
+    unit = numpy.eye(rows)
+    contacts = [{"name": f"tip {k}", "normal": unit[k], "tangent": unit[k + 1], "initial_gap": 0.0, "drive_share": 0.3,
+                 "position": random.normal(size=3)} for k in range(0, rows, rows // 20)]
+    pressed = {key: value for key, value in VALUES.items() if key != "preload"}
+    load = random.normal(size=rows) - 3.0
+    return stridor.structure(**random_structure(rows, seed), contacts=contacts, values=pressed, load=load,
+                             damping_ratio=0.1 / 3.0, initial_velocity=random.normal(size=rows) * 1e-4,
+                             outputs={"middle": random.normal(size=rows)}, title="big")
+
+
+def test_a_big_one_is_copied_compared_and_pickled_bit_for_bit():
+    import copy
+
+    case = big_structure()
+    text = case.to_toml()
+    assert len(text) > 50 * 65536
+    for again in (copy.deepcopy(case), copy.copy(case), *(pickle.loads(pickle.dumps(case, protocol))
+                                                          for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1))):
+        assert again == case and again.to_toml() == text
+    changed = case.replace({"mu_d": 0.2})
+    assert changed != case and pickle.loads(pickle.dumps(changed)) == changed
+    assert big_structure(seed=8) != case
+    assert "500 rows" in repr(case) and len(repr(case)) < 200
+
+
+def test_random_big_ones_survive_pickle():
+    for seed in range(20):
+        rows = 60 + 7 * seed
+        case = stridor.structure(**random_structure(rows, seed), values=VALUES, contacts=[
+            {"name": "tip", "normal": numpy.eye(rows)[seed], "tangent": numpy.eye(rows)[seed + 1]}])
+        again = pickle.loads(pickle.dumps(case))
+        assert again == case and again.to_toml() == case.to_toml() and len(case.to_toml()) > 65536
+        quick = {"run.duration": 1e-3, "run.window": 1e-3}
+        if seed % 5 == 0:
+            assert stridor.simulate(again.replace(quick)) == stridor.simulate(case.replace(quick))
+
+
+@pytest.mark.parametrize("way", ["fork", "spawn"])
+def test_big_ones_go_to_other_processes(way):
+    import multiprocessing
+
+    case = big_structure(rows=120)
+    with multiprocessing.get_context(way).Pool(1) as pool:
+        assert pool.map(stridor.Case.to_toml, [case, case.replace({"mu_d": 0.1})]) == \
+            [case.to_toml(), case.replace({"mu_d": 0.1}).to_toml()]
+        assert pool.map(stridor.Case.copy, [case]) == [case]
+
+
+@pytest.mark.parametrize("broken", [b"", b"1", b"14:stridor.case/1", b"\xff" * 100, "text"])
+def test_broken_pickles_are_refused(broken):
+    from stridor._case import _unpickled
+
+    whole = big_structure(rows=60).__reduce__()[1][0]
+    for packed in (broken, whole[:-1], whole[: len(whole) // 2], whole + b"x"):
+        with pytest.raises((stridor.InputError, TypeError)):
+            _unpickled(packed)

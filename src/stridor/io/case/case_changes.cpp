@@ -20,25 +20,6 @@ namespace {
 
 using parameters::Case;
 
-// a structure that no builder makes: its matrices cannot be changed by keys, and are not written to be read again
-bool has_given_structure(const Case& c) {
-    return c.own_structure && !c.own_structure->recipe;
-}
-
-// what says of such a structure which keys mean something, without its numbers
-std::shared_ptr<const parameters::OwnStructure> outline_of(const parameters::OwnStructure& own) {
-    auto outline = std::make_shared<parameters::OwnStructure>();
-    outline->contacts = own.contacts;
-    outline->load = own.load;
-    outline->force = own.force;
-    for (parameters::OwnContact& contact : outline->contacts) {
-        contact.normal.clear();
-        contact.tangent.clear();
-        contact.second_tangent.clear();
-    }
-    return outline;
-}
-
 TomlEntry entry_of(const CaseChange& change) {
     if (change.name.find('=') != std::string::npos)
         base::refuse("\"" + base::visible(change.name) + "\" is no key of a case", "", "");
@@ -63,10 +44,8 @@ Error without_places(const Error& error) {
 }
 
 TomlDocument document_of(const Case& c, std::span<const CaseChange> changes) {
-    Case written = c;
-    if (has_given_structure(c)) written.own_structure = outline_of(*c.own_structure);
-    TomlDocument document =
-        parse_toml({case_toml(written, {.comments = Comments::none, .heading = ""}), "the case", {}});
+    const TomlOptions options{.comments = Comments::none, .heading = ""};
+    TomlDocument document = parse_toml({case_toml(without_matrices(c), options), "the case", {}});
     for (const CaseChange& change : changes) {
         document.entries.push_back(entry_of(change));
         const std::string& key = document.entries.back().key;
@@ -78,6 +57,27 @@ TomlDocument document_of(const Case& c, std::span<const CaseChange> changes) {
 }
 
 }  // namespace
+
+bool has_given_structure(const Case& c) {
+    return c.own_structure && !c.own_structure->recipe;
+}
+
+Case without_matrices(const Case& c) {
+    if (!has_given_structure(c)) return c;
+    Case written = c;
+    auto outline = std::make_shared<parameters::OwnStructure>();
+    outline->contacts = c.own_structure->contacts;
+    if (!c.own_structure->force.empty()) outline->force = {1.0};
+    for (parameters::OwnContact& contact : outline->contacts) {
+        contact.normal.clear();
+        contact.tangent.clear();
+        contact.second_tangent.clear();
+        contact.interface.clear();
+        contact.position.reset();
+    }
+    written.own_structure = outline;
+    return written;
+}
 
 Case changed(const Case& c, std::span<const CaseChange> changes) {
     try {
