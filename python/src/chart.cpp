@@ -157,7 +157,7 @@ public:
             diagram_ = unlocked([&](const std::stop_token& stop) {
                 const std::filesystem::path file = std::filesystem::path(store_).replace_filename("diagram.sqlite");
                 storage::KeptResults kept(file, sweep::diagram_text(study()), "diagram");
-                return sweep::diagram(result_, {.threads = threads, .stop = stop, .kept = &kept});
+                return sweep::diagram(result_, {.crew = crew::thread_crews(threads), .stop = stop, .kept = &kept});
             });
         return diagram_;
     }

@@ -1,7 +1,7 @@
 #include "stridor/io/case/packed_case.hpp"
 
 #include "stridor/base/error.hpp"
-#include "stridor/base/packed_text.hpp"
+#include "stridor/base/packed_bytes.hpp"
 #include "stridor/io/case/case_changes.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
