@@ -103,8 +103,8 @@ void run(const fs::path& folder, std::size_t wanted, const std::string& source) 
     }
     measure("verdicts, read", file, cells, [&] {
         result.cells.resize(cells);
-        result.computed->visit(
-            0, cells, [&](const sweep::IndexedCell& cell) { result.cells[cell.index] = verdict_of(cell.cell); });
+        result.computed->visit_figures(
+            0, cells, {}, [&](const sweep::IndexedCell& cell) { result.cells[cell.index] = verdict_of(cell.cell); });
     });
     const auto tables = [&](const std::string& what, const std::string& name, const io::ExportTexts& texts) {
         measure(what, folder / name, cells,

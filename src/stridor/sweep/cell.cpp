@@ -88,10 +88,16 @@ Cell computed_cell(const SweepResult& result, std::size_t index) {
     return cell;
 }
 
+void ComputedCells::visit_figures(std::size_t first, std::size_t last, std::span<const CellFigure>,
+                                  const std::function<void(IndexedCell&)>& use) {
+    visit(first, last, use);
+}
+
 std::vector<double> figure_values(const SweepResult& result, const CellFigure& figure) {
     std::vector<double> values(result.cells.size(), Cell::unknown);
-    result.computed->visit(
-        0, values.size(), [&](const IndexedCell& indexed) { values[indexed.index] = figure_of(indexed.cell, figure); });
+    result.computed->visit_figures(0, values.size(), std::span(&figure, 1), [&](const IndexedCell& indexed) {
+        values[indexed.index] = figure_of(indexed.cell, figure);
+    });
     for (std::size_t index = 0; index < values.size(); ++index)
         values[index] = values[source_of(result, index)];
     return values;

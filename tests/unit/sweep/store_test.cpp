@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -92,6 +93,33 @@ RC_GTEST_PROP(Store, GivesBackEveryCellBitForBit, ()) {
     RC_ASSERT(back.size() == cells.size());
     for (std::size_t k = 0; k < back.size(); ++k)
         RC_ASSERT(back[k].index == k && same_cell(back[k].cell, cells[k].cell));
+}
+
+TEST_F(StoreFile, ReadsTheFiguresThatAreAskedForAndTheRestOfTheCell) {
+    Store store(file_, study_);
+    Cell cell = cell_with(0.0);
+    for (const CellFigure& figure : cell_figures())
+        set_figure(cell, figure, static_cast<double>(figure.place));
+    cell.message = "why";
+    cell.starts = {StartVerdict{Status::diverged}};
+    store.write(std::vector{IndexedCell{1, cell}});
+    const std::vector<CellFigure> wanted{cell_figure("mode_frequency"), cell_figure("slip")};
+    std::size_t seen = 0;
+    store.visit_figures(0, 2, wanted, [&](const IndexedCell& read) {
+        ++seen;
+        EXPECT_EQ(read.index, 1);
+        EXPECT_EQ(read.cell.message, "why");
+        EXPECT_EQ(read.cell.starts, cell.starts);
+        EXPECT_EQ(verdict_of(read.cell).category, cell.category);
+        for (const CellFigure& figure : wanted)
+            EXPECT_EQ(figure_of(read.cell, figure), static_cast<double>(figure.place));
+        EXPECT_TRUE(std::isnan(figure_of(read.cell, "stick"))) << "it was not read";
+    });
+    store.visit_figures(0, 2, {}, [&](const IndexedCell& read) {
+        ++seen;
+        EXPECT_EQ(verdict_of(read.cell).category, cell.category);
+    });
+    EXPECT_EQ(seen, 2);
 }
 
 TEST_F(StoreFile, KeepsTheNumbersThatOthersLose) {

@@ -16,7 +16,7 @@ std::size_t columns_of(const sweep::Study& study) {
 void fill(BandValues& values, const sweep::SweepResult& result, std::span<const sweep::CellFigure> figures) {
     const std::size_t first = first_cell(result.study, values.band);
     const std::size_t cells = cell_count(result.study, values.band);
-    result.computed->visit(first, first + cells, [&](const sweep::IndexedCell& computed) {
+    result.computed->visit_figures(first, first + cells, figures, [&](const sweep::IndexedCell& computed) {
         const std::size_t place = computed.index - first;
         for (std::size_t k = 0; k < figures.size(); ++k)
             values.figures[k * cells + place] = figure_of(computed.cell, figures[k]);

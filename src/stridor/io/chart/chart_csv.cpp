@@ -110,7 +110,7 @@ void chart_csv(const sweep::SweepResult& result, const ChartTableOptions& option
         for (; next < end; ++next)
             table.row(next, sweep::Cell{});
     };
-    result.computed->visit(0, result.cells.size(), [&](const sweep::IndexedCell& computed) {
+    result.computed->visit_figures(0, result.cells.size(), options.figures, [&](const sweep::IndexedCell& computed) {
         put_inferred_until(computed.index);
         table.row(next++, computed.cell);
     });

@@ -81,11 +81,15 @@ SweepResult load(const Study& study, std::shared_ptr<CellKeeper> keeper) {
     std::vector<CellVerdict> cells(cell_count(study));
     std::vector<int> marks(study.refine == 0 ? 0 : cells.size(), unknown_mark);
     std::size_t there = 0;
-    keeper->visit(0, cells.size(), [&](const IndexedCell& indexed) {
+    const auto take = [&](const IndexedCell& indexed) {
         if (study.refine > 0) marks[indexed.index] = mark_of(study, indexed.cell);
         cells[indexed.index] = verdict_of(indexed.cell);
         ++there;
-    });
+    };
+    if (study.refine > 0)
+        keeper->visit(0, cells.size(), take);
+    else
+        keeper->visit_figures(0, cells.size(), {}, take);
     Refinement refinement;
     if (study.refine > 0) refinement = refine(study, marks);
     const std::size_t needed =

@@ -105,13 +105,19 @@ void Store::write(std::span<const IndexedCell> cells) {
 }
 
 void Store::visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) {
+    visit_figures(first, last, cell_figures(), use);
+}
+
+void Store::visit_figures(std::size_t first, std::size_t last, std::span<const CellFigure> figures,
+                          const std::function<void(IndexedCell&)>& use) {
     if (is_blank_) return;
-    Statement rows = database_.prepare("SELECT " + cell_columns() + " FROM cell WHERE id >= ? AND id < ? ORDER BY id");
+    Statement rows =
+        database_.prepare("SELECT " + cell_columns(figures) + " FROM cell WHERE id >= ? AND id < ? ORDER BY id");
     rows.bind(1, static_cast<std::int64_t>(first));
     rows.bind(2, static_cast<std::int64_t>(last));
     std::size_t next = first;
     while (rows.step()) {
-        std::optional<IndexedCell> cell = cell_in(rows, cells_);
+        std::optional<IndexedCell> cell = cell_in(rows, cells_, figures);
         // who is shown the cells counts on their order
         if (!cell || cell->index < next || cell->index >= last) throw no_cell_of_the_study(file(), rows.integer(0));
         next = cell->index + 1;

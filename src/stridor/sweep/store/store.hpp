@@ -66,6 +66,10 @@ public:
     /// Throws `Error` (io) at a row that no sweep wrote, or out of order.
     void visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) override;
 
+    /// Likewise; other figures are not read.
+    void visit_figures(std::size_t first, std::size_t last, std::span<const CellFigure> figures,
+                       const std::function<void(IndexedCell&)>& use) override;
+
     /// The cells as they stand, in index order: rows of `cell_columns`, to be copied. Must end before the store.
     storage::Statement rows();
 

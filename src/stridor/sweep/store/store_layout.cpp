@@ -121,9 +121,9 @@ storage::OwnerOptions owner_options(const std::filesystem::path& store) {
     return options;
 }
 
-std::string cell_columns() {
+std::string cell_columns(std::span<const CellFigure> figures) {
     std::string columns = "id, status, category, quiet_because, message, starts";
-    for (const CellFigure& figure : cell_figures())
+    for (const CellFigure& figure : figures)
         columns += ", " + std::string(figure.name);
     return columns;
 }
@@ -160,7 +160,7 @@ void insert(Statement& statement, const IndexedCell& indexed) {
     statement.run();
 }
 
-std::optional<IndexedCell> cell_in(const Statement& row, std::size_t cells) {
+std::optional<IndexedCell> cell_in(const Statement& row, std::size_t cells, std::span<const CellFigure> figures) {
     const std::optional<std::size_t> status = place_in(status_names, row.text(1));
     const std::optional<std::size_t> category = place_in(classification::category_names, row.text(2));
     const bool is_inside = row.integer(0) >= 0 && static_cast<std::size_t>(row.integer(0)) < cells;
@@ -181,7 +181,7 @@ std::optional<IndexedCell> cell_in(const Statement& row, std::size_t cells) {
     cell.agreement = agreement(*starts);
     cell.starts = std::move(*starts);
     int column = fixed_columns;
-    for (const CellFigure& figure : cell_figures())
+    for (const CellFigure& figure : figures)
         set_figure(cell, figure, row.number(column++));
     return indexed;
 }

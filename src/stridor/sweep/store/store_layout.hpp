@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 /// What a store of cells looks like inside, for the classes that open one.
@@ -39,8 +40,8 @@ void create_tables(storage::Database& database, const std::string& study_text);
 /// generation, io if it is damaged.
 void verify_tables(storage::Database& database, const std::string& study_text);
 
-/// The columns of a cell, separated by commas, the index first.
-std::string cell_columns();
+/// The columns of a cell with these figures, separated by commas, the index first.
+std::string cell_columns(std::span<const CellFigure> figures = cell_figures());
 
 /// How many they are.
 std::size_t cell_columns_count();
@@ -51,8 +52,9 @@ std::string insert_cell();
 /// Runs it for a cell.
 void insert(storage::Statement& statement, const IndexedCell& cell);
 
-/// The cell in a row of `cell_columns`, of a study of so many; nothing for a row that no sweep wrote.
-std::optional<IndexedCell> cell_in(const storage::Statement& row, std::size_t cells);
+/// The cell in a row of `cell_columns` of these figures, of a study of so many; nothing for a row that no sweep wrote.
+std::optional<IndexedCell> cell_in(const storage::Statement& row, std::size_t cells,
+                                   std::span<const CellFigure> figures = cell_figures());
 
 /// What to throw (io) for such a row: the store is damaged.
 Error no_cell_of_the_study(const std::filesystem::path& store, std::int64_t index);
