@@ -6,6 +6,7 @@
 #include "stridor/hearing/rendered_sound.hpp"
 #include "stridor/io/advice/asked_texts.hpp"
 #include "stridor/io/advice/json_advice.hpp"
+#include "stridor/io/arrow_stream.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/io/chart/scan_range.hpp"
 #include "stridor/io/library/json_library.hpp"
@@ -21,6 +22,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -114,9 +116,27 @@ py::str find(const std::string& library, const Texts& conditions, const std::str
     }));
 }
 
+using TableColumn =
+    std::tuple<std::string, int, py::array_t<double>, std::vector<std::string>, std::map<std::string, std::string>>;
+
+// a stream for whoever takes it; where nobody does it ends with the capsule
+py::capsule arrow_stream(const std::vector<TableColumn>& columns, const std::map<std::string, std::string>& about) {
+    io::ArrowTable table{{}, about};
+    for (const auto& [name, kind, values, texts, of] : columns)
+        table.columns.push_back(
+            {name, of, static_cast<io::ArrowKind>(kind), {values.data(), values.data() + values.size()}, texts});
+    auto* stream = new ArrowArrayStream(io::arrow_stream(std::move(table)));
+    return py::capsule(stream, "arrow_array_stream", [](PyObject* capsule) {
+        auto* owned = static_cast<ArrowArrayStream*>(PyCapsule_GetPointer(capsule, "arrow_array_stream"));
+        if (owned->release != nullptr) owned->release(owned);
+        delete owned;
+    });
+}
+
 }  // namespace
 
 void bind_answers(py::module_& module) {
+    module.def("arrow_stream", &arrow_stream, py::arg("columns"), py::arg("about"));
     module.def("stability", &stability, py::arg("case"), py::arg("over"));
     module.def("advise", &advise, py::arg("case"), py::arg("over"), py::arg("tolerances"), py::arg("samples"),
                py::arg("threads"), py::arg("progress"));

@@ -8,8 +8,6 @@ namespace stridor::binding {
 
 namespace py = pybind11;
 
-/// Registers how errors of the library become exceptions of stridor.errors.
-void bind_errors();
 /// Cases and the field table.
 void bind_case(py::module_& module);
 /// One run and what it leaves behind.

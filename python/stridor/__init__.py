@@ -25,6 +25,7 @@ from ._explorer import Explorer, explore
 from ._motion import Margin, Motion, Phase, PhaseVerdict, simulate
 from ._sounds import Hearing, Library, Recording, Sound, library, listen, read_sound
 from ._structure import structure
+from ._table import Table, table
 from .errors import Error, FileError, InputError, Interrupted, NumericalError, Place
 
 __version__: str = _stridor.version
@@ -32,7 +33,7 @@ __version__: str = _stridor.version
 __all__ = [
     "Advice", "Axis", "Boundary", "Case", "Chart", "ChartAxis", "Error", "Explorer", "FileError", "Hearing",
     "InputError", "Interrupted", "Library", "Margin", "Motion", "NumericalError", "Phase", "PhaseVerdict", "Place",
-    "Recording", "Sound", "Stability", "StabilityDirection", "advise", "axis", "case", "case_names", "chart", "errors",
-    "evaluate", "explore", "from_toml", "library", "listen", "open_chart", "read", "read_sound", "simulate",
-    "stability", "structure", "words",
+    "Recording", "Sound", "Stability", "StabilityDirection", "Table", "advise", "axis", "case", "case_names", "chart",
+    "errors", "evaluate", "explore", "from_toml", "library", "listen", "open_chart", "read", "read_sound", "simulate",
+    "stability", "structure", "table", "words",
 ]

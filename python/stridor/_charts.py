@@ -231,6 +231,12 @@ class Chart:
         needed("pandas", "a table")
         return words(self.to_xarray().drop_dims(["extreme", "beat"], errors="ignore")).to_dataframe().reset_index()
 
+    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
+        """All cells as a stream of Arrow, as `table` makes them: pyarrow, polars and others take a chart as it is."""
+        from ._table import table
+
+        return table(self).__arrow_c_stream__(requested_schema)
+
     def plot(self, figure: str = "category", *, direction: Optional[str] = None, ax: Any = None, **style: Any) -> Any:
         """Draws the categories, or one figure, with matplotlib.
 

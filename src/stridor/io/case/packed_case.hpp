@@ -7,8 +7,8 @@
 
 namespace stridor::io {
 
-/// A case as bytes for another process on such a machine: whole, bit for bit, and however large. What a file says stands
-/// in it as in a file; samples of a drive and matrices that no builder made stand beside that as numbers.
+/// A case as bytes for another process on such a machine: whole, bit for bit, and however large. What a file says
+/// stands in it as in a file; samples of a drive and matrices that no builder made stand beside that as numbers.
 std::string packed_case(const parameters::Case& c);
 
 /// The case of such bytes. Throws `Error` (input) for bytes that are none, and whatever `read_case` refuses.
