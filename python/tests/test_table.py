@@ -96,7 +96,7 @@ def values_of(schema, array):
     if schema.dictionary:
         assert schema.dictionary.contents.format == b"u"
         of = array.dictionary.contents
-        ends = numpy.frombuffer((ctypes.c_int32 * (of.length + 1)).from_address(of.buffers[1]), dtype=numpy.int32).tolist()
+        ends = list((ctypes.c_int32 * (of.length + 1)).from_address(of.buffers[1]))
         words = [ctypes.string_at(of.buffers[2] + ends[k], ends[k + 1] - ends[k]).decode() for k in range(of.length)]
         found = [words[number] if words else None for number in found]
     if array.buffers[0]:
