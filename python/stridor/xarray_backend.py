@@ -161,7 +161,8 @@ def _is_there(process: int) -> bool:
 
 
 def _rows(path: pathlib.Path) -> Tuple[List[str], List[Tuple[Any, ...]]]:
-    names, rows, last = [], [], -1
+    rows: List[Tuple[Any, ...]] = []
+    last = -1
     while True:
         names, more = _some_rows(path, last)
         rows += more

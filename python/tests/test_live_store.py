@@ -30,12 +30,20 @@ def chart_arguments(out, duration):
             "--set", "run.window=0.1", "--set", "run.early_ending=never"]
 
 
+def changes():
+    """How often the store of the folder "live" has changed; 0 before anybody owns it."""
+    try:
+        return int(pathlib.Path("live/chart.sqlite.owner").read_text().rpartition("changes = ")[2])
+    except (FileNotFoundError, ValueError):
+        return 0
+
+
 @pytest.fixture
 def writer():
     """A program that fills the store of the folder "live", for some seconds."""
     process = subprocess.Popen(chart_arguments("live", 0.4), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    owner = pathlib.Path("live/chart.sqlite.owner")
-    while not (owner.exists() and int(owner.read_text().rpartition("changes = ")[2]) > 1):  # its tables are there
+    while changes() <= 1:  # its tables are not there yet
+        assert process.poll() is None
         time.sleep(0.001)
     yield process
     process.kill()
