@@ -5,7 +5,9 @@
 #include <chrono>
 #include <cstdint>
 #include <iterator>
+#include <stop_token>
 #include <utility>
+#include <vector>
 
 namespace stridor::cluster {
 
@@ -21,6 +23,18 @@ constexpr auto sign_of_life = 1s;
 constexpr auto soon_idle = 100ms;
 
 }  // namespace
+
+struct Hand::Labour {
+    std::stop_source halt;
+    std::unique_ptr<crew::Crew> crew;
+    std::vector<crew::Result> finished;
+    Clock::time_point worked;  // when there was last something to do
+    bool has_told_its_end = false;
+};
+
+Hand::Hand(Post& post, Timing timing) : post_(post), timing_(std::move(timing)) {}
+
+Hand::~Hand() = default;
 
 void Hand::tell(const Message& message) {
     post_.send(0, pack(message));
@@ -56,7 +70,7 @@ void Hand::read_letters() {
 
 void Hand::begin() {
     begun_.reset();
-    labour_.emplace();
+    labour_ = std::make_unique<Labour>();
     labour_->crew = options_.crew(*work_, labour_->halt.get_token());
     labour_->worked = timing_.now();
     tell(Hello{host_name(), static_cast<std::uint32_t>(options_.threads)});

@@ -8,8 +8,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <stop_token>
-#include <vector>
 
 namespace stridor::cluster {
 
@@ -26,7 +24,10 @@ struct HandOptions {
 class Hand {
 public:
     /// The post must outlive this.
-    explicit Hand(Post& post, Timing timing = {}) : post_(post), timing_(std::move(timing)) {}
+    explicit Hand(Post& post, Timing timing = {});
+    ~Hand();
+    Hand(const Hand&) = delete;
+    Hand& operator=(const Hand&) = delete;
 
     /// Comes upon a work, and waits for rank 0 to begin it.
     void take_up(const crew::Work& work, HandOptions options);
@@ -51,14 +52,7 @@ public:
 private:
     using Clock = Timing::Clock;
 
-    // a work that rank 0 has begun
-    struct Labour {
-        std::stop_source halt;
-        std::unique_ptr<crew::Crew> crew;
-        std::vector<crew::Result> finished;
-        Clock::time_point worked;  // when there was last something to do
-        bool has_told_its_end = false;
-    };
+    struct Labour;
 
     void read_letters();
     void read(Message message);
@@ -71,8 +65,8 @@ private:
     HandOptions options_;
     const crew::Work* work_ = nullptr;  // the one this rank has come upon
     std::optional<Begin> begun_;        // what rank 0 has begun, and this rank has not yet
-    std::optional<Labour> labour_;
-    Clock::time_point told_;  // when rank 0 last heard of this one
+    std::unique_ptr<Labour> labour_;    // the work that both are at
+    Clock::time_point told_;            // when rank 0 last heard of this one
     std::optional<int> exit_code_;
 };
 
