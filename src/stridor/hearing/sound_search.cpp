@@ -43,7 +43,6 @@ public:
            const SoundSearch& options)
         : study_(study),
           recording_(recording),
-          listening_(listening),
           options_(options),
           is_taken_(options.ruled_out),
           crew_(options.crew(listening_work(study, listening), options.stop)) {
@@ -77,7 +76,6 @@ public:
 private:
     const sweep::Study& study_;
     const classification::SoundProfile& recording_;
-    const CellListening& listening_;
     const SoundSearch& options_;
     std::vector<bool> is_taken_;       // listened to, asked for or ruled out
     std::vector<SoundMatch> known_{};  // nearest first; as many as anyone will ask for

@@ -8,7 +8,7 @@
 extern "C" {
 
 #ifndef ARROW_C_DATA_INTERFACE
-#    define ARROW_C_DATA_INTERFACE
+#    define ARROW_C_DATA_INTERFACE  // NOLINT(readability-identifier-naming): the name that others look for
 
 struct ArrowSchema {
     const char* format;
@@ -38,7 +38,7 @@ struct ArrowArray {
 #endif
 
 #ifndef ARROW_C_STREAM_INTERFACE
-#    define ARROW_C_STREAM_INTERFACE
+#    define ARROW_C_STREAM_INTERFACE  // NOLINT(readability-identifier-naming): the name that others look for
 
 struct ArrowArrayStream {
     int (*get_schema)(struct ArrowArrayStream*, struct ArrowSchema* out);
