@@ -3,6 +3,7 @@
 #include "stridor/advice/sobol.hpp"
 #include "stridor/analysis/evidence.hpp"
 #include "stridor/classification/contact_rules.hpp"
+#include "stridor/crew/thread_crew.hpp"
 #include "stridor/integration/simulate.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 #include "support/counter_random.hpp"
