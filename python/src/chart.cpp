@@ -281,12 +281,11 @@ void write_netcdf(ChartHandle& chart, const std::string& path) {
 
 // the tables and the chart's own file, as `stridor chart` writes them
 void write_tables(ChartHandle& chart, const std::string& folder) {
-    const std::filesystem::path out = folder;
-    storage::write_file((out / "chart.toml").string(), io::study_toml(chart.study()));
+    storage::write_file(folder + "/chart.toml", io::study_toml(chart.study()));
     if (sweep::has_one_axis(chart.study()))
-        storage::write_file((out / "diagram.csv").string(), io::diagram_csv(chart.study(), chart.diagram(0)));
+        storage::write_file(folder + "/diagram.csv", io::diagram_csv(chart.study(), chart.diagram(0)));
     chart.with_cells([&](const sweep::SweepResult& result) {
-        io::write_chart_tables(result, out, io::chart_exports(chart.study(), {}));
+        io::write_chart_tables(result, folder, io::chart_exports(chart.study(), {}));
         return 0;
     });
 }
@@ -328,6 +327,7 @@ void bind_charts(py::module_& module) {
         },
         py::arg("bases"), py::arg("base_of"), py::arg("keys"), py::arg("values"), py::arg("directions"),
         py::arg("starts"));
+    module.def("write_file", &storage::write_file, py::arg("file"), py::arg("bytes"));
     module.def("evaluate", &evaluate, py::arg("points"), py::arg("threads"), py::arg("progress"));
     py::class_<sweep::Study>(module, "StudyHandle", "A chart that is to be computed.")
         .def("directions", &directions)

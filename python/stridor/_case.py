@@ -258,8 +258,7 @@ class Case:
         >>> stridor.read("mine.toml") == stridor.case("squeal")
         True
         """
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.to_toml(comments=True))
+        _stridor.write_file(os.fspath(path), self.to_toml(comments=True))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case):

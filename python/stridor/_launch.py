@@ -50,9 +50,7 @@ def put_study(study: _stridor.StudyHandle, path: pathlib.Path) -> None:
         if _stridor.read_study(str(path)).toml() != text:
             raise InputError(f"{path.parent} holds another chart. Choose another folder, or remove it.")
         return
-    part = path.with_name(f".chart.toml-{os.getpid()}")
-    part.write_text(text, encoding="utf-8")
-    os.replace(part, path)
+    _stridor.write_file(str(path), text)
 
 
 def _end(process: subprocess.Popen[str]) -> None:

@@ -52,8 +52,7 @@ class Sound:
         >>> stridor.read_sound("squeal.wav").classify().category
         'squeal'
         """
-        with open(path, "wb") as file:
-            file.write(self._wav)
+        _stridor.write_file(os.fspath(path), self._wav)
 
     def __repr__(self) -> str:
         return f"<sound of {self.about['duration']:g} s: {self.about['quantity']} of {self.about['of']}>"

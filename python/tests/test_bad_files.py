@@ -1,8 +1,10 @@
 """What the program's tests of bad input refuse is refused here alike: their own list is read, so that it is one."""
 
 import codecs
+import os
 import re
 import subprocess
+import sys
 
 import pytest
 from conftest import ROOT
@@ -85,3 +87,105 @@ def test_a_missing_file_and_a_broken_one_are_the_programs(program):
             stridor.read(name)
         assert KINDS[refused.value.returncode] is kind
         said_alike(caught.value, refused.value.stderr)
+
+
+def changed_by_lines(text, changes):
+    """Lines that begin so become others."""
+    for line, other in changes.items():
+        text, count = re.subn("(?m)^" + re.escape(line) + ".*$", lambda _, to=other: to, text, count=1)
+        assert count == 1, line
+    return text
+
+
+def refused_alike(program, kind, name="case.toml"):
+    """The error of reading and running a file, which is the program's."""
+    with pytest.raises(subprocess.CalledProcessError) as refused:
+        program("simulate", name)
+    with pytest.raises(kind) as caught:
+        stridor.simulate(stridor.read(name))
+    assert KINDS[refused.value.returncode] is kind
+    said_alike(caught.value, refused.value.stderr)
+    return caught.value
+
+
+def test_all_that_is_wrong_is_told_at_once(program):
+    text = changed_by_lines(program("init", "squeal"), {
+        "preload =": 'preload = "20,5 N"', "incidence_angle =": 'incidence_angle = "720 rpm"',
+        "damping =": "dampening = 1", "quiet_slip =": "quiet_slip = 2"})
+    with open("case.toml", "w", encoding="utf-8") as file:
+        file.write(text)
+    error = refused_alike(program, stridor.InputError)
+    assert len(error.complaints) == 4
+
+
+def test_a_changed_kind_of_drive_lacks_its_value(program):
+    with open("case.toml", "w", encoding="utf-8") as file:
+        file.write(changed_by_lines(program("init", "squeal"), {"kind =": 'kind = "constant"'}))
+    error = refused_alike(program, stridor.InputError)
+    assert "missing key drive.velocity" in str(error)
+
+
+def test_many_errors_are_all_there(program):
+    with open("case.toml", "w", encoding="utf-8") as file:
+        file.write("[joint]\n" + "".join(f"nonsense_{k} = 1\n" for k in range(30)))
+    with pytest.raises(stridor.InputError) as caught:
+        stridor.read("case.toml")
+    assert len(caught.value.complaints) > 30 - 1
+
+
+def test_a_truncated_table_is_the_programs(program):
+    text = changed_by_lines(program("init", "squeal"), {
+        "kind =": 'kind = "sampled"\nfile = "v.csv"', "amplitude =": "", "frequency =": ""})
+    with open("case.toml", "w", encoding="utf-8") as file:
+        file.write(text)
+    with open("v.csv", "w", encoding="utf-8") as file:
+        file.write("time,velocity\ns,m/s\n0,0.1\n0.5,")
+    error = refused_alike(program, stridor.InputError)
+    assert [place.line for *_, place in error.complaints] == [4]
+
+
+def small_chart(**options):
+    case = stridor.case("noise-chart")
+    case.set({"run.duration": 0.01, "run.window": 0.005, **options})
+    return stridor.chart(case, x=stridor.axis("contact.preload", 2, 4000, 2),
+                         y=stridor.axis("contact.kinetic_friction", 0.1, 0.7, 2), out="out")
+
+
+def test_a_store_of_another_case_is_refused_by_the_first_difference():
+    small_chart()
+    with pytest.raises(stridor.InputError, match="contact.static_friction") as caught:
+        small_chart(**{"contact.static_friction": 0.9})
+    assert "0.8" in str(caught.value)
+    assert "0.9" in str(caught.value)
+
+
+def test_a_file_that_is_no_store_is_refused(tmp_path):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "chart.sqlite").write_text("this is no database, but it is long enough to be looked at as one")
+    os.chdir(tmp_path)
+    with pytest.raises(stridor.InputError, match="chart.sqlite"):
+        small_chart()
+
+
+def test_a_full_disk_is_a_file_error():
+    # a limit on the size of files stands for the disk
+    script = """if True:
+        import resource
+        import stridor
+        motion = stridor.simulate(stridor.case("squeal"))
+        sound = stridor.listen(stridor.case("squeal"))
+        resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+        for save in (lambda: sound.save("squeal.wav"),
+                     lambda: stridor.chart(stridor.case("noise-chart"), x=stridor.axis("contact.preload", 2, 4000, 24),
+                                           y=stridor.axis("contact.kinetic_friction", 0.1, 0.7, 24), out="full")):
+            try:
+                save()
+            except stridor.FileError as error:
+                assert isinstance(error, OSError)
+                print("refused:", error.what)
+        """
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count("refused:") == 2, done.stdout
+    assert "squeal.wav" in done.stdout
+    assert not os.path.exists("squeal.wav")
