@@ -49,13 +49,15 @@ cmp one.csv ranks.csv || fail "the table of 3 ranks differs"
 [ -z "$(ls cache/stridor)" ] || fail "something is kept of what is done: $(ls cache/stridor)"
 
 echo "an evaluation that is stopped goes on"
-slow="pair.toml other.toml $small --set run.duration=15 --set run.window=1 --set run.early_ending=never"
+slow="pair.toml other.toml $small --set run.duration=40 --set run.window=1 --set run.early_ending=never"
 "$stridor" evaluate $slow --json >one.json 2>/dev/null
 rm -rf cache
-"$mpirun" --oversubscribe --bind-to none -n 2 "$stridor_mpi" evaluate $slow --json >stopped.json 2>err.txt </dev/null &
+# a busy machine may need longer than the second that mpirun gives
+"$mpirun" --oversubscribe --bind-to none --mca odls_base_sigkill_timeout 60 -n 2 "$stridor_mpi" evaluate $slow --json \
+    >stopped.json 2>err.txt </dev/null &
 job=$!
 tries=0
-until grep -q "cells" err.txt 2>/dev/null || [ "$tries" -gt 300 ]; do
+until grep -q "cells/s" err.txt 2>/dev/null || [ "$tries" -gt 600 ]; do
     tries=$((tries + 1))
     sleep 0.1
 done
