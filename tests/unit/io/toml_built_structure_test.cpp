@@ -1,4 +1,4 @@
-#include "stridor/io/case/built_structure.hpp"
+#include "stridor/io/case/own_structure/built_structure.hpp"
 #include "stridor/io/case/ready_files.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/case_key.hpp"

@@ -1,7 +1,7 @@
-#include "stridor/io/case/toml_structure.hpp"
+#include "stridor/io/case/own_structure/toml_structure.hpp"
 
+#include "stridor/io/case/own_structure/structure_contacts.hpp"
 #include "stridor/io/case/ready_files.hpp"
-#include "stridor/io/case/structure_contacts.hpp"
 #include "stridor/io/case/toml_case.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/case_key.hpp"

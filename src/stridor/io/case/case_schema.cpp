@@ -1,9 +1,9 @@
 #include "stridor/io/case/case_schema.hpp"
 
 #include "stridor/base/json.hpp"
-#include "stridor/io/case/built_structure.hpp"
+#include "stridor/io/case/own_structure/built_structure.hpp"
+#include "stridor/io/case/own_structure/toml_structure.hpp"
 #include "stridor/io/case/toml_case.hpp"
-#include "stridor/io/case/toml_structure.hpp"
 #include "stridor/io/case/toml_writer.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/field_name.hpp"

@@ -1,6 +1,6 @@
 #include "stridor/io/case/ready_structures.hpp"
 
-#include "stridor/io/case/toml_structure.hpp"
+#include "stridor/io/case/own_structure/toml_structure.hpp"
 
 #include <array>
 #include <string>

@@ -2,9 +2,9 @@
 
 #include "stridor/base/text.hpp"
 #include "stridor/io/case/complaints.hpp"
+#include "stridor/io/case/own_structure/toml_structure.hpp"
 #include "stridor/io/case/toml_case_keys.hpp"
 #include "stridor/io/case/toml_joints.hpp"
-#include "stridor/io/case/toml_structure.hpp"
 #include "stridor/io/case/toml_temperature.hpp"
 #include "stridor/parameters/check.hpp"
 #include "stridor/parameters/joints.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "stridor/io/case/own_structure/toml_structure.hpp"
 #include "stridor/io/case/toml_document.hpp"
-#include "stridor/io/case/toml_structure.hpp"
 #include "stridor/parameters/case.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/recordings/table/sampled_csv.hpp"

@@ -1,7 +1,7 @@
 #include "stridor/io/case/toml_writer.hpp"
 
 #include "stridor/base/text.hpp"
-#include "stridor/io/case/built_structure.hpp"
+#include "stridor/io/case/own_structure/built_structure.hpp"
 #include "stridor/parameters/joints.hpp"
 #include "stridor/parameters/own_structure.hpp"
 #include "stridor/parameters/temperature_table.hpp"

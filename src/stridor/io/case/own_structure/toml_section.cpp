@@ -1,4 +1,4 @@
-#include "stridor/io/case/toml_section.hpp"
+#include "stridor/io/case/own_structure/toml_section.hpp"
 
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/io/case/contacts_csv.hpp"
+#include "stridor/io/case/own_structure/contacts_csv.hpp"
 
 #include "stridor/base/quantity.hpp"
 #include "stridor/base/text.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/io/case/structure_contacts.hpp"
+#include "stridor/io/case/own_structure/structure_contacts.hpp"
 #include "stridor/io/structure/field_scanner.hpp"
 
 #include <vector>

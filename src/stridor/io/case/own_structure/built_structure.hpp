@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/io/case/toml_section.hpp"
+#include "stridor/io/case/own_structure/toml_section.hpp"
 #include "stridor/parameters/own_structure.hpp"
 
 #include <span>

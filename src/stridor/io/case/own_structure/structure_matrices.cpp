@@ -1,4 +1,4 @@
-#include "stridor/io/case/structure_matrices.hpp"
+#include "stridor/io/case/own_structure/structure_matrices.hpp"
 
 #include "stridor/base/text.hpp"
 #include "stridor/io/structure/part_files.hpp"

@@ -1,11 +1,11 @@
-#include "stridor/io/case/toml_structure.hpp"
+#include "stridor/io/case/own_structure/toml_structure.hpp"
 
 #include "stridor/base/decompositions.hpp"
 #include "stridor/base/text.hpp"
-#include "stridor/io/case/built_structure.hpp"
-#include "stridor/io/case/contacts_csv.hpp"
-#include "stridor/io/case/structure_matrices.hpp"
-#include "stridor/io/case/toml_section.hpp"
+#include "stridor/io/case/own_structure/built_structure.hpp"
+#include "stridor/io/case/own_structure/contacts_csv.hpp"
+#include "stridor/io/case/own_structure/structure_matrices.hpp"
+#include "stridor/io/case/own_structure/toml_section.hpp"
 #include "stridor/parameters/field.hpp"
 
 #include <algorithm>

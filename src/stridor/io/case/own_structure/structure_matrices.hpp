@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stridor/io/case/toml_section.hpp"
+#include "stridor/io/case/own_structure/toml_section.hpp"
 #include "stridor/io/structure/field_scanner.hpp"
 #include "stridor/reduction/part.hpp"
 

@@ -1,4 +1,4 @@
-#include "stridor/io/case/built_structure.hpp"
+#include "stridor/io/case/own_structure/built_structure.hpp"
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/field_table.hpp"

@@ -1,4 +1,4 @@
-#include "stridor/io/case/structure_contacts.hpp"
+#include "stridor/io/case/own_structure/structure_contacts.hpp"
 
 #include "stridor/io/structure/row_labels_csv.hpp"
 #include "stridor/recordings/fortran_text.hpp"
