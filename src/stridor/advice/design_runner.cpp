@@ -7,6 +7,7 @@
 #include "stridor/crew/compute.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/sweep/evaluate.hpp"
+#include "stridor/sweep/simulating_work.hpp"
 #include "stridor/sweep/store/store_layout.hpp"
 
 #include <algorithm>
@@ -101,20 +102,17 @@ DesignVerdict unpacked_verdict(std::string_view bytes) {
 }  // namespace
 
 crew::Work work_of(const DesignSpace& space) {
-    crew::Work work;
-    work.text = "designs\n" + parameters::canonical_text(space.base);
+    std::string text = "designs\n" + parameters::canonical_text(space.base);
     for (const record::Phase phase : space.phases)
-        work.text += "phase = " + std::to_string(static_cast<int>(phase)) + "\n";
-    work.text += "results = " + std::to_string(sweep::results_version) + "\n";
-    work.worker = [&space] {
-        return [&space, workspace = std::make_shared<integration::Workspace>()](
-                   const crew::Task& task, const std::stop_token& stop) -> std::optional<std::string> {
-            const Case c = case_of(space, unpacked_design(task.bytes));
-            const std::optional<sweep::Attempt> run = sweep::attempt(c, {}, stop, *workspace);
-            return run ? std::optional(packed(judged(space, c, *run))) : std::nullopt;
-        };
+        text += "phase = " + std::to_string(static_cast<int>(phase)) + "\n";
+    text += "results = " + std::to_string(sweep::results_version) + "\n";
+    const auto compute = [&space](const crew::Task& task, const std::stop_token& stop,
+                                  integration::Workspace& workspace) -> std::optional<std::string> {
+        const Case c = case_of(space, unpacked_design(task.bytes));
+        const std::optional<sweep::Attempt> run = sweep::attempt(c, {}, stop, workspace);
+        return run ? std::optional(packed(judged(space, c, *run))) : std::nullopt;
     };
-    return work;
+    return sweep::simulating_work(std::move(text), compute);
 }
 
 DesignRunner::DesignRunner(const DesignSpace& space, const crew::CrewMaker& crew, const std::stop_token& stop)

@@ -6,6 +6,7 @@
 #include "stridor/hearing/heard_text.hpp"
 #include "stridor/hearing/run_sound.hpp"
 #include "stridor/parameters/own_structure.hpp"
+#include "stridor/sweep/simulating_work.hpp"
 #include "stridor/sweep/store/store.hpp"
 
 #include <chrono>
@@ -124,16 +125,12 @@ std::string heard_text(const sweep::Study& study, const HearingOptions& options)
 }
 
 crew::Work work_of(const sweep::Study& study, const HearingOptions& options) {
-    crew::Work work;
-    work.text = "sounds\n" + heard_text(study, options);
-    work.worker = [&study, &options] {
-        return [&study, &options, workspace = std::make_shared<integration::Workspace>()](
-                   const crew::Task& task, const std::stop_token& stop) -> std::optional<std::string> {
-            const std::vector<HeardSound> heard = heard_of_run(study, options, task.number, stop, *workspace);
-            return heard.empty() ? std::nullopt : std::optional(packed(heard));
-        };
+    const auto compute = [&study, &options](const crew::Task& task, const std::stop_token& stop,
+                                            integration::Workspace& workspace) -> std::optional<std::string> {
+        const std::vector<HeardSound> heard = heard_of_run(study, options, task.number, stop, workspace);
+        return heard.empty() ? std::nullopt : std::optional(packed(heard));
     };
-    return work;
+    return sweep::simulating_work("sounds\n" + heard_text(study, options), compute);
 }
 
 std::vector<HeardSound> hear(const sweep::Study& study, const HearingOptions& options) {

@@ -3,6 +3,7 @@
 #include "stridor/crew/compute.hpp"
 #include "stridor/hearing/heard_text.hpp"
 #include "stridor/hearing/hearing_run.hpp"
+#include "stridor/sweep/simulating_work.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -25,16 +26,12 @@ std::vector<int> grid_points(int points, int stride) {
 }
 
 crew::Work listening_work(const sweep::Study& study, const CellListening& listening) {
-    crew::Work work;
-    work.text = listening_text(study, listening);
-    work.worker = [&study, &listening] {
-        return [&study, &listening, workspace = std::make_shared<integration::Workspace>()](
-                   const crew::Task& task, const std::stop_token& stop) -> std::optional<std::string> {
-            const std::optional<CellSound> sound = sound_of_cell(study, task.number, listening, stop, *workspace);
-            return sound ? std::optional(packed(*sound)) : std::nullopt;
-        };
+    const auto compute = [&study, &listening](const crew::Task& task, const std::stop_token& stop,
+                                              integration::Workspace& workspace) -> std::optional<std::string> {
+        const std::optional<CellSound> sound = sound_of_cell(study, task.number, listening, stop, workspace);
+        return sound ? std::optional(packed(*sound)) : std::nullopt;
     };
-    return work;
+    return sweep::simulating_work(listening_text(study, listening), compute);
 }
 
 class Search {

@@ -8,12 +8,12 @@
 #include "stridor/parameters/check.hpp"
 #include "stridor/record/schedule.hpp"
 #include "stridor/sweep/evaluate.hpp"
+#include "stridor/sweep/simulating_work.hpp"
 #include "stridor/sweep/store/store.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <utility>
 
 namespace stridor::sweep {
@@ -145,18 +145,14 @@ std::string bytes_of(std::size_t start) {
 }  // namespace
 
 crew::Work diagram_work(const Study& study) {
-    crew::Work work;
-    work.text = diagram_text(study);
-    work.worker = [&study] {
-        return [&study, workspace = std::make_shared<integration::Workspace>()](
-                   const crew::Task& task, const std::stop_token& stop) -> std::optional<std::string> {
-            CellPlace place = place_of(study, task.number);
-            place.start = base::Unpacking(task.bytes).count();
-            const std::optional<DiagramCell> cell = cell_at(study, place, stop, *workspace);
-            return cell ? std::optional(packed(*cell)) : std::nullopt;
-        };
+    const auto compute = [&study](const crew::Task& task, const std::stop_token& stop,
+                                  integration::Workspace& workspace) -> std::optional<std::string> {
+        CellPlace place = place_of(study, task.number);
+        place.start = base::Unpacking(task.bytes).count();
+        const std::optional<DiagramCell> cell = cell_at(study, place, stop, workspace);
+        return cell ? std::optional(packed(*cell)) : std::nullopt;
     };
-    return work;
+    return simulating_work(diagram_text(study), compute);
 }
 
 std::vector<DiagramCell> diagram(const SweepResult& result, const DiagramOptions& options) {

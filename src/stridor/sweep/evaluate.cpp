@@ -92,26 +92,25 @@ Cell cell_of(const Case& c, Direction direction, const Attempt& attempt) {
 namespace {
 
 // the cells of one run from one start, in the order of the directions; none if it was stopped
-std::vector<Cell> evaluate_start(const Study& study, const CellPlace& first, const std::stop_token& stop,
+std::vector<Cell> evaluate_start(const Case& c, std::span<const Direction> directions, const std::stop_token& stop,
                                  integration::Workspace& workspace) {
-    const Case c = case_at(study, first);
     const std::optional<Attempt> run = attempt(c, {}, stop, workspace);
     if (!run) return {};
     std::vector<Cell> cells;
-    for (std::size_t k = 0; k < directions_per_run(study); ++k)
-        cells.push_back(cell_of(c, study.directions[first.direction + k], *run));
+    for (const Direction direction : directions)
+        cells.push_back(cell_of(c, direction, *run));
     return cells;
 }
 
 }  // namespace
 
-std::vector<Cell> evaluate_run(const Study& study, std::size_t first, const std::stop_token& stop,
-                               integration::Workspace& workspace) {
-    CellPlace place = place_of(study, first);
-    if (study.starts.empty()) return evaluate_start(study, place, stop, workspace);
-    std::vector<std::vector<Cell>> by_start(directions_per_run(study));  // shape [direction][start]
-    for (; place.start < study.starts.size(); ++place.start) {
-        std::vector<Cell> cells = evaluate_start(study, place, stop, workspace);
+std::vector<Cell> evaluate_starts(std::size_t starts, std::span<const Direction> directions,
+                                  const std::function<Case(std::size_t start)>& case_of, const std::stop_token& stop,
+                                  integration::Workspace& workspace) {
+    if (starts == 0) return evaluate_start(case_of(0), directions, stop, workspace);
+    std::vector<std::vector<Cell>> by_start(directions.size());  // shape [direction][start]
+    for (std::size_t start = 0; start < starts; ++start) {
+        std::vector<Cell> cells = evaluate_start(case_of(start), directions, stop, workspace);
         if (cells.empty()) return {};
         for (std::size_t direction = 0; direction < cells.size(); ++direction)
             by_start[direction].push_back(std::move(cells[direction]));
@@ -120,6 +119,18 @@ std::vector<Cell> evaluate_run(const Study& study, std::size_t first, const std:
     for (std::vector<Cell>& same_cell : by_start)
         cells.push_back(joined(std::move(same_cell)));
     return cells;
+}
+
+std::vector<Cell> evaluate_run(const Study& study, std::size_t first, const std::stop_token& stop,
+                               integration::Workspace& workspace) {
+    CellPlace place = place_of(study, first);
+    const auto case_of = [&](std::size_t start) {
+        place.start = start;
+        return case_at(study, place);
+    };
+    return evaluate_starts(study.starts.size(),
+                           std::span(study.directions).subspan(place.direction, directions_per_run(study)), case_of,
+                           stop, workspace);
 }
 
 std::vector<Cell> evaluate(const Study& study, int ix, int iy, const std::stop_token& stop) {

@@ -5,7 +5,9 @@
 #include "stridor/sweep/study.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -27,6 +29,13 @@ std::optional<Attempt> attempt(const parameters::Case& c, const record::Request&
 
 /// What is kept of one direction of a run: its verdict by contact states and its figures.
 Cell cell_of(const parameters::Case& c, parameters::Direction direction, const Attempt& attempt);
+
+/// The cells of one run, one of each of these directions; none at all if it was stopped. With `starts` above 0 the case
+/// is run from each of them, and a cell shows its loudest start (starts.hpp). `case_of` gives the case of a start; with
+/// none it is asked for start 0.
+std::vector<Cell> evaluate_starts(std::size_t starts, std::span<const parameters::Direction> directions,
+                                  const std::function<parameters::Case(std::size_t start)>& case_of,
+                                  const std::stop_token& stop, integration::Workspace& workspace);
 
 /// Computes the cells that one run gives, `directions_per_run` of them, the first having this index; none at all if it
 /// was stopped.

@@ -7,14 +7,15 @@
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/sweep/evaluate.hpp"
+#include "stridor/sweep/simulating_work.hpp"
 #include "stridor/sweep/starts.hpp"
 #include "stridor/sweep/store/store_layout.hpp"
 #include "stridor/sweep/study_work.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace stridor::sweep {
@@ -159,22 +160,14 @@ Case case_at(const ResolvedPoints& resolved, const PointRun& run, std::size_t st
     return c;
 }
 
-// of each direction of a run, from all starts; nothing if it was stopped
-std::optional<std::vector<Cell>> cells_of(const ResolvedPoints& resolved, const PointRun& run,
-                                          const std::stop_token& stop, integration::Workspace& workspace) {
-    const DesignPoints& points = resolved.points;
-    std::vector<std::vector<Cell>> by_start(run.directions);  // shape [direction][start]
-    for (std::size_t start = 0; start < std::max<std::size_t>(1, points.starts.size()); ++start) {
-        const Case c = case_at(resolved, run, start);
-        const std::optional<Attempt> attempted = attempt(c, {}, stop, workspace);
-        if (!attempted) return std::nullopt;
-        for (std::size_t k = 0; k < run.directions; ++k)
-            by_start[k].push_back(cell_of(c, points.directions[run.direction + k], *attempted));
-    }
-    std::vector<Cell> cells;
-    for (std::vector<Cell>& same : by_start)
-        cells.push_back(points.starts.empty() ? std::move(same.front()) : joined(std::move(same)));
-    return cells;
+// of each direction of a run, from all starts; none if it was stopped
+std::vector<Cell> cells_of(const ResolvedPoints& resolved, const PointRun& run, const std::stop_token& stop,
+                           integration::Workspace& workspace) {
+    const std::span<const Direction> directions =
+        std::span(resolved.points.directions).subspan(run.direction, run.directions);
+    return evaluate_starts(
+        resolved.points.starts.size(), directions, [&](std::size_t start) { return case_at(resolved, run, start); },
+        stop, workspace);
 }
 
 // all that decides the cells
@@ -199,16 +192,12 @@ std::string text_of(const DesignPoints& points) {
 
 // a task is the number of a run
 crew::Work work_of(const ResolvedPoints& resolved, const std::vector<PointRun>& runs) {
-    crew::Work work;
-    work.text = text_of(resolved.points);
-    work.worker = [&resolved, &runs] {
-        return [&resolved, &runs, workspace = std::make_shared<integration::Workspace>()](
-                   const crew::Task& task, const std::stop_token& stop) -> std::optional<std::string> {
-            const auto cells = cells_of(resolved, runs[task.number], stop, *workspace);
-            return cells ? std::optional(packed(*cells)) : std::nullopt;
-        };
+    const auto compute = [&resolved, &runs](const crew::Task& task, const std::stop_token& stop,
+                                            integration::Workspace& workspace) -> std::optional<std::string> {
+        const std::vector<Cell> cells = cells_of(resolved, runs[task.number], stop, workspace);
+        return cells.empty() ? std::nullopt : std::optional(packed(cells));
     };
-    return work;
+    return simulating_work(text_of(resolved.points), compute);
 }
 
 }  // namespace

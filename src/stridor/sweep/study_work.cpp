@@ -3,11 +3,11 @@
 #include "stridor/base/packed_bytes.hpp"
 #include "stridor/crew/compute.hpp"
 #include "stridor/sweep/evaluate.hpp"
+#include "stridor/sweep/simulating_work.hpp"
 #include "stridor/sweep/store/store_layout.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 namespace stridor::sweep {
@@ -34,7 +34,7 @@ void add(Packing& packing, const Cell& cell) {
         packing.add(figure);
 }
 
-Cell cell_in(Unpacking& unpacking) {
+Cell unpacked_cell(Unpacking& unpacking) {
     constexpr std::size_t categories = classification::category_names.size();
     Cell cell;
     cell.status = unpacking.kind<Status>(status_names.size());
@@ -56,16 +56,13 @@ Cell cell_in(Unpacking& unpacking) {
 }  // namespace
 
 crew::Work work_of(const Study& study) {
-    crew::Work work;
-    work.text = "chart\n" + canonical_text(study) + "results = " + std::to_string(results_version) + "\n";
-    work.worker = [&study] {
-        return [&study, workspace = std::make_shared<integration::Workspace>()](
-                   const crew::Task& task, const std::stop_token& stop) -> std::optional<std::string> {
-            const std::vector<Cell> cells = evaluate_run(study, task.number, stop, *workspace);
-            return cells.empty() ? std::nullopt : std::optional(packed(cells));
-        };
+    std::string text = "chart\n" + canonical_text(study) + "results = " + std::to_string(results_version) + "\n";
+    const auto compute = [&study](const crew::Task& task, const std::stop_token& stop,
+                                  integration::Workspace& workspace) -> std::optional<std::string> {
+        const std::vector<Cell> cells = evaluate_run(study, task.number, stop, workspace);
+        return cells.empty() ? std::nullopt : std::optional(packed(cells));
     };
-    return work;
+    return simulating_work(std::move(text), compute);
 }
 
 std::string packed(std::span<const Cell> cells) {
@@ -80,7 +77,7 @@ std::vector<Cell> unpacked_cells(std::string_view bytes) {
     Unpacking unpacking(bytes);
     std::vector<Cell> cells;
     for (std::uint64_t left = unpacking.count(); left > 0 && unpacking.is_good(); --left)
-        cells.push_back(cell_in(unpacking));
+        cells.push_back(unpacked_cell(unpacking));
     const bool has_all_figures = std::all_of(cells.begin(), cells.end(), [](const Cell& cell) {
         return cell.figures.empty() || cell.figures.size() == cell_figures().size();
     });
