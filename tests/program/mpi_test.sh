@@ -93,7 +93,29 @@ slow_plain="$slow --set chart.x.points=12 --set chart.y.points=9"
 slow_refined="$slow --set chart.x.points=15 --set chart.y.points=11 --set chart.refine=2"
 slow_starts="$slow --set chart.x.points=9 --set chart.y.points=6 --set chart.starts=rest,sliding"
 
-# killed KIND OPTIONS...: at random moments in random ways, each time resumed on another count
+# killed_once OPTIONS...: a chart on ranks, killed at a random moment in a random way
+killed_once() {
+    random 5 && ranks=$((1 + drawn))
+    random 3 && threads=$((1 + drawn))
+    # how long mpirun waits before it kills what has not ended [s]
+    random 2 && export OMPI_MCA_odls_base_sigkill_timeout="$drawn"
+    begin "$ranks" chart pair.toml --out "$out" --threads "$threads" "$@"
+    random 8
+    sleep "0.$((drawn + 2))"
+    random 4
+    case $drawn in
+        0) one_rank "$ranks" && signal=KILL ;;
+        1) victim=$job && signal=KILL ;;
+        2) one_rank 1 && signal=TERM ;; # the others leave it to rank 0
+        3) victim=$job && signal=TERM ;;
+    esac
+    kill -"$signal" "$victim" 2>/dev/null || true
+    wait_for_end
+    unset OMPI_MCA_odls_base_sigkill_timeout
+    kill_number=$((kill_number + 1))
+}
+
+# killed KIND OPTIONS...: again and again, each time resumed on another count
 killed() {
     whole=$1
     shift
@@ -101,34 +123,39 @@ killed() {
     out="$folder/killed-$whole"
     kill_number=0
     while [ "$kill_number" -lt "$kills" ]; do
-        random 5 && ranks=$((1 + drawn))
-        random 3 && threads=$((1 + drawn))
-        # how long mpirun waits before it kills what has not ended [s]
-        random 2 && export OMPI_MCA_odls_base_sigkill_timeout="$drawn"
-        begin "$ranks" chart pair.toml --out "$out" --threads "$threads" $all_files "$@"
-        random 8
-        sleep "0.$((drawn + 2))"
-        random 4
-        case $drawn in
-            0) one_rank "$ranks" && signal=KILL ;;
-            1) victim=$job && signal=KILL ;;
-            2) one_rank 1 && signal=TERM ;; # the others leave it to rank 0
-            3) victim=$job && signal=TERM ;;
-        esac
-        kill -"$signal" "$victim" 2>/dev/null || true
-        wait_for_end
-        kill_number=$((kill_number + 1))
+        killed_once $all_files "$@"
         [ -e "$out/chart.csv" ] || at_work=$((at_work + 1))
         [ "$status" = 0 ] || continue
         # done in spite of the kills: once more from the start
         same "$whole" "$out" "after $kill_number kills"
         rm -r "$out"
     done
-    unset OMPI_MCA_odls_base_sigkill_timeout
     random 5
     on_ranks $((1 + drawn)) chart pair.toml --out "$out" --threads 1 $all_files "$@" >out.txt 2>err.txt ||
         fail "after the kills: $(cat err.txt)"
     same "$whole" "$out" "after $kills kills"
+}
+
+# killed_shares KIND OPTIONS...: the same for two shares of a chart that is there, merged in the end
+killed_shares() {
+    whole=$1
+    shift
+    out="$folder/killed-shares"
+    kill_number=0
+    while [ "$kill_number" -lt "$kills" ]; do
+        random 2
+        killed_once --shard "$drawn/2" "$@"
+        grep -q "is done" out.txt || at_work=$((at_work + 1))
+    done
+    for share in 1/2 0/2; do
+        random 5
+        on_ranks $((1 + drawn)) chart pair.toml --out "$out" --threads 1 --shard "$share" "$@" >out.txt 2>err.txt ||
+            fail "share $share after the kills: $(cat err.txt)"
+    done
+    "$stridor" merge "$out" >out.txt 2>err.txt || fail "after the kills: $(cat err.txt)"
+    rm -r "$out/shards"
+    "$stridor" chart pair.toml --out "$out" $all_files "$@" >/dev/null 2>&1
+    same "$whole" "$out" "merged of two shares, after $kills kills"
 }
 
 echo "killed $kills time(s) each: ranks and mpirun itself, by SIGKILL and SIGTERM"
@@ -136,7 +163,8 @@ at_work=0 # kills that came before all was done
 killed slow_plain $slow_plain
 killed slow_refined $slow_refined
 killed slow_starts $slow_starts
-echo "$at_work of $((3 * kills)) kills came while it was at work"
+killed_shares slow_plain $slow_plain
+echo "$at_work of $((4 * kills)) kills came while it was at work"
 [ "$at_work" -ge "$kills" ] || fail "too few"
 
 echo "stopped by signals, and nothing is lost"
