@@ -69,7 +69,7 @@ public:
         const std::string bytes = unpacking_.words();
         is_good_ = is_good_ && bytes.size() % sizeof(double) == 0;
         numbers.resize(bytes.size() / sizeof(double));
-        std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+        if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
     }
     void operator()(std::optional<double>& number) {
         std::vector<double> numbers;
