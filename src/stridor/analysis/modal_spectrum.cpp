@@ -2,6 +2,7 @@
 
 #include "stridor/base/check.hpp"
 #include "stridor/base/decompositions.hpp"
+#include "stridor/base/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,9 +51,8 @@ ModalLine line_at(const ModalSpectrum& spectrum, std::size_t line) {
 OpenModes open_modes(const model::Structure& structure) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(structure.stiffness, structure.mass);
     OpenModes modes{{}, solver.eigenvectors()};
-    constexpr double two_pi = 6.283185307179586476925;
     for (const double squared : solver.eigenvalues())
-        modes.frequencies.push_back(std::sqrt(std::max(0.0, squared)) / two_pi);
+        modes.frequencies.push_back(std::sqrt(std::max(0.0, squared)) / base::two_pi);
     return modes;
 }
 

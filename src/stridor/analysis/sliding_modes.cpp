@@ -1,6 +1,7 @@
 #include "stridor/analysis/sliding_modes.hpp"
 
 #include "stridor/base/decompositions.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/model/complement.hpp"
 
 #include <algorithm>
@@ -27,9 +28,8 @@ FreeModes free_modes(const SlidingMotion& motion, const MatrixXd& directions) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
         model::reduced(directions, motion.stiffness, directions), model::reduced(directions, motion.mass, directions));
     FreeModes modes{{}, directions * solver.eigenvectors()};
-    constexpr double two_pi = 6.283185307179586476925;
     for (const double squared : solver.eigenvalues())
-        modes.frequencies.push_back(std::sqrt(std::max(0.0, squared)) / two_pi);
+        modes.frequencies.push_back(std::sqrt(std::max(0.0, squared)) / base::two_pi);
     return modes;
 }
 

@@ -1,6 +1,7 @@
 #include "stridor/analysis/sliding_stability.hpp"
 
 #include "stridor/base/decompositions.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/model/complement.hpp"
 #include "stridor/model/equilibrium.hpp"
@@ -14,7 +15,6 @@ namespace stridor::analysis {
 
 namespace {
 
-constexpr double two_pi = 6.283185307179586476925;
 // an undamped mode's real part comes out as rounding: growth below this share of the largest eigenvalue is none
 constexpr double rounding = 1e-9;
 // [1/s] where nothing has any stiffness
@@ -64,7 +64,7 @@ SlidingStability classify_modes(const std::vector<std::complex<double>>& eigenva
     SlidingStability result;
     result.normal_force = normal_force;
     for (const std::complex<double>& value : eigenvalues)
-        if (value.imag() >= 0.0) result.modes.push_back({value.real(), value.imag() / two_pi});
+        if (value.imag() >= 0.0) result.modes.push_back({value.real(), value.imag() / base::two_pi});
     std::sort(result.modes.begin(), result.modes.end(), slower);
     const auto fastest = std::max_element(result.modes.begin(), result.modes.end(),
                                           [](const Eigenmode& a, const Eigenmode& b) { return a.growth < b.growth; });

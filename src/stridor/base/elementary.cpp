@@ -15,7 +15,6 @@ namespace stridor::base {
 
 namespace {
 
-constexpr double two_pi = 6.283185307179586476925;
 constexpr double ln_2 = 0.693147180559945309417;
 constexpr double decibels_per_octave = 6.020599913279623904275;  // 20 log10(2)
 

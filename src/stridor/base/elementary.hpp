@@ -1,6 +1,10 @@
 #pragma once
 
+#include <numbers>
+
 namespace stridor::base {
+
+inline constexpr double two_pi = 2.0 * std::numbers::pi;  // [rad] a turn
 
 /// Sine and cosine of one angle.
 struct SineCosine {

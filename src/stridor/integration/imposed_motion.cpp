@@ -9,11 +9,7 @@
 
 namespace stridor::integration {
 
-namespace {
-
-constexpr double two_pi = 6.283185307179586476925;
-
-}  // namespace
+namespace {}  // namespace
 
 ImposedMotion::ImposedMotion(const parameters::Drive& drive, double step, double until)
     : profile_(parameters::velocity_profile(drive, until)),
@@ -47,7 +43,7 @@ double ImposedMotion::cornered_position(double time) const {
 model::SurfaceMotion ImposedMotion::at(double time) const {
     if (profile_.frequency > 0.0) {
         const base::SineCosine angle = base::sine_cosine_of_turns(profile_.frequency * time);
-        return {profile_.velocity * angle.cosine, -profile_.velocity * two_pi * profile_.frequency * angle.sine};
+        return {profile_.velocity * angle.cosine, -profile_.velocity * base::two_pi * profile_.frequency * angle.sine};
     }
     if (profile_.times.empty()) return {profile_.velocity, 0.0};
     const std::size_t k = corner_before(time);

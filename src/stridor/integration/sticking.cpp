@@ -11,6 +11,7 @@
 #include "stridor/integration/sticking.hpp"
 
 #include "stridor/base/decompositions.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/model/complement.hpp"
 
 #include <algorithm>
@@ -185,8 +186,7 @@ Outlook outlook_of_stick(const model::Structure& structure, const parameters::Ve
     const Stick stick(structure, contact, now);
     if (!stick.is_dissipative()) return {};
     if (!(profile.frequency > 0.0)) return judge(stick.under_constant_drive(), now.time);
-    constexpr double two_pi = 6.283185307179586476925;
-    return judge(stick.under_sinusoidal_drive(two_pi * profile.frequency), now.time);
+    return judge(stick.under_sinusoidal_drive(base::two_pi * profile.frequency), now.time);
 }
 
 }  // namespace stridor::integration

@@ -1,5 +1,7 @@
 #include "stridor/parameters/drive.hpp"
 
+#include "stridor/base/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,12 +10,10 @@ namespace stridor::parameters {
 
 namespace {
 
-constexpr double two_pi = 6.283185307179586476925;
-
 // x2 = A sin(2 pi f t)
 VelocityProfile sinusoidal(const Drive& drive) {
     VelocityProfile profile;
-    profile.velocity = drive.amplitude * two_pi * drive.frequency;
+    profile.velocity = drive.amplitude * base::two_pi * drive.frequency;
     profile.frequency = drive.frequency;
     profile.amplitude = drive.amplitude;
     return profile;

@@ -12,6 +12,7 @@
 
 #include "stridor/parameters/resolution.hpp"
 
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/parameters/field.hpp"
 #include "stridor/parameters/friction_keys.hpp"
@@ -29,7 +30,6 @@ namespace {
 using base::shortest;
 
 constexpr double smallest_number = 1e-75;
-constexpr double two_pi = 6.283185307179586476925;
 
 struct Named {
     std::string_view key;
@@ -75,7 +75,7 @@ Named fastest_rate(const Case& c, double friction) {
                        {"joint.axial_damping", decay(c.joint.axial_damping, c.joint.mass)},
                        {"joint.flexural_damping", decay(c.joint.flexural_damping, c.joint.mass)},
                        {"plate.damping", decay(c.plate.damping, c.plate.mass)},
-                       {"drive.frequency", two_pi * repetition_rate(c.drive)}});
+                       {"drive.frequency", base::two_pi * repetition_rate(c.drive)}});
 }
 
 void find_fast(const Case& c, std::vector<Finding>& found) {

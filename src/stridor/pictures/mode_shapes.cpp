@@ -1,6 +1,7 @@
 #include "stridor/pictures/mode_shapes.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/model/case_structure.hpp"
@@ -160,13 +161,12 @@ drawing::Scene mode_shapes(const analysis::StabilityScan& scan) {
     const model::Structure structure = model::structure_of(scan.base);
     const std::size_t columns = std::min(most_mode_shapes, modes.modes.size());
     drawing::Scene scene = scene_of(scan.base, direction.direction, columns);
-    constexpr double two_pi = 6.283185307179586476925;
     for (std::size_t column = 0; column < columns; ++column) {
         const SlidingMode& mode = modes.modes[column];
         std::vector<drawing::Panel> panels{motion_panel(scan.base, structure, mode), growth_panel(scan.base, mode),
                                            share_panel_of(modes, mode)};
-        panels[0].title = lettered(
-            column, fmt::format("{:.1f} Hz, {:+.1f} 1/s", mode.eigenvalue.imag() / two_pi, mode.eigenvalue.real()));
+        panels[0].title = lettered(column, fmt::format("{:.1f} Hz, {:+.1f} 1/s", mode.eigenvalue.imag() / base::two_pi,
+                                                       mode.eigenvalue.real()));
         panels[1].title = drawing::StyledText(fmt::format("damping {:+.1f} 1/s", mode.damping_growth));
         for (std::size_t row = 0; row < panels.size(); ++row) {
             panels[row].row = row;

@@ -1,6 +1,7 @@
 #include "stridor/reduction/lowest_modes.hpp"
 
 #include "stridor/base/decompositions.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/reduction/sparse_factor.hpp"
 
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -253,11 +253,11 @@ double highest_squared(const SparseMatrix& stiffness, const SparseMatrix& mass, 
 }
 
 double frequency_of(double squared) {
-    return squared > 0.0 ? std::sqrt(squared) / (2.0 * std::numbers::pi) : 0.0;
+    return squared > 0.0 ? std::sqrt(squared) / base::two_pi : 0.0;
 }
 
 double squared_of(double frequency) {
-    const double omega = 2.0 * std::numbers::pi * frequency;
+    const double omega = base::two_pi * frequency;
     return omega * omega;
 }
 

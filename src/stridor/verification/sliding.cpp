@@ -1,13 +1,12 @@
 #include "stridor/verification/sliding.hpp"
 
 #include "stridor/analysis/stability_path.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/model/frequencies.hpp"
 #include "stridor/model/rubbing_system.hpp"
 #include "stridor/parameters/paper_cases.hpp"
 
 #include <fmt/format.h>
-
-#include <numbers>
 
 namespace stridor::verification {
 
@@ -42,7 +41,7 @@ std::vector<Check> natural_frequency_checks() {
     const auto structure = model::rubbing_system(parameters::paper_case(PaperCase::squeal));
     std::vector<Check> checks;
     const auto add = [&](const char* name, ContactState state, std::size_t number, double expected) {
-        const double computed = model::natural_frequencies(structure, state)[number] / (2.0 * std::numbers::pi);
+        const double computed = model::natural_frequencies(structure, state)[number] / base::two_pi;
         checks.push_back({name, expected, computed, 1e-4 * expected});
     };
     add("slip, mu = 0, first [Hz]", ContactState::slip, 0, slip_frequencies[0]);

@@ -1,5 +1,6 @@
 #include "stridor/console/results/case_text.hpp"
 
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/model/case_structure.hpp"
@@ -15,7 +16,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
 
 namespace stridor::console {
@@ -81,9 +81,8 @@ std::string frequencies_text(const parameters::Case& c, const model::Structure& 
         const std::vector<double> all = model::natural_frequencies(structure, state);
         const std::size_t shown = c.own_structure ? std::min(all.size(), most_shown) : all.size();
         for (std::size_t k = 0; k < shown; ++k)
-            text += fmt::format("{:10.2f} Hz", all[k] / (2.0 * std::numbers::pi));
-        return text + (shown < all.size() ? fmt::format(" ... {:.4g} Hz", all.back() / (2.0 * std::numbers::pi)) : "") +
-               "\n";
+            text += fmt::format("{:10.2f} Hz", all[k] / base::two_pi);
+        return text + (shown < all.size() ? fmt::format(" ... {:.4g} Hz", all.back() / base::two_pi) : "") + "\n";
     };
     if (c.own_structure)
         return row("sliding, mu = 0", ContactState::slip) + row("sticking", ContactState::stick) +

@@ -1,5 +1,6 @@
 #include "stridor/console/results/stability_text.hpp"
 
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/escapes.hpp"
 #include "stridor/console/terminal.hpp"
 #include "stridor/parameters/own_structure.hpp"
@@ -109,12 +110,11 @@ std::string feeding_text(const parameters::Case& c, const analysis::SlidingMode&
 // what the modes that grow are made of, and what feeds them
 std::string contributions_text(const parameters::Case& c, const analysis::DirectionScan& direction) {
     const analysis::SlidingModes& modes = *direction.modes;
-    constexpr double two_pi = 6.283185307179586476925;
     std::string text;
     for (const analysis::SlidingMode& mode : modes.modes) {
         text += fmt::format("\n{:<8}{:9.2f} Hz {:+10.3f} 1/s\n",
                             parameters::direction_names[static_cast<std::size_t>(direction.direction)],
-                            mode.eigenvalue.imag() / two_pi, mode.eigenvalue.real());
+                            mode.eigenvalue.imag() / base::two_pi, mode.eigenvalue.real());
         const std::vector<std::size_t> numbers = analysis::by_share(mode);
         for (std::size_t k = 0; k < std::min(most_free_modes, numbers.size()); ++k)
             text += fmt::format("        free mode {:<4}{:9.2f} Hz  energy {:5.1f} %  MAC {:.3f}\n", numbers[k] + 1,

@@ -17,7 +17,6 @@ namespace stridor::integration {
 
 namespace {
 
-constexpr double two_pi = 6.283185307179586476925;
 constexpr int bernstein_degree = 7;
 // Omega h: longer steps cost accuracy of the series (2^24/24! = 3e-17) and of the bounds, shorter ones time
 constexpr double reach = 2.0;
@@ -150,7 +149,7 @@ public:
         : c_(c),
           friction_(friction),
           loops_(loops),
-          omega_(two_pi * drive_frequency) {}
+          omega_(base::two_pi * drive_frequency) {}
 
     Flows run() {
         describe();

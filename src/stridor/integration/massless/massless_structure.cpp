@@ -4,13 +4,13 @@
 #include "stridor/integration/massless/massless_structure.hpp"
 
 #include "stridor/base/decompositions.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/base/text.hpp"
 #include "stridor/model/inertial_part.hpp"
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 namespace stridor::integration {
@@ -89,7 +89,7 @@ Index most_kept(const AllModes& modes, const model::InertialPart& part, const Ma
 
 Index kept_modes(const AllModes& modes, const model::InertialPart& part, const MatrixXd& directions, double above) {
     if (above > 0.0) {
-        const double cut = 2.0 * std::numbers::pi * above;
+        const double cut = base::two_pi * above;
         return (modes.square_frequency.array() <= cut * cut).count();
     }
     const bool has_massless_rows = modes.square_frequency.size() < part.shape.rows();

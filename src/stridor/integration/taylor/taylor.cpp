@@ -10,6 +10,7 @@
 
 #include "stridor/integration/taylor/taylor.hpp"
 
+#include "stridor/base/elementary.hpp"
 #include "stridor/base/error.hpp"
 #include "stridor/integration/contact_mode_of.hpp"
 #include "stridor/integration/imposed_motion.hpp"
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace stridor::integration {
@@ -48,7 +48,7 @@ TaylorRun::TaylorRun(const model::Structure& structure, const parameters::Drive&
       recorder_(recorder),
       structure_(modal_structure(structure)),
       // a structure without springs and dashpots has no rate of its own: the run is its block
-      step_(std::min(2.0 / std::max(structure_.fastest, 2.0 * std::numbers::pi * drive_.profile().frequency),
+      step_(std::min(2.0 / std::max(structure_.fastest, base::two_pi * drive_.profile().frequency),
                      record::end_of(recorder.schedule()))),
       block_(structure_, step_),
       settling_(structure_, step_),
@@ -82,7 +82,7 @@ SurfaceSeries TaylorRun::surface(double time) const {
     SurfaceSeries series{};
     series[0] = now.velocity;
     series[1] = now.acceleration * step_;
-    const double omega = 2.0 * std::numbers::pi * drive_.profile().frequency;
+    const double omega = base::two_pi * drive_.profile().frequency;
     if (!(omega > 0.0)) return series;
     // V(t + x) = V cos(omega x) + V'/omega sin(omega x)
     const double turn = omega * step_;

@@ -1,6 +1,7 @@
 #include "stridor/io/simulation/json_simulation.hpp"
 
 #include "stridor/analysis/evidence_figures.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/classification/interface_rules.hpp"
 #include "stridor/io/json_parts.hpp"
 #include "stridor/io/simulation/dof_names.hpp"
@@ -179,7 +180,6 @@ Json stability_object(const parameters::Case& c, const analysis::SlidingStabilit
     return object;
 }
 
-constexpr double two_pi = 6.283185307179586476925;
 constexpr double least_share = 1e-3;  // [1] of a free mode that is listed
 
 // the free modes that make most of it first
@@ -206,7 +206,7 @@ Json contributions_object(const parameters::Case& c, const analysis::SlidingMode
         shape.push_back({{"name", rows[row]}, {"real", motion.real()}, {"imaginary", motion.imag()}});
     }
     return {{"growth", mode.eigenvalue.real()},
-            {"frequency", mode.eigenvalue.imag() / two_pi},
+            {"frequency", mode.eigenvalue.imag() / base::two_pi},
             {"contacts", std::move(contacts)},
             {"damping_growth", mode.damping_growth},
             {"free_modes", free_modes_array(modes, mode)},
