@@ -11,6 +11,7 @@
 #include "stridor/signal/median.hpp"
 #include "stridor/signal/window.hpp"
 #include "stridor/sound/course.hpp"
+#include "stridor/sound/parabola.hpp"
 
 #include <algorithm>
 #include <array>
@@ -59,19 +60,6 @@ double floor_excess(std::size_t frames) {
     return ratio * ratio * ratio;
 }
 
-struct Peak {
-    double place = 0.0;  // in bins
-    double height = 0.0;
-};
-
-// the summit of the parabola through a greatest value and its neighbours
-Peak summit(double left, double centre, double right) {
-    const double curvature = left - 2.0 * centre + right;
-    if (!(curvature < 0.0)) return {0.0, centre};
-    const double shift = std::clamp(0.5 * (left - right) / curvature, -0.5, 0.5);
-    return {shift, centre - 0.25 * (left - right) * shift};
-}
-
 // place of the strongest line within bins [from, to), from the logarithms of three bins,
 // in which Hann's line is a parabola
 double line_place(std::span<const double> power, std::size_t from, std::size_t to) {
@@ -83,7 +71,7 @@ double line_place(std::span<const double> power, std::size_t from, std::size_t t
     const double left = power[k - 1];
     const double right = power[k + 1];
     if (!(left > 0.0 && right > 0.0)) return place;
-    return place + summit(std::log(left), std::log(power[k]), std::log(right)).place;
+    return place + parabola_summit(std::log(left), std::log(power[k]), std::log(right)).place;
 }
 
 std::vector<double> echo_of(signal::Fourier& fourier, std::span<const double> window) {
@@ -247,12 +235,12 @@ void FeatureFinder::describe_cycles(const Picture& picture, std::span<const doub
     for (std::size_t lag = 0; lag < lags; ++lag)
         likeness[lag] = echo[lag] / echo[0] / std::max(picture.echo[lag], 0.02);
     const auto peak_in = [&](std::size_t low_lag, std::size_t high_lag) {
-        Peak best{0.0, -1.0};
+        Summit best{0.0, -1.0};
         for (std::size_t lag = std::max<std::size_t>(1, low_lag); lag < std::min(high_lag, lags); ++lag) {
-            Peak here_peak{0.0, likeness[lag]};
+            Summit here_peak{0.0, likeness[lag]};
             const bool is_summit =
                 lag + 1 < lags && likeness[lag] >= likeness[lag - 1] && likeness[lag] > likeness[lag + 1];
-            if (is_summit) here_peak = summit(likeness[lag - 1], likeness[lag], likeness[lag + 1]);
+            if (is_summit) here_peak = parabola_summit(likeness[lag - 1], likeness[lag], likeness[lag + 1]);
             if (here_peak.height > best.height) best = {static_cast<double>(lag) + here_peak.place, here_peak.height};
         }
         return best;
@@ -265,7 +253,7 @@ void FeatureFinder::describe_cycles(const Picture& picture, std::span<const doub
                                              .height,
                                          0.0, 1.0);
     const auto negative = std::find_if(likeness.begin(), likeness.end(), [](double value) { return value < 0.0; });
-    const Peak best = peak_in(static_cast<std::size_t>(negative - likeness.begin()), lags);
+    const Summit best = peak_in(static_cast<std::size_t>(negative - likeness.begin()), lags);
     if (best.height > 0.0) {
         features.repetition = std::min(1.0, best.height);
         features.repetition_frequency = rate_ / best.place;

@@ -5,6 +5,7 @@
 #include "stridor/signal/bands.hpp"
 #include "stridor/signal/median.hpp"
 #include "stridor/signal/window.hpp"
+#include "stridor/sound/parabola.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,12 +33,9 @@ std::size_t band_of(std::size_t bin) {
     return std::max(narrowest, static_cast<std::size_t>(std::lround(half_band * static_cast<double>(bin))));
 }
 
-// the summit of the parabola through three logarithms, in bins from the middle one
-double summit(double left, double centre, double right) {
-    const double l = std::log(left + tiny);
-    const double r = std::log(right + tiny);
-    const double curvature = l - 2.0 * std::log(centre + tiny) + r;
-    return curvature < 0.0 ? std::clamp(0.5 * (l - r) / curvature, -0.5, 0.5) : 0.0;
+// the place of a line, in bins from the middle one of three: in the logarithm Hann's line is a parabola
+double place_within(double left, double centre, double right) {
+    return parabola_summit(std::log(left + tiny), std::log(centre + tiny), std::log(right + tiny)).place;
 }
 
 }  // namespace
@@ -88,7 +86,7 @@ std::vector<ToneFinder::Line> ToneFinder::lines_of(std::span<const double> power
         const double surroundings =
             median_of_noise * std::exp((logarithms[to] - logarithms[from]) / static_cast<double>(to - from));
         if (!(power[k] > prominence * surroundings)) continue;
-        Line line{static_cast<double>(k) + summit(power[k - 1], power[k], power[k + 1]), 0.0};
+        Line line{static_cast<double>(k) + place_within(power[k - 1], power[k], power[k + 1]), 0.0};
         for (std::size_t j = k - 2; j <= k + 2; ++j)
             line.energy += weights_[j] * std::max(0.0, power[j] - surroundings);
         lines.push_back(line);
