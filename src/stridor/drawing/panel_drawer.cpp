@@ -3,6 +3,7 @@
 #include "stridor/drawing/lettering.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/drawing/reduce.hpp"
+#include "stridor/drawing/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,10 +23,9 @@ constexpr double dot_diameter = 1.1;    // [pt] of a texture's dots
 constexpr double outline_width = 0.9;   // [pt] added to a point's diameter by its outline
 constexpr double frame_width = 0.5;     // [pt]
 constexpr double hairline = 0.4;        // [pt] of the grid and around samples
-constexpr double slack = 1e-9;          // a value may miss the end of an axis by rounding and still belong to it
 
 bool is_within(double share) {
-    return share >= -slack && share <= 1.0 + slack;
+    return share >= -axis_slack && share <= 1.0 + axis_slack;
 }
 
 void draw_texture(Page& page, const Fill& fill, std::span<const Rectangle> areas, double spacing) {

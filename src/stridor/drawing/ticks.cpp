@@ -9,13 +9,10 @@ namespace stridor::drawing {
 
 namespace {
 
-// a tick may miss the end of the axis by rounding and still belong to it
-constexpr double slack = 1e-9;
-
 double nice_step(double least) {
     const double power = std::pow(10.0, std::floor(std::log10(least)));
     for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= least * (1.0 - slack)) return factor * power;
+        if (factor * power >= least * (1.0 - axis_slack)) return factor * power;
     return 10.0 * power;
 }
 
@@ -33,7 +30,7 @@ int common_exponent(double largest) {
 TickSet linear_ticks(const Extent& range, double length, double spacing) {
     const double span = range.to - range.from;
     const auto count = [&](double step) {
-        return std::floor(range.to / step + slack) - std::ceil(range.from / step - slack) + 1.0;
+        return std::floor(range.to / step + axis_slack) - std::ceil(range.from / step - axis_slack) + 1.0;
     };
     double step = nice_step(span * std::min(1.0, spacing / length));
     // a single number is no scale: rather a little tight
@@ -42,8 +39,8 @@ TickSet linear_ticks(const Extent& range, double length, double spacing) {
     TickSet set;
     set.exponent = common_exponent(std::max(std::abs(range.from), std::abs(range.to)));
     const double unit = std::pow(10.0, set.exponent);
-    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step / unit) + slack)));
-    const double first = std::ceil(range.from / step - slack);
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step / unit) + axis_slack)));
+    const double first = std::ceil(range.from / step - axis_slack);
     for (double k = first; k < first + count(step); k += 1.0) {
         const double value = k == 0.0 ? 0.0 : k * step;  // no "-0"
         set.ticks.push_back({value, minus_sign(fmt::format("{:.{}f}", value / unit, decimals)), TickSize::major});
@@ -65,11 +62,11 @@ TickSet logarithmic_ticks(const Extent& range, double length, double spacing) {
     // how many of 1, 2, 5 (or 1, 2, 3, 5) fit into a decade: the narrowest gap decides
     const bool has_room_for_three = decade_length * std::log10(2.0) >= spacing;
     TickSet set;
-    for (int decade = static_cast<int>(std::floor(std::log10(range.from))); decade <= std::log10(range.to) + slack;
+    for (int decade = static_cast<int>(std::floor(std::log10(range.from))); decade <= std::log10(range.to) + axis_slack;
          ++decade)
         for (int factor = 1; factor <= 9; ++factor) {
             const double value = factor * std::pow(10.0, decade);
-            if (value < range.from * (1.0 - slack) || value > range.to * (1.0 + slack)) continue;
+            if (value < range.from * (1.0 - axis_slack) || value > range.to * (1.0 + axis_slack)) continue;
             const bool is_major = factor == 1 || (has_room_for_three && (factor == 2 || factor == 5));
             set.ticks.push_back({value, is_major ? decade_label(value, decade) : StyledText(),
                                  is_major ? TickSize::major : TickSize::minor});

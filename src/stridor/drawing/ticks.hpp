@@ -6,6 +6,9 @@
 
 namespace stridor::drawing {
 
+/// A value may miss the end of an axis by rounding, by this share of it, and still belong to it.
+inline constexpr double axis_slack = 1e-9;
+
 /// The ticks of an axis and the power of ten its numbers are counted in.
 struct TickSet {
     std::vector<Tick> ticks;

@@ -23,7 +23,7 @@ constexpr double point_diameter = 1.1;      // [pt]
 constexpr double octaves_of_linear = 16.0;  // [1] largest over smallest value up to which a linear axis shows both
 
 // a row of panels: for each cell the values that stand above its place on the x axis
-struct Row {
+struct DiagramRow {
     drawing::StyledText label;
     std::string unit;
     std::vector<std::vector<double>> values;  // shape [cell][value]
@@ -37,20 +37,21 @@ std::vector<std::vector<double>> values_of(const std::vector<DiagramCell>& cells
     return values;
 }
 
-Row figure_row(const SweepResult& result, const sweep::CellFigure& figure) {
+DiagramRow figure_row(const SweepResult& result, const sweep::CellFigure& figure) {
     std::string name(figure.name);
     std::replace(name.begin(), name.end(), '_', ' ');
-    Row row{drawing::StyledText(name), std::string(figure.unit), {}};
+    DiagramRow row{drawing::StyledText(name), std::string(figure.unit), {}};
     for (const double value : sweep::figure_values(result, figure))
         row.values.push_back(std::isfinite(value) ? std::vector{value} : std::vector<double>{});
     return row;
 }
 
-std::vector<Row> rows_of(const SweepResult& result, const std::vector<DiagramCell>& cells) {
+std::vector<DiagramRow> rows_of(const SweepResult& result, const std::vector<DiagramCell>& cells) {
     const drawing::StyledText x1 =
         drawing::StyledText("x", drawing::TextStyle::italic) + drawing::StyledText("1", drawing::TextStyle::subscript);
-    std::vector<Row> rows{{drawing::StyledText("extremes of ") + x1, "m", values_of(cells, &DiagramCell::extremes)},
-                          {"beat interval", "s", values_of(cells, &DiagramCell::intervals)}};
+    std::vector<DiagramRow> rows{
+        {drawing::StyledText("extremes of ") + x1, "m", values_of(cells, &DiagramCell::extremes)},
+        {"beat interval", "s", values_of(cells, &DiagramCell::intervals)}};
     for (const std::string& quantity : result.study.quantities)
         if (const sweep::CellFigure* figure = sweep::find_cell_figure(quantity))
             rows.push_back(figure_row(result, *figure));
@@ -58,7 +59,7 @@ std::vector<Row> rows_of(const SweepResult& result, const std::vector<DiagramCel
 }
 
 // from the least to the largest value of all directions, with a little air
-drawing::PanelAxis axis_over(const Row& row) {
+drawing::PanelAxis axis_over(const DiagramRow& row) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const std::vector<double>& values : row.values)
@@ -94,7 +95,7 @@ drawing::Panel strip_panel(const SweepResult& result, std::size_t direction) {
     return panel;
 }
 
-drawing::Panel points_panel(const SweepResult& result, const Row& row, std::size_t direction) {
+drawing::Panel points_panel(const SweepResult& result, const DiagramRow& row, std::size_t direction) {
     const auto columns = static_cast<std::size_t>(result.study.x.points);
     drawing::Panel panel;
     panel.grid = drawing::Grid::both;
@@ -121,7 +122,7 @@ drawing::StyledText direction_title(const sweep::Study& study, std::size_t direc
 drawing::Scene diagram(const SweepResult& result, const std::vector<DiagramCell>& cells) {
     const sweep::Study& study = result.study;
     STRIDOR_EXPECT(sweep::has_one_axis(study) && cells.size() == result.cells.size());
-    const std::vector<Row> rows = rows_of(result, cells);
+    const std::vector<DiagramRow> rows = rows_of(result, cells);
     drawing::Scene scene;
     scene.title = study.base.title.empty() ? drawing::StyledText("Diagram over one parameter")
                                            : drawing::StyledText(study.base.title);

@@ -14,7 +14,7 @@ namespace stridor::pictures {
 namespace {
 
 // of one way to slip, as drawn: V_rel > 0 is a plate that goes
-struct Branch {
+struct LawBranch {
     double sign;
     double limit;    // [1] of the stick
     double sliding;  // [1] while it slips
@@ -28,7 +28,7 @@ drawing::StyledText named(double sign, std::string_view name, double value) {
            drawing::number_text(value);
 }
 
-void add_branch(drawing::Panel& panel, const Branch& branch, double top) {
+void add_branch(drawing::Panel& panel, const LawBranch& branch, double top) {
     const double x = branch.sign, s = branch.sign * branch.limit, d = branch.sign * branch.sliding;
     if (branch.limit > branch.sliding)
         panel.y.ticks.push_back({s, named(x, branch.limit_symbol, branch.limit), drawing::TickSize::major});
@@ -58,10 +58,10 @@ drawing::Scene friction_law(const parameters::Contact& contact) {
     const model::FrictionLaw law = model::friction_law(contact);
     const bool is_the_same = contact.friction == parameters::FrictionKind::coulomb;
     const auto branch = [&](model::Slip way, double sign, const char* limit, const char* sliding) {
-        return Branch{sign, stick_limit(law, way), sign * slip_ratio(law, way), limit, sliding};
+        return LawBranch{sign, stick_limit(law, way), sign * slip_ratio(law, way), limit, sliding};
     };
-    const Branch going = branch(model::Slip::backward, 1.0, "mu_s", "mu_d");
-    const Branch coming =
+    const LawBranch going = branch(model::Slip::backward, 1.0, "mu_s", "mu_d");
+    const LawBranch coming =
         branch(model::Slip::forward, -1.0, is_the_same ? "mu_s" : "mu_sc", is_the_same ? "mu_d" : "mu_dc");
     const double top = 1.3 * std::max({going.limit, coming.limit, going.sliding, coming.sliding, 1e-3});
     drawing::Panel panel;

@@ -22,7 +22,7 @@ using classification::ComparedFigure;
 using classification::ComparedSound;
 
 // rows of panels from the top, with their heights [mm]
-enum Row : std::size_t { waveform, spectrogram, category, detail, states, figures, rows };
+enum ComparedRow : std::size_t { waveform, spectrogram, category, detail, states, figures, rows };
 constexpr std::array<double, rows> heights{22.0, 40.0, 4.5, 22.0, 15.0, 38.0};
 
 constexpr double column_width = 52.0;  // [mm] with what parts it from the next

@@ -1,6 +1,7 @@
 #include "stridor/pictures/stability.hpp"
 
 #include "stridor/base/check.hpp"
+#include "stridor/base/elementary.hpp"
 #include "stridor/drawing/palette.hpp"
 #include "stridor/parameters/case_key.hpp"
 #include "stridor/pictures/parts/field_axis.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace stridor::pictures {
 
@@ -18,22 +18,22 @@ namespace {
 using analysis::Eigenmode;
 
 // one mode followed from value to value
-struct Branch {
+struct ModeBranch {
     std::vector<double> x;
     std::vector<Eigenmode> modes;
 };
 
 double distance(const Eigenmode& a, const Eigenmode& b) {
-    return std::hypot(a.growth - b.growth, 2.0 * std::numbers::pi * (a.frequency - b.frequency));
+    return std::hypot(a.growth - b.growth, base::two_pi * (a.frequency - b.frequency));
 }
 
 // each mode goes on with the nearest of the modes at the next value; modes beyond the branches' number begin new ones
-std::vector<Branch> branches_of(const analysis::StabilityPath& path) {
-    std::vector<Branch> branches;
+std::vector<ModeBranch> branches_of(const analysis::StabilityPath& path) {
+    std::vector<ModeBranch> branches;
     double before = 0.0;
     for (const analysis::StabilityPoint& point : path.points) {
         std::vector<Eigenmode> left = point.stability.modes;
-        for (Branch& branch : branches) {
+        for (ModeBranch& branch : branches) {
             if (left.empty() || branch.x.back() != before) continue;
             const Eigenmode last = branch.modes.back();
             const auto nearest = std::min_element(
@@ -91,7 +91,7 @@ drawing::Panel mode_panel(const StabilityCurve& curve, double Eigenmode::*member
     if (y.from < 0.0)
         panel.layers.emplace_back(
             drawing::Rule{0.0, drawing::Orientation::horizontal, {drawing::quiet_ink, 0.5, drawing::Dash::solid}});
-    const std::vector<Branch> branches = branches_of(curve.path);
+    const std::vector<ModeBranch> branches = branches_of(curve.path);
     for (std::size_t b = 0; b < branches.size(); ++b) {
         drawing::Line line{branches[b].x,
                            {},

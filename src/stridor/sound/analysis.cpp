@@ -13,7 +13,7 @@ namespace stridor::sound {
 
 namespace {
 
-constexpr double frame_time = 0.085;  // [s] of the spectra
+constexpr double spectrum_time = 0.085;  // [s] of the spectra
 constexpr std::size_t most_extents = 4096;
 constexpr std::size_t block_frames = 1U << 16U;
 
@@ -61,7 +61,7 @@ struct ChannelOverview::State {
     State(double the_rate, signal::Channel the_channel)
         : channel(std::move(the_channel)),
           rate(the_rate),
-          size(signal::power_of_two_near(frame_time, the_rate)),
+          size(signal::power_of_two_near(spectrum_time, the_rate)),
           meter(the_rate, signal::reference_of(channel.unit)),
           outline(the_rate),
           graph(the_rate / static_cast<double>(size), 0.5 * static_cast<double>(size) / the_rate, size / 2 + 1),

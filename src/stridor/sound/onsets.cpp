@@ -17,20 +17,20 @@ namespace stridor::sound {
 
 namespace {
 
-constexpr double corner = 1000.0;          // [Hz]
-constexpr double part_time = 0.002;        // [s]
-constexpr std::size_t step_parts = 4;      // 8 ms
-constexpr std::size_t short_parts = 2;     // 4 ms, for impulses of which the next one comes before 16 ms have passed
-constexpr std::size_t apart = 3;           // parts on either side that an onset exceeds
-constexpr double least_step = 4.5;         // [dB]
-constexpr std::size_t lasting = 50;        // parts of a lasting level, 0.1 s
-constexpr std::size_t steady = 100;        // parts of a steady level, 0.2 s
-constexpr double depth = 20.0;             // [dB] below the greatest level there is nothing to hear
-constexpr double least_share = 1e-6;       // [1] of the loudest part: quieter ones are all the same
-constexpr double most_change = 1.741;      // [1] of an interval to the next, 0.8 octaves
-constexpr double longest_interval = 0.35;  // [s] within a train
-constexpr double level_time = 0.05;        // [s]
-constexpr double level_corner = 100.0;     // [Hz]
+constexpr double corner = 1000.0;       // [Hz]
+constexpr double part_time = 0.002;     // [s]
+constexpr std::size_t step_parts = 4;   // 8 ms
+constexpr std::size_t short_parts = 2;  // 4 ms, for impulses of which the next one comes before 16 ms have passed
+constexpr std::size_t apart = 3;        // parts on either side that an onset exceeds
+constexpr double least_step = 4.5;      // [dB]
+constexpr std::size_t lasting = 50;     // parts of a lasting level, 0.1 s
+constexpr std::size_t steady = 100;     // parts of a steady level, 0.2 s
+constexpr double depth = 20.0;          // [dB] below the greatest level there is nothing to hear
+constexpr double least_share = 1e-6;    // [1] of the loudest part: quieter ones are all the same
+constexpr double most_interval_change = 1.741;  // [1] of an interval to the next, 0.8 octaves
+constexpr double longest_interval = 0.35;       // [s] within a train
+constexpr double level_time = 0.05;             // [s]
+constexpr double level_corner = 100.0;          // [Hz]
 
 double decibels(double ratio) {
     return 10.0 * std::log10(ratio);
@@ -154,14 +154,14 @@ struct Rows {
     double longest = 0.0;  // [1] onsets
 };
 
-// rows of at least four onsets whose intervals change by less than `most_change` from one to the next
+// rows of at least four onsets whose intervals change by less than `most_interval_change` from one to the next
 Rows rows_of(std::span<const double> instants) {
     Rows rows;
     const auto interval = [&](std::size_t k) { return instants[k + 1] - instants[k]; };
     const auto goes_on = [&](std::size_t k) {  // from interval k to the next
         const double ratio = interval(k + 1) / interval(k);
-        return std::max(interval(k), interval(k + 1)) < longest_interval && ratio < most_change &&
-               ratio * most_change > 1.0;
+        return std::max(interval(k), interval(k + 1)) < longest_interval && ratio < most_interval_change &&
+               ratio * most_interval_change > 1.0;
     };
     for (std::size_t k = 0; k + 2 < instants.size();) {
         std::size_t end = k;

@@ -12,7 +12,7 @@ namespace stridor::sound {
 
 namespace {
 
-constexpr double part_time = 0.005;    // [s]
+constexpr double level_part = 0.005;   // [s]
 constexpr std::size_t sustained = 12;  // parts of a sustained level
 constexpr double level_jump = 6.0;     // [dB]
 constexpr double drive_corner = 40.0;  // [Hz] below lies the motion of the drive
@@ -22,7 +22,7 @@ class StretchParts {
 public:
     explicit StretchParts(double rate)
         : section_(signal::high_pass(drive_corner, rate, 2).front()),
-          length_(std::max<std::size_t>(1, static_cast<std::size_t>(part_time * rate))) {}
+          length_(std::max<std::size_t>(1, static_cast<std::size_t>(level_part * rate))) {}
 
     std::size_t length() const { return length_; }
 
@@ -78,7 +78,7 @@ struct StretchFinder::State {
     // describes all stretches that can be cut off; `end`: what is left is cut too
     enum class End { open, reached };
     void describe(End end) {
-        const auto longest = static_cast<std::size_t>(longest_stretch / part_time);
+        const auto longest = static_cast<std::size_t>(longest_stretch / level_part);
         const std::size_t ahead = end == End::reached ? 1 : longest + sustained;
         std::size_t first = 0;
         std::size_t first_part = 0;

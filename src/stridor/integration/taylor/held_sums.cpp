@@ -10,8 +10,8 @@ namespace stridor::integration {
 
 namespace {
 
-constexpr double sum_rounding = 0x1p-52;  // [1] of its terms: a sum this small may as well be zero
-constexpr double held_rounding = 1e-14;   // [1] likewise: what passes come down to
+constexpr double least_sum = 0x1p-52;    // [1] of its terms: a sum this small may as well be zero
+constexpr double held_rounding = 1e-14;  // [1] likewise: what passes come down to
 constexpr int most_passes = 4;
 
 // are they zero but for `rounding` of their terms? also notes how far each is from it
@@ -39,7 +39,7 @@ Eigen::MatrixXd gram(const std::vector<HeldSum>& sums, const Eigen::MatrixXd& pr
 void hold_at_zero(const std::vector<HeldSum>& sums, const Eigen::MatrixXd& products, std::span<double> x) {
     const auto n = static_cast<Eigen::Index>(sums.size());
     Eigen::VectorXd error(n);
-    if (are_zero(sums, x, sum_rounding, error)) return;
+    if (are_zero(sums, x, least_sum, error)) return;
     const Eigen::LDLT<Eigen::MatrixXd> factor = gram(sums, products).ldlt();
     // rows that nearly depend on each other leave more than rounding the first time
     for (int pass = 0; pass < most_passes; ++pass) {

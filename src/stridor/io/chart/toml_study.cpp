@@ -107,7 +107,7 @@ double number_of(const TomlEntry& entry, std::string_view unit) {
 }
 
 // an index into names
-std::size_t name_of(const std::string& text, const TomlEntry& entry, std::span<const std::string_view> names) {
+std::size_t place_of_name(const std::string& text, const TomlEntry& entry, std::span<const std::string_view> names) {
     return base::place_of_choice(entry.key, text, names, entry.value_place);
 }
 
@@ -156,7 +156,7 @@ sweep::Axis read_axis(const TomlDocument& document, const std::string& prefix, C
     if (has_unit) read("to", [&](const TomlEntry& entry) { axis.to = number_of(entry, unit); });
     read("points", [&](const TomlEntry& entry) { axis.points = count_of(entry, sweep::most_points, "points"); });
     read("scale", [&](const TomlEntry& entry) {
-        axis.scale = static_cast<sweep::Scale>(name_of(text_of(entry, "text"), entry, sweep::scale_names));
+        axis.scale = static_cast<sweep::Scale>(place_of_name(text_of(entry, "text"), entry, sweep::scale_names));
     });
     return axis;
 }
@@ -175,7 +175,7 @@ void read_names(const TomlDocument& document, std::string_view key, std::span<co
     if (entry == nullptr) return;
     values.clear();
     for (const std::string& name : list_of(*entry))
-        values.push_back(static_cast<Value>(name_of(name, *entry, names)));
+        values.push_back(static_cast<Value>(place_of_name(name, *entry, names)));
 }
 
 // the entry that an error of the sweep is about: the key its words name first
