@@ -42,8 +42,9 @@ public:
     std::vector<bool> stored() override { return store_.stored(); }
     Counts counts() override { return store_.counts(); }
     void write(std::span<const IndexedCell> cells) override {
-        store_.write(cells);
+        // before the disk is waited for: the threads go on meanwhile, and might come to the end of the study
         if (--left_ <= 0) source_.request_stop();
+        store_.write(cells);
     }
     void visit(std::size_t first, std::size_t last, const std::function<void(IndexedCell&)>& use) override {
         store_.visit(first, last, use);
@@ -119,8 +120,8 @@ TEST_P(Sweep, HasTheSameBitsHoweverOftenItWasStopped) {
     Store store(folder_ / "disturbed", study_);
     SweepEnding ending = SweepEnding::stopped;
     int stops = 0;
-    for (int batches = 1; ending == SweepEnding::stopped; ++batches) {
-        ImpatientKeeper keeper(store, batches);
+    while (ending == SweepEnding::stopped) {
+        ImpatientKeeper keeper(store, 1 + stops / 3);
         RunOptions options;
         options.crew = crew::thread_crews(1 + stops % 3);
         options.stop = keeper.token();

@@ -11,47 +11,97 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace stridor::support {
 
 namespace {
 
-void redirect(const std::filesystem::path& file, int flags, int descriptor) {
-    const int opened = open(file.c_str(), flags, 0600);
+void redirect(const char* file, int flags, int descriptor) {
+    const int opened = open(file, flags, 0600);
     if (opened < 0) _exit(126);
     dup2(opened, descriptor);
     close(opened);
 }
 
-[[noreturn]] void become_program(const Launch& launch, const std::filesystem::path& output) {
-    redirect(output / "in", O_RDONLY, STDIN_FILENO);
-    redirect(output / "out", O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
-    redirect(output / "err", O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
-    if (!launch.folder.empty() && chdir(launch.folder.c_str()) != 0) _exit(126);
-    if (launch.largest_file) {
-        const rlimit limit{*launch.largest_file, *launch.largest_file};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    for (const auto& [name, value] : launch.environment)
-        setenv(name.c_str(), value.c_str(), 1);
-    std::vector<char*> words;
-    std::string path = launch.program.empty() ? program() : launch.program;
-    words.push_back(path.data());
-    std::vector<std::string> arguments = launch.arguments;
-    for (std::string& argument : arguments)
-        words.push_back(argument.data());
-    words.push_back(nullptr);
-    execv(path.c_str(), words.data());
-    _exit(127);
+// strings as the system's calls take them; they last as long as these do
+std::vector<char*> pointers(std::vector<std::string>& strings) {
+    std::vector<char*> pointers;
+    for (std::string& string : strings)
+        pointers.push_back(string.data());
+    pointers.push_back(nullptr);
+    return pointers;
 }
+
+std::vector<std::string> environment_with(const std::vector<std::pair<std::string, std::string>>& added) {
+    std::map<std::string, std::string> variables;
+    for (char** variable = environ; *variable != nullptr; ++variable) {
+        const std::string text = *variable;
+        variables.emplace(text.substr(0, text.find('=')), text);
+    }
+    for (const auto& [name, value] : added)
+        variables[name] = name + "=" + value;
+    std::vector<std::string> texts;
+    for (const auto& [name, text] : variables)
+        texts.push_back(text);
+    return texts;
+}
+
+// What the child needs is made before it is: another thread of this process may hold the heap's lock at the fork, and
+// nobody in the child would ever let go of it. From then on it makes only calls that are safe there (POSIX, fork).
+class Prepared {
+public:
+    Prepared(const Launch& launch, const std::filesystem::path& output)
+        : folder_(launch.folder.string()),
+          largest_file_(launch.largest_file),
+          in_((output / "in").string()),
+          out_((output / "out").string()),
+          err_((output / "err").string()),
+          words_{launch.program.empty() ? program() : launch.program},
+          environment_(environment_with(launch.environment)) {
+        words_.insert(words_.end(), launch.arguments.begin(), launch.arguments.end());
+        arguments_ = pointers(words_);
+        variables_ = pointers(environment_);
+    }
+    Prepared(const Prepared&) = delete;  // the pointers are to its own strings
+    Prepared& operator=(const Prepared&) = delete;
+
+    [[noreturn]] void become() const {
+        redirect(in_.c_str(), O_RDONLY, STDIN_FILENO);
+        redirect(out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
+        redirect(err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
+        if (!folder_.empty() && chdir(folder_.c_str()) != 0) _exit(126);
+        if (largest_file_) {
+            const rlimit limit{*largest_file_, *largest_file_};
+            setrlimit(RLIMIT_FSIZE, &limit);
+        }
+        execve(arguments_[0], arguments_.data(), variables_.data());
+        _exit(127);
+    }
+
+private:
+    std::string folder_;
+    std::optional<unsigned long> largest_file_;
+    std::string in_;
+    std::string out_;
+    std::string err_;
+    std::vector<std::string> words_;
+    std::vector<std::string> environment_;
+    std::vector<char*> arguments_;
+    std::vector<char*> variables_;
+};
 
 }  // namespace
 
 Process::Process(const Launch& launch) {
     write_text(output_ / "in", launch.input);
+    const Prepared prepared(launch, output_.path());
     id_ = fork();
-    if (id_ == 0) become_program(launch, output_.path());
+    if (id_ == 0) prepared.become();
     if (id_ < 0) throw std::runtime_error("cannot fork");
 }
 
